@@ -154,8 +154,8 @@ void add_run(CLI::App& app, RunOptions& options) {
     seconds->check(between(1e-4, 1e6));
     run->add_option("--frames", options.frames, "Number of steps instead")->check(between(1, 1e9))->excludes(seconds);
     run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
-    run->add_option("--substeps", options.substeps, "Substeps of a step (default: the scene's)")
-        ->check(between(1, 256));
+    run->add_option("--substeps", options.substeps, "Substeps of a step, 0: by its length (default: the scene's)")
+        ->check(between(0, 256));
     run->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
         ->check(between(1, 256));
     run->add_option_function<std::string>(

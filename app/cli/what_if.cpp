@@ -64,8 +64,8 @@ std::vector<WhatIf> parse_what_if(std::span<const std::string> texts) {
             changes.push_back(change_of_settings([v](WorldDef& settings) { settings.gravity = {v[0], v[1], v[2]}; }));
         } else if (what == "substeps") {
             const float count = numbers_of(text, value, 1)[0];
-            if (!(count >= 1 && count <= 256 && count == std::floor(count)))
-                refuse_change(text, "must be a whole number from 1 to 256");
+            if (!(count >= 0 && count <= 256 && count == std::floor(count)))
+                refuse_change(text, "must be a whole number from 0 to 256");
             changes.push_back(change_of_settings([count](WorldDef& settings) { settings.substeps = int(count); }));
         } else if (what == "friction") {
             const float friction = numbers_of(text, value, 1)[0];

@@ -32,7 +32,7 @@ std::string short_energy(double joules) {
 void PaneWindow::open(const StageState& state, Controller& controller) {
     scene_serial_ = state.scene_serial;
     const bool is_first_time = settings_.empty();
-    first_ = {float(state.time_step), state.settings.substeps, state.settings.integrator, {}};
+    first_ = {float(state.time_step), state.usual_substeps, state.settings.integrator, {}};
     if (is_first_time)
         for (const float factor : {0.5f, 0.25f, 2.0f}) {
             settings_.push_back(first_);
@@ -143,8 +143,8 @@ void PaneWindow::draw_captions(const StageState& state, const WindowFacts& facts
         std::string text;
         char line[96];
         if (i == 0) {
-            text = "this run: " +
-                   describe({float(state.time_step), state.settings.substeps, state.settings.integrator, {}});
+            text =
+                "this run: " + describe({float(state.time_step), state.usual_substeps, state.settings.integrator, {}});
             if (state.settings.adaptive_substeps) text += ", more where needed";
             text += "\nenergy " + short_energy(state.energy);
         } else {

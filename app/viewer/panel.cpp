@@ -212,11 +212,15 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
     shown_lines_ = scene_lines_;
 }
 
-void Panel::draw_settings(Controller& controller) {
+void Panel::draw_settings(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("Settings")) return;
     bool changed = ImGui::SliderFloat3("gravity", &settings_.gravity.x, -20.0f, 20.0f, "%.2f");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s^2; double-click to type");
-    changed |= ImGui::SliderInt("substeps", &settings_.substeps, 1, 32, "%d", ImGuiSliderFlags_AlwaysClamp);
+    const std::string by_step = std::to_string(state.usual_substeps) + ", by the step";
+    changed |= ImGui::SliderInt("substeps", &settings_.substeps, 0, 32,
+                                settings_.substeps > 0 || state.settings.substeps > 0 ? "%d" : by_step.c_str(),
+                                ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("0: as many as make them no longer than 1/360 s");
     changed |= ImGui::Checkbox("more substeps where needed", &settings_.adaptive_substeps);
     int integrator = int(settings_.integrator);
     constexpr std::array names{"semi-implicit Euler", "explicit Euler", "Runge-Kutta 4"};
@@ -352,7 +356,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_statistics(state, facts);
         joints_.draw(state, controller);
         fields_.draw(state, controller);
-        draw_settings(controller);
+        draw_settings(state, controller);
         draw_spawn_tool(controller);
         ImGui::PopItemWidth();
         other_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - list_height_;

@@ -35,7 +35,7 @@ class Panel {
   private:
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
-    void draw_settings(Controller& controller);
+    void draw_settings(const StageState& state, Controller& controller);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);

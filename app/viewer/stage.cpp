@@ -163,6 +163,7 @@ StageState Stage::state() const {
     state.speed = clock_.speed();
     state.real_time_factor = clock_.real_time_factor();
     state.time_step = clock_.time_step();
+    state.usual_substeps = scene_.world.usual_substeps(float(state.time_step));
     state.remainder = clock_.remainder();
     state.selected = selected_;
     state.selection = selection_;

@@ -65,6 +65,7 @@ struct StageState {
     Statistics statistics;
     double step_milliseconds = 0.0; ///< Mean over the last half second or so, as the physics thread measured it.
     WorldDef settings;
+    int usual_substeps = 6;                                  ///< `World::usual_substeps` of `time_step`.
     std::vector<std::pair<ForceFieldId, ForceField>> fields; ///< Without those that are held keys.
     bool paused = false;
     bool frozen = false, pulled = false;

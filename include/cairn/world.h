@@ -35,10 +35,10 @@ enum class Integrator : std::uint8_t {
 /// Settings of a world. All may be changed later through `World::set_settings`.
 struct WorldDef {
     Vec3 gravity{0.0f, -9.81f, 0.0f}; ///< m/s^2, finite.
-    int substeps = 6;                 ///< Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios,
-                                      ///< tall stacks) get more by themselves; see `adaptive_substeps`.
-    bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it, and
-                                      ///< take two thirds of them in large heaps that fell and have come to rest.
+    int substeps = 0;                 ///< Solver substeps of one step, 1 to 256; or 0: as many as make them no
+                                      ///< longer than 1/360 s (6 at 60 Hz, 2 at 240 Hz).
+    bool adaptive_substeps = true;    ///< Take more in islands that ask for it: with joints (no longer than 1/660 s),
+                                      ///< high mass ratios, tall stacks.
     Integrator integrator = Integrator::semi_implicit_euler;
     bool enable_sleep = true;          ///< Islands at rest stop costing time.
     float sleep_speed = 0.05f;         ///< m/s; a body slower than this at its surface may sleep. >= 0.
@@ -120,6 +120,9 @@ class World {
 
     const WorldDef& settings() const;
     void set_settings(const WorldDef& def); ///< Throws on a bad value. Wakes everything if gravity changes.
+    /// The substeps of a step of `dt` seconds, where no island asks for more: `WorldDef::substeps`, or what its 0
+    /// stands for. Throws unless `dt` is finite and > 0.
+    int usual_substeps(float dt) const;
 
     /// The number of threads that a step may use: that of the caller, and `count` - 1 more that the world keeps. 1 to
     /// 256; default 1. Results do not depend on it. Snapshots do not hold it. Throws outside that range, or when the

@@ -380,6 +380,10 @@ class World:
         """
     @settings.setter
     def settings(self, value: WorldDef) -> None: ...
+    def usual_substeps(self, dt: float) -> int:
+        """The substeps of a step of `dt` seconds, finite and > 0, where no island asks for more: `WorldDef.substeps`,
+        or what its 0 stands for. Raises: invalid_value, wrong_state.
+        """
     @property
     def threads(self) -> int:
         """The number of threads that a step may use. Setting: The number of threads that a step may use: that of the

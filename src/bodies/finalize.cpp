@@ -5,6 +5,7 @@
 #include "collision/core_sweep.h"
 
 #include "core/cache.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,6 @@ DBounds bounds_of(const Shapes& shapes, std::uint32_t shape, float turn) {
 }
 
 math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
-
-constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
 
 void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * bodies.motion[b].v;

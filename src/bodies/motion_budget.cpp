@@ -3,6 +3,7 @@
 #include "bodies/bodies.h"
 
 #include "core/cache.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 
@@ -58,7 +59,7 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
 
 void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, NarrowScratch& narrow,
                   ThreadPool& thread_pool, float dt) {
-    const double h = double(dt) / settings.substeps;
+    const double h = double(dt) / substeps_of(settings, dt);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     // Of what does not move it is zero.
     std::vector<std::int32_t>& moving = narrow.moving;

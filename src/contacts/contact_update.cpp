@@ -270,6 +270,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
     const std::vector<SortedContact>& solved = solver.of_batches;
     std::vector<std::uint8_t>& changes = narrow.changes;
     changes.resize(solved.size());
+    const float gain = load_gain(dt);
     thread_pool.for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
         // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
         ContactInfo* const info = contacts.info.data();
@@ -289,7 +290,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
             const bool is_finite = std::isfinite(report.impulse);
             ContactInfo& c = info[list[k].id];
             if (!is_finite) forget_impulses(contacts.records[list[k].id], c.point_count);
-            note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass);
+            note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass, gain);
             change[k] = begins_or_ends(c, report);
             own = std::max(own, -report.separation);
         }

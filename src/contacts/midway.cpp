@@ -20,6 +20,7 @@ math::Quat turn_by(math::Vec3 rotation) {
 
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time) {
+    if (!(time > 0)) return;
     narrow.midway_poses.resize(shapes.poses.size());
     narrow.midway_arms.resize(shapes.poses.size());
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {

@@ -4,6 +4,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/flight.h"
+#include "state/substeps.h"
 
 namespace cairn {
 
@@ -11,7 +12,8 @@ namespace cairn {
 // is found once. What rocks moves its place of touch all the time: found at the start, it is late by this, and feeds
 // the motion (tests/physics/rocking_test.cpp).
 inline float midway_time(const WorldDef& settings, float dt) {
-    return dt * float(settings.substeps - 1) / float(2 * settings.substeps);
+    const int substeps = substeps_of(settings, dt);
+    return dt * float(substeps - 1) / float(2 * substeps);
 }
 
 // What will have moved by less than a micrometer is where it is.
@@ -27,10 +29,10 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
 // Whether a pair is looked for there: it has met, moves, and neither turns far until then, nor passes the other by more
 // than the margin: what slides or rolls on in haste may be over another shape by then, whose contact is of the start.
 // What meets only in this step is asked where it does; bodies with joints do not move as their velocities say, nor do
-// the surfaces of conveyors.
+// the surfaces of conveyors. The middle of a step of one substep is its start.
 inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
     constexpr float small = 0.25f; // rad
-    if (!c.touching || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
+    if (!(time > 0) || !c.touching || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         const math::Vec3 w = bodies.motion[b].w;

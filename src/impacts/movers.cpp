@@ -5,6 +5,7 @@
 #include "bodies/free_body.h"
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ Movers::~Movers() {
 }
 
 double Movers::offset_of_velocity() const {
-    return path_offset(s.settings.integrator) * double(dt_) / s.settings.substeps;
+    return path_offset(s.settings.integrator) * double(dt_) / substeps_of(s.settings, dt_);
 }
 
 // Of what is free: by its angular momentum, which torque alone changes.
@@ -235,7 +236,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     BodyMotion& motion = s.bodies.motion[m.body];
     const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
-    const int all = s.settings.substeps, substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
+    const int all = substeps_of(s.settings, dt_), substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
     const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
     motion.x = from.x, motion.q = from.q;

@@ -7,7 +7,7 @@ namespace cairn {
 
 namespace {
 
-constexpr int joint_substeps = 11; // where joints are, at least
+constexpr int joint_substeps = 11; // in the usual step, at least, where joints are
 constexpr int max_adaptive_substeps = 128;
 // The share of the island's weight on one contact from which on that contact is all that counts. A smaller one counts
 // in proportion: what is squeezed somewhere in a heap is no structure.
@@ -15,23 +15,25 @@ constexpr float full_share = 1.0f / 3;
 
 // Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
 int rounded_up(float wanted) {
+    if (wanted <= 4) return int(std::ceil(wanted));
     const int unit = wanted <= 12 ? 4 : 8;
     return (int(std::min(wanted, float(max_adaptive_substeps))) + unit - 1) / unit * unit;
 }
 
 } // namespace
 
-int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
-    if (!settings.adaptive_substeps) return settings.substeps;
-    const int usual = load.has_joints ? std::max(settings.substeps, joint_substeps) : settings.substeps;
+int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt) {
+    const int own = substeps_of(settings, dt);
+    if (!settings.adaptive_substeps) return own;
+    const int usual = load.has_joints ? std::max(own, substeps_in(dt, joint_substeps)) : own;
     const float weight = std::min(load.share / full_share, 1.0f);
-    const float wanted = weight * std::sqrt(load.demand);
+    const float wanted = weight * std::sqrt(load.demand) * (dt / usual_step);
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const WorldDef& settings, Island& island) {
+int island_substeps(const WorldDef& settings, Island& island, float dt) {
     const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
-    const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand});
+    const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand}, dt);
     island.greatest_load = island.greatest_demand = 0;
     return wanted;
 }

@@ -9,19 +9,20 @@
 //     n = max(usual, share x sqrt(demand)),    demand in m/s^2,
 //
 // where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
-// of n. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
-// measurements.
+// of n. That is for a step of 1/60 s: what counts is how long a substep is, so shorter steps take fewer in proportion,
+// longer ones more. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md
+// has the measurements.
 #pragma once
 
 #include "state/state.h"
 #include "state/step_scratch.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace cairn {
 
-inline constexpr int max_substeps = 256; // that a world may ask for
 inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // What the policy looks at.
@@ -30,29 +31,34 @@ struct IslandLoad {
     float share;  // of the island's weight that its most loaded contact carries
     float demand; // m/s^2: the greatest ratio of load to reduced mass of a contact
 };
-int wanted_substeps(const WorldDef& settings, const IslandLoad& load);
+int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
 // Of an island in this step; what its contacts carried is forgotten, to be measured anew in the solver.
-int island_substeps(const WorldDef& settings, Island& island);
+int island_substeps(const WorldDef& settings, Island& island, float dt);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& contact, math::Vec3 normal);
 // More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
 inline constexpr float max_share = 1.2f;
 
-inline constexpr float load_gain = 0.25f; // of the low-pass filter over steps
+// In usual steps: the time constant of the low-pass filter for loads, and what it takes over in a step of dt seconds.
+inline constexpr float load_time = 3;
+inline float load_gain(float dt) {
+    const float steps = dt / usual_step;
+    return steps / (steps + load_time);
+}
 // m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
 // last.
 inline constexpr float max_agitation = 1.0f;
 // m: what is narrower must not overlap as far as what is wider, but in proportion.
 inline constexpr float usual_width = 0.015f;
 
-// After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it. Others may be
-// at work on other contacts of the island.
-inline void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
+// After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it; `gain`: see
+// load_gain. Others may be at work on other contacts of the island.
+inline void note_load(Island& island, ContactInfo& c, float force, float inverse_mass, float gain) {
     // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
     const float most = island.agitation > max_agitation ? c.load : force;
-    c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
+    c.load += gain * (std::min(std::min(force, c.force), most) - c.load);
     if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
     c.force = force;
     const float load = std::min(c.load, max_share * island.weight);

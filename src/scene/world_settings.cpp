@@ -88,7 +88,7 @@ nlohmann::ordered_json write_force_field(const ForceField& field) {
 void read_scalars(const Value& settings, WorldDef& world, SceneInfo& info) {
     if (const auto v = settings.find("time_step")) info.time_step = v->real({0.0001, 1.0, false});
     if (const auto v = settings.find("gravity")) world.gravity = v->float_vector3();
-    if (const auto v = settings.find("substeps")) world.substeps = v->integer(1, 256);
+    if (const auto v = settings.find("substeps")) world.substeps = v->integer(0, 256);
     if (const auto v = settings.find("adaptive_substeps")) world.adaptive_substeps = v->boolean();
     if (const auto v = settings.find("integrator")) world.integrator = read_integrator(*v);
     if (const auto v = settings.find("sleep")) world.enable_sleep = v->boolean();

@@ -14,6 +14,7 @@
 #include "solver/rank_border.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <atomic>
@@ -307,12 +308,13 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
 void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
                       const WorldDef& settings, SolverScratch& solver, const std::vector<std::int32_t>& list,
                       BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    const int substeps = substeps_of(settings, dt);
     for_chunks(thread_pool, int(list.size()), rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? solver.at_work[thread] : scratch;
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(bodies, shapes, broad_phase, list, std::size_t(k));
             const std::int32_t b = list[k];
-            own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, settings.substeps);
+            own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, substeps);
             finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
         }
     });

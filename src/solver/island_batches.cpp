@@ -106,7 +106,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     for (const std::int32_t i : islands.awake) {
         scratch.contacts_of_island[i] = 0;
         scratch.island_bounces[i] = 0;
-        islands.all[i].substeps = island_substeps(settings, islands.all[i]);
+        islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
 

@@ -108,9 +108,9 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(batch.substeps);
-    ContactSoftness softness = contact_softness(h, batch.substeps, settings.recovery_speed);
+    ContactSoftness softness = contact_softness(dt, batch.substeps, settings.recovery_speed);
     const BounceSettings bounce{h, settings.restitution_speed, velocity_offset(settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, batch.substeps);
+    const JointSoftness joint_soft = joint_softness(dt, batch.substeps);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
@@ -197,9 +197,10 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
+        const float half_step = substeps_of(s.settings, dt) == 1 ? 0.5f * dt : 0.0f;
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
-                      scratch.inertia.data(), scratch.velocity.data());
+                      scratch.inertia.data(), scratch.velocity.data(), half_step);
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;

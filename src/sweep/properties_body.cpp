@@ -36,8 +36,8 @@ template <float WorldDef::*member> constexpr Property setting(std::string_view n
 }
 
 void set_substeps(Changes& changes, const Subject&, const double* v) {
-    if (!(*v >= 1.0 && *v <= 256.0)) {
-        throw Error(ErrorCode::invalid_value, "world.substeps", std::to_string(*v), "must be 1 to 256");
+    if (!(*v >= 0.0 && *v <= 256.0)) {
+        throw Error(ErrorCode::invalid_value, "world.substeps", std::to_string(*v), "must be 0 to 256");
     }
     change_settings(changes.trial, [&](WorldDef& settings) { settings.substeps = static_cast<int>(*v); });
 }

@@ -20,7 +20,7 @@ struct Drop {
     BodyId ball;
     double substep, start = 1; // s; m
 
-    Drop(double restitution, double dt, std::uint32_t seed) : substep(dt / world.settings().substeps) {
+    Drop(double restitution, double dt, std::uint32_t seed) : substep(dt / world.usual_substeps(float(dt))) {
         RandomStart random(seed);
         start += random.uniform(0, 0.3);
         const Material material = surface(0, float(restitution));

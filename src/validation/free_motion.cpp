@@ -18,6 +18,7 @@ constexpr double round_off = 1e-5;
 WorldDef settings_with(Integrator integrator) {
     WorldDef def;
     def.integrator = integrator;
+    def.substeps = 6; // of every step, so that they are shorter where the step is
     return def;
 }
 
@@ -48,7 +49,7 @@ Fall fall(Integrator integrator, double step, double seconds) {
         result.errors.push_back(result.energy_error);
     }
     result.seconds = steps * double(float(step));
-    result.substep = double(float(step)) / world.settings().substeps;
+    result.substep = double(float(step)) / world.usual_substeps(float(step));
     return result;
 }
 
@@ -107,7 +108,7 @@ Flight throw_ball(const NamedIntegrator& integrator, double step) {
     def.linear_velocity = {float(v), float(v), 0};
     const BodyId ball = add_body(world, Sphere{}, def);
     Flight flight;
-    flight.substep = double(float(step)) / world.settings().substeps;
+    flight.substep = double(float(step)) / world.usual_substeps(float(step));
     while (flight.time == 0 && world.time() < 4) {
         flight.x.push_back(world.body(ball).position().x);
         flight.y.push_back(world.body(ball).position().y);

@@ -155,7 +155,7 @@ struct Bouncing {
             def.position = {i / 7 * 2.0, 5, i % 7 * 2.0};
             balls.push_back(add_body(world, Sphere{0.1f}, def, surface(0, 1)));
         }
-        const double start = 49 * 10 * gravity * 5, gain = 0.5 * gravity * dt / settings.substeps;
+        const double start = 49 * 10 * gravity * 5, gain = 0.5 * gravity * dt / world.usual_substeps(float(dt));
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
             double momentum = 0; // upwards

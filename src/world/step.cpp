@@ -11,6 +11,7 @@
 #include "solver/island_batches.h"
 #include "solver/solve.h"
 #include "state/state.h"
+#include "state/substeps.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -49,6 +50,11 @@ class Busy {
 };
 
 } // namespace
+
+int World::usual_substeps(float dt) const {
+    if (!(dt > 0) || !std::isfinite(dt)) refuse("World::usual_substeps dt", to_text(dt), "must be finite and > 0");
+    return substeps_of(impl_->state.settings, dt);
+}
 
 void World::step(float dt) {
     Impl::Change change(*impl_, commands::world_step, dt);

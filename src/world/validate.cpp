@@ -1,6 +1,6 @@
 #include "world/validate.h"
 
-#include "islands/substep_policy.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +82,9 @@ Quat checked_rotation(std::string_view field, const Quat& q) {
 
 void validate(const WorldDef& def) {
     require_finite("WorldDef.gravity", def.gravity);
-    if (def.substeps < 1 || def.substeps > max_substeps)
-        refuse("WorldDef.substeps", std::to_string(def.substeps), "must be from 1 to " + std::to_string(max_substeps));
+    if (def.substeps < 0 || def.substeps > max_substeps)
+        refuse("WorldDef.substeps", std::to_string(def.substeps),
+               "must be from 1 to " + std::to_string(max_substeps) + ", or 0 for as many as the step asks for");
     if (def.integrator > Integrator::rk4)
         refuse("WorldDef.integrator", std::to_string(int(def.integrator)), "must be one of the enumerators");
     require_at_least("WorldDef.sleep_speed", def.sleep_speed, 0);

@@ -97,7 +97,7 @@ TEST(HitTimes, OfWhatFallsAndStopsAreOffByNoMoreThanGravityMakesOfAStep) {
         ASSERT_EQ(world.contact_hits().size(), 1u) << shot;
         const double time = double(world.contact_hits()[0].time);
         const double exact = (std::sqrt(speed * speed + 2 * g * gap) - speed) / g;
-        const double h = double(frame) / world.settings().substeps, rounding = 1e-3 * double(frame);
+        const double h = double(frame) / world.usual_substeps(float(frame)), rounding = 1e-3 * double(frame);
         const double ahead = g * (exact * h / 2 + double(frame) * double(frame) / 8);
         EXPECT_GT(time, exact - ahead / speed - rounding) << shot;
         EXPECT_LT(time, exact + g * exact * exact / (2 * speed) + rounding) << shot;

@@ -1416,6 +1416,17 @@ static cairn_result world_set_settings(const struct wrong_context* c, int wrong)
     return cairn_world_set_settings(world, def);
 }
 
+static cairn_result world_usual_substeps(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    float dt = 1.0f;
+    if (wrong == 1) { dt = NAN; }
+    int result_room[4];
+    int* result = result_room;
+    if (wrong == 2) { result = NULL; }
+    return cairn_world_usual_substeps(world, dt, result);
+}
+
 static cairn_result world_set_threads(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -2275,6 +2286,9 @@ const struct wrong_call wrong_calls[] = {
     {"world_set_settings", "def_value.recovery_speed is NaN", world_set_settings, 11, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_settings", "def_value.max_linear_speed is NaN", world_set_settings, 12, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_settings", "def_value.max_angular_speed is NaN", world_set_settings, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"world_usual_substeps", "world is null", world_usual_substeps, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_usual_substeps", "dt is NaN", world_usual_substeps, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_usual_substeps", "result is null", world_usual_substeps, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_threads", "world is null", world_set_threads, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_threads", "world is null", world_get_threads, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_threads", "threads is null", world_get_threads, 1, CAIRN_ERROR_INVALID_VALUE},

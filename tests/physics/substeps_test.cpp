@@ -128,7 +128,7 @@ TEST(Substeps, OfWhatFellIntoAHeapAndOfWhatWasBuiltAreFew) {
             add_body(world, Box{}, def, surface(0.6f));
         }
         run(world, 1.0f / 60, 300);
-        EXPECT_LE(world.statistics().max_substeps, WorldDef{}.substeps);
+        EXPECT_LE(world.statistics().max_substeps, world.usual_substeps(1.0f / 60));
         EXPECT_LT(world.statistics().max_penetration, 0.004);
         EXPECT_LT(world.kinetic_energy(), 0.001);
     }
@@ -173,7 +173,7 @@ TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
         world.body(pressed).add_force({0, -0.038f * weight, 0});
         world.step(1.0f / 60);
     }
-    EXPECT_LE(world.statistics().max_substeps, WorldDef{}.substeps);
+    EXPECT_LE(world.statistics().max_substeps, world.usual_substeps(1.0f / 60));
 }
 
 } // namespace

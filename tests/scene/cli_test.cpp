@@ -35,7 +35,7 @@ TEST_F(Cli, WrongCallsAreOneLineAndCodeTwo) {
     expect_one_line(cairn("run welcome --dt 0"), 2, "--dt: must be a number from 0.0001 to 1, got 0");
     expect_one_line(cairn("run welcome --dt nan"), 2, "--dt: must be a number from 0.0001 to 1, got nan");
     expect_one_line(cairn("run welcome --frames -1"), 2, "--frames");
-    expect_one_line(cairn("run welcome --substeps 0"), 2, "--substeps");
+    expect_one_line(cairn("run welcome --substeps 257"), 2, "--substeps");
     expect_one_line(cairn("run welcome --seconds 1 --frames 2"), 2, "excludes");
     expect_one_line(cairn("run welcome --threads 0"), 2, "--threads");
     expect_one_line(cairn("run welcome --threads 257"), 2, "--threads");

@@ -165,7 +165,7 @@ std::vector<Refused> refused_files() {
          at_material + ".frictionCombine: must be \"average\", \"minimum\", \"maximum\" or \"multiply\", got \"sum\""},
         {"ZeroTimeStep", world_text(R"("time_step":0)"), invalid, at_world + ".time_step: must be 0.0001 to 1, got 0"},
         {"HalfASubstep", world_text(R"("substeps":1.5)"), invalid,
-         at_world + ".substeps: must be a whole number from 1 to 256, got 1.5"},
+         at_world + ".substeps: must be a whole number from 0 to 256, got 1.5"},
         {"UnknownIntegrator", world_text(R"("integrator":"verlet")"), invalid,
          at_world + ".integrator: must be \"semi_implicit_euler\", \"explicit_euler\" or \"rk4\", got \"verlet\""},
         {"CameraOnTarget", world_text(R"("camera":{"position":[1,2,3],"target":[1,2,3]})"), invalid,

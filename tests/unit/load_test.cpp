@@ -14,9 +14,9 @@ TEST(Load, ThatHasGoneIsNoneAtAll) {
     Island island;
     island.weight = 1e4f;
     ContactInfo contact;
-    for (int step = 0; step < 20; ++step) note_load(island, contact, 1e3f, 1e-3f);
+    for (int step = 0; step < 20; ++step) note_load(island, contact, 1e3f, 1e-3f, 0.25f);
     EXPECT_GT(contact.load, 900);
-    for (int step = 0; step < 400; ++step) note_load(island, contact, 0, 1e-3f);
+    for (int step = 0; step < 400; ++step) note_load(island, contact, 0, 1e-3f, 0.25f);
     EXPECT_EQ(contact.load, 0);
 }
 

@@ -28,7 +28,7 @@ void seek(Stage& stage, std::uint64_t step) {
 // As the run itself, but for what a test changes.
 PaneSettings settings_of(const Stage& stage) {
     const StageState state = stage.state();
-    return {float(state.time_step), state.settings.substeps, state.settings.integrator, {}};
+    return {float(state.time_step), state.usual_substeps, state.settings.integrator, {}};
 }
 
 Position place(const StageState& state, std::size_t pane, std::size_t body) {
@@ -73,7 +73,7 @@ TEST(Pane, FrictionAndIntegratorsMakeADifference) {
     EXPECT_GT(state.current->transforms[1].position.x, -1.6);
     // What falls for a time t with n steps of length h is above t^2 g / 2 by t g h / 2 with explicit Euler, and below
     // by as much with semi-implicit Euler, of which substeps are the steps.
-    const double fallen = 0.5 * 9.81 * 1.5 * 1.5, h = 1.0 / 60.0 / state.settings.substeps;
+    const double fallen = 0.5 * 9.81 * 1.5 * 1.5, h = 1.0 / 60.0 / state.usual_substeps;
     EXPECT_NEAR(place(state, 1, 3).y - (30.0 - fallen), 0.5 * 1.5 * 9.81 * h, 1e-3);
     EXPECT_NEAR(place(state, 2, 3).y - (30.0 - fallen), -0.25 * 0.5 * 1.5 * 9.81 * h, 1e-3);
 }

@@ -270,7 +270,7 @@ TEST(Stage, SlowFramesDoNotChangeTheSimulation) {
 TEST(Stage, RefusedSettingsLeaveAMessage) {
     Stage stage(test::load_boxes, "1");
     WorldDef settings = stage.state().settings;
-    settings.substeps = 0;
+    settings.substeps = -1;
     stage.apply(command::SetSettings{settings});
     EXPECT_NE(stage.state().message.text.find("substeps"), std::string::npos);
     settings.substeps = 3;

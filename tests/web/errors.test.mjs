@@ -146,9 +146,9 @@ const wrong = [
     ['no arrays', (w) => w.readBodies(null), { code: 'invalidValue', field: 'arrays' }],
     ['a snapshot that is none', (w) => w.restore({}), { code: 'invalidValue', field: 'snapshot' }],
     [
-        'settings of zero substeps',
-        (w) => (w.settings = { substeps: 0 }),
-        { code: 'invalidValue', field: 'WorldDef.substeps', value: '0' },
+        'settings of less than no substeps',
+        (w) => (w.settings = { substeps: -1 }),
+        { code: 'invalidValue', field: 'WorldDef.substeps', value: '-1' },
     ],
     ['a second thread', (w) => (w.threads = 2), { code: 'unsupported', field: 'World.threads', value: '2' }],
 ];

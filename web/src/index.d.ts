@@ -753,14 +753,11 @@ export interface WorldDef {
     /** m/s^2, finite. */
     gravity?: Vec3Like;
     /**
-     * Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios, tall stacks) get more by themselves; see
-     * `adaptiveSubsteps`.
+     * Solver substeps of one step, 1 to 256; or 0: as many as make them no longer than 1/360 s (6 at 60 Hz, 2 at 240
+     * Hz). (0 to 256)
      */
     substeps?: number;
-    /**
-     * Raise the substeps of islands whose mass ratio or height asks for it, and take two thirds of them in large heaps
-     * that fell and have come to rest.
-     */
+    /** Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks. */
     adaptiveSubsteps?: boolean;
     /** How free motion is integrated. */
     integrator?: Integrator;
@@ -1247,6 +1244,11 @@ export class World {
      */
     get settings(): Complete<WorldDef>;
     set settings(value: WorldDef);
+    /**
+     * The substeps of a step of `dt` seconds, finite and > 0, where no island asks for more: `WorldDef.substeps`, or
+     * what its 0 stands for. Throws invalidValue, wrongState.
+     */
+    usualSubsteps(dt: number): number;
     /**
      * The number of threads that a step may use. Setting: The number of threads that a step may use: that of the
      * caller, and `count` - 1 more that the world keeps. 1 to 256; default 1. Results do not depend on it. Snapshots do

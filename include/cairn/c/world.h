@@ -31,11 +31,10 @@ enum {
 typedef struct cairn_world_def {
     uint32_t struct_size; ///< Bytes, as `cairn_default_world_def` sets it.
     cairn_vec3 gravity; ///< m/s^2, finite.
-    /// Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios, tall stacks) get more by themselves; see
-    /// `adaptive_substeps`.
+    /// Solver substeps of one step, 1 to 256; or 0: as many as make them no longer than 1/360 s (6 at 60 Hz, 2 at 240
+    /// Hz). (0 to 256)
     int substeps;
-    /// Raise the substeps of islands whose mass ratio or height asks for it, and take two thirds of them in large heaps
-    /// that fell and have come to rest.
+    /// Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks.
     bool adaptive_substeps;
     cairn_integrator integrator; ///< How free motion is integrated.
     bool enable_sleep; ///< Islands at rest stop costing time.
@@ -134,6 +133,10 @@ CAIRN_C_API cairn_result cairn_world_get_settings(const cairn_world* world, cair
 
 /// Replaces the settings. Wakes everything if gravity changes. Errors: invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_set_settings(cairn_world* world, const cairn_world_def* def);
+
+/// The substeps of a step of `dt` seconds, finite and > 0, where no island asks for more: `WorldDef::substeps`, or what
+/// its 0 stands for. Errors: invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_usual_substeps(const cairn_world* world, float dt, int* result);
 
 /// The number of threads that a step may use: that of the caller, and `count` - 1 more that the world keeps. 1 to 256;
 /// default 1. Results do not depend on it. Snapshots do not hold it. Throws outside that range, or when the system has

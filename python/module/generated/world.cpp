@@ -263,6 +263,12 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         w.update();
     }, "What the world was made with, or was last set to. Setting: Replaces the settings. Wakes everything if gravity "
         "changes.");
+    c.def("usual_substeps", [](PyWorld& w, py::object o_dt) {
+        const auto dt = take<float>(o_dt, "dt");
+        const auto answer = w.use("World.usual_substeps").usual_substeps(dt);
+        return write(answer);
+    }, py::arg("dt"), "usual_substeps(dt: float) -> int\n\nThe substeps of a step of `dt` seconds, finite and > "
+        "0, where no island asks for more: `WorldDef.substeps`, or what its 0 stands for.");
     c.def_property("threads", [](PyWorld& w) {
         const auto answer = w.use("World.threads").threads();
         return write(answer);

@@ -21,6 +21,13 @@ cairn_result cairn_world_set_settings(cairn_world* world, const cairn_world_def*
     });
 }
 
+cairn_result cairn_world_usual_substeps(const cairn_world* world, float dt, int* result) {
+    return guarded([&] {
+        required(result, "result");
+        *result = world_of(world).usual_substeps(dt);
+    });
+}
+
 cairn_result cairn_world_set_threads(cairn_world* world, int count) {
     return guarded([&] {
         world_of(world).set_threads(count);

@@ -39,13 +39,13 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
 // How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity, it is
 // w_B x (p' - v_B) - w_A x (p' - v_A). A corner of either body moves with it, and of both, in the mean, what touches by
 // edges. On a rim, with the radius of curvature R along t, a corner would go on by R t (t.(w_A - w_B) x n) farther than
-// the place of touch does. That is true of small turns; of lanes that turn farther, or by nothing that could be seen,
-// and of those that were found at the start of the step, it is 0.
+// the place of touch does. That is true of small turns, up to the time `until`: of lanes that turn farther, or by
+// nothing that could be seen, and where it is 0, nothing moves.
 CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 is_corner, mask8 rolls_on_a, mask8 rolls_on_b,
-                                  f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
-    constexpr float tiny = 1e-4f, small = 0.25f; // rad, up to when the contact is of
-    const f32x8 turn = found * found * max(dot(a.w, a.w), dot(b.w, b.w));
-    const mask8 moves = (is_corner | rolls_on_a | rolls_on_b) & (found > zero()) & (turn > splat(tiny * tiny)) &
+                                  f32x8 until, const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
+    constexpr float tiny = 1e-4f, small = 0.25f; // rad
+    const f32x8 turn = until * until * max(dot(a.w, a.w), dot(b.w, b.w));
+    const mask8 moves = (is_corner | rolls_on_a | rolls_on_b) & (until > zero()) & (turn > splat(tiny * tiny)) &
                         (turn < splat(small * small));
     block.turns = any(moves);
     if (!block.turns) return;

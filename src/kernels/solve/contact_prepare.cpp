@@ -227,7 +227,7 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
-                                const SolverVelocity* velocity, std::int32_t discard_row) {
+                                const SolverVelocity* velocity, std::int32_t discard_row, float half_step) {
     const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
@@ -268,7 +268,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     block.turns = block.rims = 0;
 
     Before start = {zero3(), zero3(), zero()};
-    const bool is_of_later = any(found > zero());
+    const bool is_of_later = half_step > 0 || any(found > zero());
     Velocityx8 at_a, at_b;
     mask8 on_a, on_b;
     if constexpr (N == 1) {
@@ -297,20 +297,20 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     prepare_friction<N>(block, record, normal, d, center, a, b);
     if constexpr (N == 1)
         if (is_of_later)
-            prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), on_a, on_b, found, at_a, at_b, normal,
-                            d);
+            prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), on_a, on_b,
+                            max(found, splat(half_step)), at_a, at_b, normal, d);
 }
 
 } // namespace
 
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia, const SolverVelocity* velocity) {
+                      const SolverInertia* inertia, const SolverVelocity* velocity, float half_step) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
-                         velocity, lanes.first_discard + k);
+                         velocity, lanes.first_discard + k, half_step);
     }
 }
 
@@ -445,9 +445,9 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
 }
 
 template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
-                                  const SolverVelocity*);
+                                  const SolverVelocity*, float);
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
-                                  const SolverVelocity*);
+                                  const SolverVelocity*, float);
 template void store_contacts<1>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
                                 ContactReport*, float);
 template void store_contacts<4>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,

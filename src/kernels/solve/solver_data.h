@@ -213,8 +213,9 @@ struct HalfLimits;
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
+        // `half_step`: of a step of one substep, of which the start is the middle, in s; of others 0.
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                        const SolverInertia* inertia, const SolverVelocity* velocity);
+                        const SolverInertia* inertia, const SolverVelocity* velocity, float half_step);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
         // `bounce` changes velocity_correction, which must be there.
         // `solve` and `relax` return the number of blocks with lanes that were struck.

@@ -26,6 +26,7 @@ export const CALLS = [
     { owner: 'World', name: 'overlapBounds', isSetter: false, types: ['Bounds', 'u64'] },
     { owner: 'World', name: 'broadPhaseNodes', isSetter: false, types: ['int', 'int'] },
     { owner: 'World', name: 'settings', isSetter: true, types: ['WorldDef'] },
+    { owner: 'World', name: 'usualSubsteps', isSetter: false, types: ['float'] },
     { owner: 'World', name: 'threads', isSetter: true, types: ['int'] },
     { owner: 'World', name: 'addForceField', isSetter: false, types: ['ForceField'] },
     { owner: 'World', name: 'setForceField', isSetter: false, types: ['ForceFieldId', 'ForceField'] },

@@ -200,6 +200,7 @@ class RecordedWorld : public Recording {
         world_.set_settings(def);
         note("world.settings = " + js(def) + ";");
     }
+    auto usual_substeps(float dt) const { return world_.usual_substeps(dt); }
     auto set_threads(int count) {
         world_.set_threads(count);
         note("world.threads = " + js(count) + ";");

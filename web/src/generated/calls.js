@@ -435,6 +435,18 @@ export class WorldCalls {
         }
     }
 
+    usualSubsteps(dt) {
+        const mark = enter();
+        try {
+            const $dt = numberOf(dt, 'dt');
+            const out = room(4);
+            check(M._cairn_world_usual_substeps(use(this), $dt, out));
+            return fields.getInt(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
     get threads() {
         const mark = enter();
         try {
