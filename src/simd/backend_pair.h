@@ -103,13 +103,22 @@ CAIRN_INLINE mask8 mask_from_bits(int b) {
     return {(i32x4)((all & low) == low), (i32x4)((all & high) == high)};
 }
 
+// Lanes of x (0 to 3) and y (4 to 7). In WebAssembly by the intrinsic, which the compiler does not look into: for lanes
+// that nobody reads it writes lane 0, and then engines no longer see that one instruction of the processor would do.
+template <int A, int B, int C, int D> CAIRN_INLINE f32x4 lanes_of(f32x4 x, f32x4 y) {
+#if defined(__wasm_simd128__)
+    return (f32x4)wasm_i32x4_shuffle((v128_t)x, (v128_t)y, A, B, C, D);
+#else
+    return __builtin_shufflevector(x, y, A, B, C, D);
+#endif
+}
 CAIRN_INLINE void transpose4(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
-    const f32x4 t0 = __builtin_shufflevector(a, b, 0, 4, 1, 5), t1 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    const f32x4 t2 = __builtin_shufflevector(c, d, 0, 4, 1, 5), t3 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    a = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
-    b = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
-    c = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
-    d = __builtin_shufflevector(t1, t3, 2, 3, 6, 7);
+    const f32x4 t0 = lanes_of<0, 4, 1, 5>(a, b), t1 = lanes_of<2, 6, 3, 7>(a, b);
+    const f32x4 t2 = lanes_of<0, 4, 1, 5>(c, d), t3 = lanes_of<2, 6, 3, 7>(c, d);
+    a = lanes_of<0, 1, 4, 5>(t0, t2);
+    b = lanes_of<2, 3, 6, 7>(t0, t2);
+    c = lanes_of<0, 1, 4, 5>(t1, t3);
+    d = lanes_of<2, 3, 6, 7>(t1, t3);
 }
 // Rows of 4 floats (16-byte aligned) at p[0..7] become 4 columns of 8 lanes, and back.
 CAIRN_INLINE void gather4(const float* const* p, f32x8& x, f32x8& y, f32x8& z, f32x8& w) {

@@ -264,12 +264,21 @@ CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, c
     return struck;
 }
 
+// How many blocks are worked at side by side. In WebAssembly, one: of several, engines keep nearly all rows in memory,
+// which takes more than waiting for what one row after the other needs. The bits are the same.
+#if defined(__wasm_simd128__)
+constexpr int solved_together = 1, relaxed_together = 1;
+#else
+constexpr int solved_together = 4, relaxed_together = 2;
+#endif
+
 // One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
 // a gap is closed no faster than it takes one substep to close it.
 template <int N, bool Watched>
 int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     int k = 0, struck = 0;
-    for (; k + 3 < count; k += 4) struck += solve_some<N, 4, Watched>(all + k, velocity, softness);
+    for (; k + solved_together <= count; k += solved_together)
+        struck += solve_some<N, solved_together, Watched>(all + k, velocity, softness);
     for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
     return struck;
 }
@@ -377,7 +386,8 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
 template <int N, bool Watched>
 int relax_all(ContactBlock<N>* all, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     int k = 0, struck = 0;
-    for (; k + 1 < count; k += 2) struck += relax_some<N, 2, Watched>(all + k, bodies, softness);
+    for (; k + relaxed_together <= count; k += relaxed_together)
+        struck += relax_some<N, relaxed_together, Watched>(all + k, bodies, softness);
     if (k < count) struck += relax_some<N, 1, Watched>(all + k, bodies, softness);
     return struck;
 }
