@@ -13,8 +13,8 @@ inline constexpr int max_substeps = 256; // that a world may ask for
 // s: how long a step usually is. What comes between two steps does not know how long the next one will be.
 inline constexpr float usual_step = 1.0f / 60;
 
-// What takes so many substeps in the usual step takes so many in one of dt seconds: what counts is how long they are, at
-// most as long as there, to a thousandth.
+// What takes so many substeps in the usual step takes so many in one of dt seconds: what counts is how long they are,
+// which is at most as long as there, to a thousandth.
 inline int substeps_in(float dt, int in_usual_step) {
     const double count = std::ceil(double(in_usual_step) * double(dt) / double(usual_step) - 1e-3);
     return int(std::clamp(count, 1.0, double(max_substeps)));

@@ -307,7 +307,7 @@ void Calls::change_fields() {
 void Calls::change_settings() {
     WorldDef def;
     def.gravity = Vec3(0, -9.81f, 0) + bytes_.vector(1);
-    def.substeps = 1 + bytes_.pick(12);
+    def.substeps = bytes_.pick(13);
     def.adaptive_substeps = bytes_.pick(2) == 0;
     def.enable_sleep = bytes_.pick(4) != 0;
     def.integrator = Integrator(bytes_.pick(3));
