@@ -138,25 +138,26 @@ function runPiece(world, state, step) {
 
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
-/** By step: the deviation in meters, and steps a second, the median of some rounds. */
+/** By step: the deviation in meters, the mean of the pieces and the median, and steps a second, the median of some rounds. */
 function measure(world, pieces, rounds) {
     const starts = states(world, pieces);
     const ends = starts.map((state) => runPiece(world, state, SHORTEST).end);
     return DOUBLINGS.slice(1).map((doubling) => {
         const step = SHORTEST * 2 ** doubling;
-        let deviation = 0;
+        let deviations = [];
         const rates = Array.from({ length: rounds }, () => {
-            deviation = 0;
+            deviations = [];
             let seconds = 0,
                 count = 0;
             starts.forEach((state, i) => {
                 const piece = runPiece(world, state, step);
                 (seconds += piece.seconds), (count += piece.count);
-                deviation += meanDistance(piece.end, ends[i]) / pieces;
+                deviations.push(meanDistance(piece.end, ends[i]));
             });
             return count / seconds;
         });
-        return { step, deviation, rate: median(rates) };
+        const deviation = deviations.reduce((sum, one) => sum + one, 0) / pieces;
+        return { step, deviation, ofMiddle: median(deviations), rate: median(rates) };
     });
 }
 
@@ -165,7 +166,7 @@ const engines = [await cairn(), await mujoco()];
 console.log(`Node ${process.version}, ${cpus()[0].model}, ${pieces} pieces of 128 ms, median of ${rounds} rounds\n`);
 const names = engines.map(({ name }) => name);
 const rates = names.map((name) => `${name}, steps a second`);
-console.log(`| model | step, ms | ${rates.join(' | ')} | ratio | deviation: ${names.join(', ')}, mm |`);
+console.log(`| model | step, ms | ${rates.join(' | ')} | ratio | deviation (of the middle piece): ${names.join(', ')}, mm |`);
 console.log('|---|---|---|---|---|---|');
 for (const model of models) {
     const [ours, theirs] = engines.map(({ name, make }) => {
@@ -175,10 +176,11 @@ for (const model of models) {
         world.end();
         return points;
     });
-    ours.forEach(({ step, deviation, rate }, i) => {
+    ours.forEach((own, i) => {
         const other = theirs[i];
-        const cells = [model, (1000 * step).toPrecision(2), rate.toFixed(0), other.rate.toFixed(0)];
-        const far = [deviation, other.deviation].map((x) => (1000 * x).toPrecision(2));
-        console.log(`| ${cells.join(' | ')} | ${(rate / other.rate).toFixed(2)} | ${far.join(', ')} |`);
+        const cells = [model, (1000 * own.step).toPrecision(2), own.rate.toFixed(0), other.rate.toFixed(0)];
+        const mm = (x) => (1000 * x).toPrecision(2);
+        const far = [own, other].map(({ deviation, ofMiddle }) => `${mm(deviation)} (${mm(ofMiddle)})`);
+        console.log(`| ${cells.join(' | ')} | ${(own.rate / other.rate).toFixed(2)} | ${far.join(', ')} |`);
     });
 }
