@@ -40,6 +40,7 @@ std::string record_balls(int steps, const RecorderOptions& options, bool is_clos
         world.add_shape(world.create_body(def), Sphere{0.5f});
     }
     for (int i = 0; i < steps; ++i) world.step(dt);
+    recorder.note("ended", {{"after", std::to_string(steps)}});
     if (is_closed) recorder.close();
     return file.bytes();
 }
@@ -52,6 +53,7 @@ TEST(Keyframes, StayWithinTheirBudgetEvenlySpreadOverTheWholeRun) {
         const recording::RecordingInfo& info = recording.info();
         EXPECT_LE(info.keyframe_bytes, budget);
         EXPECT_FALSE(info.is_cut_off);
+        EXPECT_EQ(recording.note("ended").at("after"), std::to_string(steps));
         if (budget == 0) {
             EXPECT_TRUE(info.keyframes.empty());
             continue;
