@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -165,7 +166,12 @@ class ArchiveReader {
             std::uint32_t mask = 0;
             raw(&mask, archive_detail::mask_size(count));
             if (count < 32 && (mask >> count) != 0) throw_short();
-            for (; mask != 0; mask &= mask - 1) raw(&words[first + std::size_t(__builtin_ctz(mask))], 4);
+            if (left_ < 4 * count && left_ < 4 * std::size_t(std::popcount(mask))) throw_short();
+            const std::byte* from = data_;
+            for (; mask != 0; mask &= mask - 1, from += 4)
+                std::memcpy(&words[first + std::size_t(std::countr_zero(mask))], from, 4);
+            left_ -= std::size_t(from - data_);
+            data_ = from;
         }
         std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);
     }

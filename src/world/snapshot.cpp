@@ -18,7 +18,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x37306e7269616321ull; // "!cairn07"
+constexpr std::uint64_t magic = 0x38306e7269616321ull; // "!cairn08"
 
 // What comes before the state.
 struct Header {
@@ -50,11 +50,23 @@ std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
     return sum.value();
 }
 
+// In four parts, as each word waits for the one before it in its part.
 std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot) {
-    Hash64 sum;
+    std::array<Hash64, 4> parts;
     header.checksum = 0;
-    sum.add_bytes(&header, sizeof header);
-    sum.add_bytes(snapshot.data() + sizeof header, snapshot.size() - sizeof header);
+    parts[0].add_bytes(&header, sizeof header);
+    const std::byte* const data = snapshot.data() + sizeof header;
+    const std::size_t size = snapshot.size() - sizeof header, part = size / 32; // words of 8 bytes
+    for (std::size_t i = 0; i < part; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            std::uint64_t word;
+            std::memcpy(&word, data + 8 * (k * part + i), 8);
+            parts[k].add(word);
+        }
+    }
+    parts[3].add_bytes(data + 32 * part, size - 32 * part);
+    Hash64 sum;
+    for (const Hash64& hash : parts) sum.add(hash.value());
     return sum.value();
 }
 
@@ -161,7 +173,17 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
     serialize_definitions(defined, *fresh);
     fresh->set_shapes(definitions->shapes);
     fresh->last_definitions = definitions;
+    fresh->last_definitions_hash = hash_of(definitions->bytes);
     return fresh;
+}
+
+template <class Reader> void World::Impl::restore_in_place(Reader& reader) {
+    failed_call = "World::restore"; // in case that memory runs out
+    state.statistics = {};
+    serialize_state(reader, state, [](StatePart) {});
+    state.events.forget();
+    ++state.joints.changes; // what was found out about joints was so in another state
+    failed_call = nullptr;
 }
 
 void World::Impl::take_over(Impl& other) {
@@ -189,6 +211,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
     if (!is_unchanged) {
         now->shapes = shape_of;
         last_definitions = std::move(now);
+        last_definitions_hash = hash_of(last_definitions->bytes);
     }
     are_definitions_known = true;
     return last_definitions;
@@ -200,6 +223,8 @@ Snapshot World::save() const {
     Snapshot snapshot;
     snapshot.definitions = impl_->definitions();
     Header header;
+    const std::size_t last_size = impl_->last_snapshot_size;
+    snapshot.bytes.reserve(last_size + last_size / 8); // rather than to move what is there, again and again
     snapshot.bytes.resize(sizeof header);
     ArchiveWriter archive(snapshot.bytes);
     std::size_t last = snapshot.bytes.size();
@@ -211,10 +236,11 @@ Snapshot World::save() const {
     header.bodies = sizes[0], header.contacts = sizes[1], header.joints = sizes[2], header.broad_phase = sizes[3];
     header.magic = magic;
     header.layout = layout();
-    header.definitions = hash_of(snapshot.definitions->bytes);
+    header.definitions = impl_->last_definitions_hash;
     header.checksum = checksum_of(header, snapshot.bytes);
     std::memcpy(snapshot.bytes.data(), &header, sizeof header);
-    snapshot.bytes.shrink_to_fit();
+    impl_->last_snapshot_size = snapshot.bytes.size();
+    if (snapshot.bytes.capacity() > snapshot.bytes.size() + snapshot.bytes.size() / 4) snapshot.bytes.shrink_to_fit();
     return snapshot;
 }
 
@@ -248,30 +274,29 @@ void World::restore(const Snapshot& snapshot) {
     Header header = read_header(snapshot);
     if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
     const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
-    if (!definitions || hash_of(definitions->bytes) != header.definitions)
+    const bool are_the_same = definitions && !impl_->failed_call && impl_->definitions() == definitions;
+    if (!definitions ||
+        (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
-    std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
+    if (are_the_same) {
+        impl_->tell(commands::world_restore, snapshot);
+        return impl_->restore_in_place(reader);
+    }
+    std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     serialize_state(reader, fresh->state, [](StatePart) {});
     impl_->tell(commands::world_restore, snapshot);
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
 }
 
-// What a ring of snapshots has. Where the definitions are still the same, the state alone is put in place.
+// What a ring of snapshots has.
 void World::restore_image(const StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions) {
-    const bool in_place = !impl_->listener && !impl_->failed_call && impl_->definitions() == definitions;
-    if (in_place) {
-        Impl::Restoring restoring(*impl_);
-        ImageReader reader(image);
-        serialize_state(reader, impl_->state, [](StatePart) {});
-        impl_->state.events.forget();
-        ++impl_->state.joints.changes; // what was found out about joints was so in another state
-        return restoring.end();
-    }
+    ImageReader reader(image);
+    if (!impl_->listener && !impl_->failed_call && impl_->definitions() == definitions)
+        return impl_->restore_in_place(reader);
     World made;
     made.impl_ = Impl::defined_by(definitions, impl_->state.settings);
-    ImageReader reader(image);
     serialize_state(reader, made.impl_->state, [](StatePart) {});
     if (impl_->listener) return restore(made.save());
     made.impl_->take_over(*impl_);
