@@ -57,8 +57,8 @@ struct World::Impl {
     // Without any state yet. Throws Error(invalid_file).
     static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
                                             const WorldDef& settings);
-    // Reads a state of the definitions that the world has, in place of its own: that takes no memory anew. Where memory
-    // runs out all the same, the world is good for nothing.
+    // Reads a state of the definitions that the world has, in place of its own: that takes no memory anew. What is read
+    // has been checked. Where memory runs out all the same, the world is good for nothing.
     template <class Reader> void restore_in_place(Reader& reader);
     // What belongs to the world, and not to its state.
     void take_over(Impl& other);

@@ -6,6 +6,7 @@
 #include "core/image_archive.h"
 #include "world/definition_archive.h"
 #include "world/impl.h"
+#include "world/snapshot_header.h"
 #include "world/state_archive.h"
 #include "world/validate.h"
 
@@ -18,15 +19,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x38306e7269616321ull; // "!cairn08"
-
-// What comes before the state.
-struct Header {
-    std::uint64_t magic = 0, layout = 0;
-    std::uint64_t definitions = 0;                                       // their hash
-    std::uint64_t checksum = 0;                                          // of all that follows
-    std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
-};
+using Header = SnapshotHeader;
 
 // Of what is archived as it lies in memory. A member may take the place of padding: the size does not show it.
 template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_count<Plain>()), ...); }
@@ -47,26 +40,6 @@ std::uint64_t layout() {
 std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
     Hash64 sum;
     sum.add_bytes(bytes.data(), bytes.size());
-    return sum.value();
-}
-
-// In four parts, as each word waits for the one before it in its part.
-std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot) {
-    std::array<Hash64, 4> parts;
-    header.checksum = 0;
-    parts[0].add_bytes(&header, sizeof header);
-    const std::byte* const data = snapshot.data() + sizeof header;
-    const std::size_t size = snapshot.size() - sizeof header, part = size / 32; // words of 8 bytes
-    for (std::size_t i = 0; i < part; ++i) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            std::uint64_t word;
-            std::memcpy(&word, data + 8 * (k * part + i), 8);
-            parts[k].add(word);
-        }
-    }
-    parts[3].add_bytes(data + 32 * part, size - 32 * part);
-    Hash64 sum;
-    for (const Hash64& hash : parts) sum.add(hash.value());
     return sum.value();
 }
 
@@ -234,7 +207,7 @@ Snapshot World::save() const {
         last = snapshot.bytes.size();
     });
     header.bodies = sizes[0], header.contacts = sizes[1], header.joints = sizes[2], header.broad_phase = sizes[3];
-    header.magic = magic;
+    header.magic = snapshot_magic;
     header.layout = layout();
     header.definitions = impl_->last_definitions_hash;
     header.checksum = checksum_of(header, snapshot.bytes);
@@ -249,7 +222,7 @@ namespace {
 Header read_header(const Snapshot& snapshot) {
     Header header;
     ArchiveReader(snapshot.bytes.data(), snapshot.bytes.size())(header);
-    if (header.magic != magic)
+    if (header.magic != snapshot_magic)
         throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
     if (header.layout != layout())
         throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
@@ -278,13 +251,20 @@ void World::restore(const Snapshot& snapshot) {
     if (!definitions ||
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
-    ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
+    const std::byte* const state = snapshot.bytes.data() + sizeof header;
+    const std::size_t size = snapshot.bytes.size() - sizeof header;
+    ArchiveReader reader(state, size);
     if (are_the_same) {
+        // A checksum that fits does not say who made it: what would be refused half way is refused here.
+        ArchiveChecker checker(state, size);
+        serialize_state(checker, impl_->state, [](StatePart) {});
+        if (checker.bytes_left() > 0) throw_damaged();
         impl_->tell(commands::world_restore, snapshot);
         return impl_->restore_in_place(reader);
     }
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     serialize_state(reader, fresh->state, [](StatePart) {});
+    if (reader.bytes_left() > 0) throw_damaged();
     impl_->tell(commands::world_restore, snapshot);
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
