@@ -131,7 +131,8 @@ void Recording::Contents::read_state(std::size_t chunk) {
     k.step = from.leb128(), k.number = from.leb128();
     const std::uint64_t parent = from.leb128();
     if (k.number <= parent || (parent != 0 && states.count(parent) == 0) ||
-        (!keyframes.empty() && keyframes.back().step >= k.step) || !states.try_emplace(k.number, chunk, parent).second)
+        (!keyframes.empty() && keyframes.back().step >= k.step) ||
+        !states.try_emplace(k.number, StatePlace{chunk, parent}).second)
         throw Error(ErrorCode::invalid_file, name, std::to_string(k.number),
                     "must come after that which it differs from, " + std::to_string(parent));
     keyframes.push_back(k);
