@@ -191,7 +191,7 @@ void add_record(CLI::App& app, RecordOptions& options) {
         ->check(between(1, 256));
     record
         ->add_option("--keyframes", options.keyframes,
-                     "Megabytes for whole states on the way, to go to any moment at once (default 64; 0: none)")
+                     "Megabytes for whole states on the way, to go to any moment at once (default 128; 0: none)")
         ->check(between(0, 1e6));
     record->add_flag(
         "--uncompressed", [&options](std::int64_t) { options.compress = false; },

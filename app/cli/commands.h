@@ -121,7 +121,7 @@ struct RecordOptions {
     std::optional<int> frames;       // steps
     std::optional<double> time_step; // s; the scene's own otherwise
     std::optional<int> threads;      // all otherwise
-    double keyframes = 64.0;         // MB, for all of them
+    double keyframes = 128.0;        // MB, for all of them
     bool compress = true;
     std::vector<std::string> readings;   // poses, contacts, joints, statistics, events, all
     std::optional<double> readings_rate; // Hz; each step otherwise

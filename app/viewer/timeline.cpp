@@ -19,10 +19,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_way = 0.1;      // s of real time from a state that is kept to the next
+constexpr double longest_way = 0.1;      // s of steps from a state that is kept to the next, before any have gone
 constexpr double greatest_share = 0.025; // of the time of the steps that keeping states may take
-constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps
-constexpr double newest_weight = 0.1;                                 // in running means
+constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps, likewise
+constexpr std::size_t fewest_states = 8;                              // that are left where the budget is spent
+constexpr std::size_t most_in_ring = 240;
+constexpr double newest_weight = 0.1; // in running means
 constexpr std::size_t ring_bytes = std::size_t{96} << 20;
 constexpr std::size_t most_hits = 8192;
 constexpr std::uint64_t same_event = 15;  // steps within which impacts are one mark
@@ -65,7 +67,8 @@ void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     hits_.clear();
     watched_until_ = 0;
     is_undone_ = false;
-    step_seconds_ = stepping_seconds_ = keeping_seconds_ = 0.0;
+    step_seconds_ = since_kept_ = stepping_seconds_ = keeping_seconds_ = 0.0;
+    thinned_ = 1;
     ring_.states.reset();
     verdict_ = {};
     name_recorded_changes();
@@ -91,28 +94,32 @@ void Timeline::name_recorded_changes() {
     }
 }
 
-// Between states so much time that saving one costs little of it, and no more than a wait that nobody minds.
-std::uint64_t Timeline::interval() const {
-    if (step_seconds_ <= 0.0) return least_interval;
-    const double cheap = save_seconds_ / (greatest_share * step_seconds_), near = longest_way / step_seconds_;
-    return std::uint64_t(std::clamp(std::max(cheap, near), double(least_interval), double(greatest_interval)));
+// Between states so much time of steps that saving one costs little of it, and no more than a wait that nobody minds.
+bool Timeline::is_state_due(std::uint64_t steps) const {
+    const double way = std::max(longest_way, save_seconds_ / greatest_share);
+    return steps >= thinned_ * least_interval &&
+           (since_kept_ >= double(thinned_) * way || steps >= thinned_ * greatest_interval);
 }
 
 void Timeline::keep(const World& world, double step_seconds) {
     step_seconds_ = mean(step_seconds_, step_seconds);
     stepping_seconds_ += step_seconds;
+    since_kept_ += step_seconds;
     const std::uint64_t step = log_->now.step;
-    if (step - std::prev(keyframes_.upper_bound(step))->first < interval()) return;
+    const std::uint64_t last = std::prev(keyframes_.upper_bound(step))->first;
+    if (last == step) since_kept_ = 0.0;
+    if (!is_state_due(step - last)) return;
     if (keeping_seconds_ + save_seconds_ > greatest_share * stepping_seconds_) return; // steps have become cheaper
     const Clock::time_point start = Clock::now();
     keyframes_.insert_or_assign(step, std::make_shared<const Keyframe>(Keyframe{world.save(), world.state_digest()}));
+    since_kept_ = 0.0;
     keep_within_budget();
     const double seconds = seconds_since(start);
     save_seconds_ = mean(save_seconds_, seconds);
     keeping_seconds_ += seconds;
 }
 
-void Timeline::keep_within_budget() {
+void Timeline::count_keyframes() {
     keyframe_bytes_ = 0;
     const SnapshotDefinitions* counted = nullptr;
     for (const auto& [step, keyframe] : keyframes_) {
@@ -120,6 +127,18 @@ void Timeline::keep_within_budget() {
         const SnapshotDefinitions* own = keyframe->snapshot.definitions.get();
         if (own != counted) keyframe_bytes_ += own->bytes.size();
         counted = own;
+    }
+}
+
+// All of the past stays within reach, from states that are farther apart; only where that no longer helps, the oldest
+// moments go.
+void Timeline::keep_within_budget() {
+    count_keyframes();
+    while (bytes() > budget_ && keyframes_.size() > fewest_states) {
+        bool stays = false;
+        std::erase_if(keyframes_, [&](const auto&) { return !(stays = !stays); }); // the first stays
+        thinned_ *= 2;
+        count_keyframes();
     }
     while (bytes() > budget_ && keyframes_.size() > 2 && std::next(keyframes_.begin())->first <= log_->now.step) {
         keyframe_bytes_ -= keyframes_.begin()->second->snapshot.bytes.size();
@@ -238,6 +257,7 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
             if (recorded) {
                 world.restore(recorded->second);
                 log_->now = {recorded->first, 0};
+                since_kept_ = 0.0;
                 return true;
             }
         } catch (const Error& error) {
@@ -248,6 +268,7 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
     if (after && kept->first <= *after) return false;
     world.restore(kept->second->snapshot);
     log_->now = {kept->first, 0};
+    since_kept_ = 0.0;
     return true;
 }
 
@@ -260,7 +281,8 @@ bool Timeline::seek(World& world, Moment to, double seconds) {
     to.changes = std::min(to.changes, std::uint32_t(log_->frame(to.step).changes.size()));
     if (log_->now > to)
         restore_before(world, to.step, std::nullopt);
-    else if (to.step - log_->now.step > interval())
+    else if (const std::uint64_t steps = to.step - log_->now.step;
+             double(steps) * step_seconds_ > longest_way || steps > greatest_interval)
         restore_before(world, to.step, log_->now.step);
     while (log_->now.step < to.step) {
         follow_one(world);
@@ -286,9 +308,9 @@ bool Timeline::step_back(World& world) {
     } else {
         restore_before(world, to, std::nullopt);
         const std::size_t bytes = keyframes_.begin()->second->snapshot.bytes.size();
-        ring_.states.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, greatest_interval + 1));
+        ring_.states.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, most_in_ring));
         for (;;) {
-            ring_.states->push(world);
+            if (to - log_->now.step < ring_.states->capacity()) ring_.states->push(world);
             if (log_->now.step >= to) break;
             follow_one(world);
         }

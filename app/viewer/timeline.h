@@ -37,7 +37,8 @@ using Groups = std::vector<std::vector<BodyId>>;
 
 class Timeline {
   public:
-    /// `budget`: bytes that whole states and commands may take; the oldest go first.
+    /// `budget`: bytes that whole states and commands may take. Where it is spent, every other state goes; where few
+    /// are left, the oldest moments.
     explicit Timeline(std::size_t budget = std::size_t{256} << 20) : budget_(budget) {}
 
     /// Begins with the world as it is, and listens to it. `run`: what is known to follow.
@@ -147,9 +148,10 @@ class Timeline {
     bool follow_one(World& world, const std::function<void(const World&)>& before_step = {});
     bool execute_changes(World& world, std::uint32_t count);
     void drop_other_future();
+    bool is_state_due(std::uint64_t steps) const;
+    void count_keyframes();
     void keep_within_budget();
     void name_recorded_changes();
-    std::uint64_t interval() const;
     void gather_marks();
 
     std::size_t budget_;
@@ -167,6 +169,8 @@ class Timeline {
     bool is_undone_ = false;
     bool has_ended_ = false;                                // the last change
     double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
+    double since_kept_ = 0.0;                               // s of steps since a state that is kept
+    std::uint64_t thinned_ = 1;                             // how many times as far apart they are as at first
     double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
     Ring ring_;
     Verdict verdict_;

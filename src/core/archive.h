@@ -9,11 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace cairn {
@@ -27,6 +29,15 @@ template <class T> using Words = std::array<std::uint32_t, sizeof(T) / 4>;
 inline constexpr std::size_t group = 32;
 constexpr std::size_t mask_size(std::size_t words) { return (words + 7) / 8; }
 template <class T> inline constexpr std::size_t max_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
+
+// Calls `f(first)` for the first word of each group, a constant: so are then the sizes of masks.
+template <class T, class F> void for_groups(F&& f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::integral_constant<std::size_t, I * group>{}), ...); }
+    (std::make_index_sequence<(sizeof(T) / 4 + group - 1) / group>{});
+}
+template <class T> constexpr std::size_t words_of_group(std::size_t first) {
+    return std::min(sizeof(T) / 4 - first, group);
+}
 
 // Fails to compile, as no constant, where T has bytes that belong to no member: what they hold is left to chance.
 template <class T> constexpr bool has_no_gaps() {
@@ -115,11 +126,54 @@ class ArchiveWriter {
     std::vector<std::byte>& out_;
 };
 
-// Throws Error(invalid_file) rather than read past the end.
-class ArchiveReader {
+// Bytes of an archive, from front to back. Throws Error(invalid_file) rather than read past the end.
+class ArchiveBytes {
   public:
     static constexpr bool reading = true;
-    ArchiveReader(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
+    std::size_t bytes_left() const noexcept { return left_; }
+
+  protected:
+    ArchiveBytes(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
+
+    // Of elements that take so many bytes at least.
+    std::size_t count(std::size_t element) {
+        std::uint64_t n = 0;
+        raw(&n, sizeof n);
+        if (n > left_ / element) throw_short();
+        return std::size_t(n);
+    }
+    // Of the next group of `count` words: which of them are there.
+    template <std::size_t count> std::uint32_t mask() {
+        std::uint32_t mask = 0;
+        raw(&mask, archive_detail::mask_size(count));
+        if (count < 32 && (mask >> (count % 32)) != 0) throw_short();
+        if (left_ < 4 * count && left_ < 4 * std::size_t(std::popcount(mask))) throw_short();
+        return mask;
+    }
+    const std::byte* next() const { return data_; }
+    void pass(std::size_t size) {
+        if (size > left_) throw_short();
+        data_ += size;
+        left_ -= size;
+    }
+    void raw(void* out, std::size_t size) {
+        if (size > left_) throw_short();
+        if (size > 0) std::memcpy(out, data_, size);
+        data_ += size;
+        left_ -= size;
+    }
+
+  private:
+    [[noreturn]] static void throw_short() {
+        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is cut off or damaged");
+    }
+    const std::byte* data_;
+    std::size_t left_;
+};
+
+class ArchiveReader : public ArchiveBytes {
+  public:
+    ArchiveReader(const std::byte* data, std::size_t size) : ArchiveBytes(data, size) {}
 
     template <class T> void operator()(std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -147,39 +201,58 @@ class ArchiveReader {
     requires std::is_trivially_copyable_v<T>
     void operator()(T& value) { raw(&value, sizeof value); }
 
-    std::size_t bytes_left() const noexcept { return left_; }
-
   private:
-    // Of elements that take so many bytes at least.
-    std::size_t count(std::size_t element) {
-        std::uint64_t n = 0;
-        raw(&n, sizeof n);
-        if (n > left_ / element) throw_short();
-        return std::size_t(n);
-    }
     template <class T> void unpack(T& value, const T* expected) {
         archive_detail::Words<T> words{};
         if (expected) std::memcpy(words.data(), static_cast<const void*>(expected), sizeof value);
-        for (std::size_t first = 0; first < words.size(); first += archive_detail::group) {
-            const std::size_t count = std::min(words.size() - first, archive_detail::group);
-            std::uint32_t mask = 0;
-            raw(&mask, archive_detail::mask_size(count));
-            if (count < 32 && (mask >> count) != 0) throw_short();
-            for (; mask != 0; mask &= mask - 1) raw(&words[first + std::size_t(__builtin_ctz(mask))], 4);
-        }
+        archive_detail::for_groups<T>([&](auto first) {
+            std::uint32_t differ = mask<archive_detail::words_of_group<T>(first)>();
+            const std::byte* from = next();
+            for (; differ != 0; differ &= differ - 1, from += 4)
+                std::memcpy(&words[first + std::size_t(std::countr_zero(differ))], from, 4);
+            pass(std::size_t(from - next()));
+        });
         std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);
     }
-    void raw(void* out, std::size_t size) {
-        if (size > left_) throw_short();
-        if (size > 0) std::memcpy(out, data_, size);
-        data_ += size;
-        left_ -= size;
+};
+
+// Goes through what a reader is to read, and keeps none of it: throws what the reader would throw, and makes room for
+// what the vectors will hold, which stay as they are. What it has been through is then read without a throw.
+class ArchiveChecker : public ArchiveBytes {
+  public:
+    ArchiveChecker(const std::byte* data, std::size_t size) : ArchiveBytes(data, size) {}
+
+    // Returns how many elements there are.
+    template <class T> std::size_t operator()(std::vector<T>& v) {
+        const std::size_t n = count(archive_detail::is_packed<T> ? 1 : sizeof(T));
+        v.reserve(n);
+        if constexpr (archive_detail::is_packed<T>)
+            for (std::size_t i = 0; i < n; ++i) pass_packed<T>();
+        else
+            pass(n * sizeof(T));
+        return n;
     }
-    [[noreturn]] static void throw_short() {
-        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is cut off or damaged");
+    template <class T, class F> void foretold(std::vector<T>& v, const F&) { (*this)(v); }
+    template <class T>
+    requires std::is_trivially_copyable_v<T>
+    void operator()(const T&) { pass(sizeof(T)); }
+
+  private:
+    // As in a byte of it, times the size of a word: without an instruction for it a count of bits is a call.
+    static constexpr std::array<std::uint8_t, 256> bits_of = [] {
+        std::array<std::uint8_t, 256> bits{};
+        for (unsigned i = 0; i < 256; ++i) bits[i] = std::uint8_t(4 * std::popcount(i));
+        return bits;
+    }();
+    template <class T> void pass_packed() {
+        archive_detail::for_groups<T>([&](auto first) {
+            const std::uint32_t differ = mask<archive_detail::words_of_group<T>(first)>();
+            std::size_t size = 0;
+            for (std::size_t i = 0; i < archive_detail::mask_size(archive_detail::words_of_group<T>(first)); ++i)
+                size += bits_of[(differ >> (8 * i)) & 255];
+            pass(size);
+        });
     }
-    const std::byte* data_;
-    std::size_t left_;
 };
 
 } // namespace cairn

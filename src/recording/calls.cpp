@@ -70,7 +70,7 @@ std::optional<std::pair<std::uint64_t, Snapshot>> CallReader::keyframe(std::uint
     const auto next = std::upper_bound(all.begin(), all.end(), until,
                                        [](std::uint64_t value, const auto& keyframe) { return value < keyframe.step; });
     if (next == all.begin() || std::prev(next)->step <= after) return std::nullopt;
-    return std::pair(std::prev(next)->step, state_->parts.snapshot(std::prev(next)->snapshot));
+    return std::pair(std::prev(next)->step, state_->parts.state_of(*std::prev(next)));
 }
 
 } // namespace cairn::recording

@@ -2,6 +2,7 @@
 
 #include "recording/geometry_codec.h"
 #include "recording/log_format.h"
+#include "recording/patch.h"
 
 #include <cairn/error.h>
 
@@ -38,7 +39,8 @@ SnapshotMessage read_snapshot(std::string_view message, const std::string& where
 
 Recording::Contents::Contents(InputBytes bytes)
     : file(std::move(bytes)), log(file.channel(topic_log)), geometry(file.channel(topic_geometry)),
-      keyframe(file.channel(topic_keyframes)), snapshot(file.channel(topic_snapshots)) {
+      keyframe(file.channel(topic_keyframes)), snapshot(file.channel(topic_snapshots)),
+      state(file.channel(topic_states)) {
     if (!log) {
         if (!file.is_cut_off())
             throw Error(ErrorCode::invalid_file, file.name(), "",
@@ -51,10 +53,16 @@ Recording::Contents::Contents(InputBytes bytes)
     if (const auto found = values.find("source"); found != values.end()) info.source = found->second;
     info.bytes = file.size(), info.whole_bytes = file.whole_bytes(), info.is_cut_off = file.is_cut_off();
     for (std::size_t i = 0; i < file.chunks().size(); ++i) {
-        if (has(i, snapshot)) snapshot_chunks.push_back(i), info.keyframe_bytes += file.chunks()[i].size;
+        if (has(i, snapshot)) snapshot_chunks.push_back(i);
+        if (has(i, state)) read_state(i);
+        if (has(i, snapshot) || has(i, state)) info.keyframe_bytes += file.chunks()[i].size;
         if (has(i, log) || has(i, geometry) || has(i, keyframe)) read_chunk(i);
     }
-    std::erase_if(keyframes, [&](const Keyframe& k) { return k.snapshot >= snapshot_chunks.size(); }); // cut off
+    std::erase_if(keyframes, [&](const Keyframe& k) { // cut off
+        return k.step > info.steps || (k.is_snapshot && k.number >= snapshot_chunks.size());
+    });
+    for (Keyframe& k : keyframes)
+        if (!k.is_snapshot) k.next = place_after(k.step);
     for (const Keyframe& k : keyframes) info.keyframes.push_back(k.step);
 }
 
@@ -64,6 +72,7 @@ void Recording::Contents::read_chunk(std::size_t chunk) {
     log_chunks.push_back(chunk);
     file.for_each_message(records, [&](const McapMessage& message) {
         if (message.channel == log) {
+            batches.push_back({info.steps, {log_chunks.size() - 1, log_messages}});
             read_batch(message.data);
             ++log_messages;
         } else if (message.channel == geometry) {
@@ -104,11 +113,41 @@ void Recording::Contents::read_batch(std::string_view message) {
 void Recording::Contents::read_keyframe(std::string_view message, std::size_t log_messages) {
     const std::string name = where("keyframe");
     RecordReader from(message, name);
-    Keyframe k{from.leb128(), from.leb128(), log_chunks.size() - 1, log_messages};
+    Keyframe k{from.leb128(), from.leb128(), true, {log_chunks.size() - 1, log_messages}};
     if (k.step != info.steps)
         throw Error(ErrorCode::invalid_file, name, std::to_string(k.step),
                     "must stand after as many steps as it says, not " + std::to_string(info.steps));
     keyframes.push_back(k);
+}
+
+// Where a state stands, without reading it.
+void Recording::Contents::read_state(std::size_t chunk) {
+    const std::string name = where("state"), records = file.load_start(chunk);
+    RecordReader from(file.start_of_message(records), name);
+    if (const std::uint64_t version = from.leb128(); version != states_version)
+        throw Error(ErrorCode::unsupported, name, "version " + std::to_string(version),
+                    "was written by a later version");
+    Keyframe k;
+    k.step = from.leb128(), k.number = from.leb128();
+    const std::uint64_t parent = from.leb128();
+    if (k.number <= parent || (parent != 0 && states.count(parent) == 0) ||
+        (!keyframes.empty() && keyframes.back().step >= k.step) ||
+        !states.try_emplace(k.number, StatePlace{chunk, parent}).second)
+        throw Error(ErrorCode::invalid_file, name, std::to_string(k.number),
+                    "must come after that which it differs from, " + std::to_string(parent));
+    keyframes.push_back(k);
+}
+
+// The calls that follow so many steps: they begin a message.
+Recording::Contents::LogPlace Recording::Contents::place_after(std::uint64_t step) const {
+    const auto found =
+        std::lower_bound(batches.begin(), batches.end(), step,
+                         [](const Batch& batch, std::uint64_t value) { return batch.first_step < value; });
+    if (found == batches.end()) return {log_chunks.size(), 0};
+    if (found->first_step != step)
+        throw Error(ErrorCode::invalid_file, where("state after " + std::to_string(step) + " steps"), "",
+                    "must stand where a message of the log begins");
+    return found->place;
 }
 
 LogEntry BatchReader::next() {
@@ -125,16 +164,16 @@ LogEntry BatchReader::next() {
     return entry;
 }
 
-void LogCursor::move_to(std::size_t chunk, std::size_t message) {
+void LogCursor::move_to(Recording::Contents::LogPlace place) {
     entry_.reset(), batch_.reset(), messages_.clear();
-    chunk_ = chunk;
+    chunk_ = place.chunk;
     message_ = 0;
-    if (message == 0) return;
+    if (place.message == 0) return;
     records_ = contents_.file.load(contents_.log_chunks[chunk_++]);
     contents_.file.for_each_message(records_, [&](const McapMessage& m) {
         if (m.channel == contents_.log) messages_.push_back(m.data);
     });
-    message_ = message;
+    message_ = place.message;
 }
 
 const LogEntry& LogCursor::peek() {
@@ -203,7 +242,42 @@ const Snapshot& Parts::snapshot(std::uint64_t number) {
     const std::string message = snapshot_message(number);
     SnapshotMessage read = read_snapshot(message, contents_.where("snapshot " + std::to_string(number)));
     snapshot_.definitions = definitions(read.definitions);
+    defined_by_.clear();
     snapshot_.bytes = std::move(read.bytes);
+    return snapshot_;
+}
+
+// What was kept of a state, and of those that it differs from, put together.
+std::string Parts::state_bytes(std::uint64_t number) const {
+    std::vector<std::uint64_t> way; // to one that stands alone; parents have lesser numbers
+    for (std::uint64_t at = number; at != 0; at = contents_.states.at(at).parent) way.push_back(at);
+    std::string bytes;
+    for (; !way.empty(); way.pop_back()) {
+        const std::string name = contents_.where("state " + std::to_string(way.back()));
+        const std::string records = contents_.file.load(contents_.states.at(way.back()).chunk);
+        contents_.file.for_each_message(records, [&](const McapMessage& message) {
+            if (message.channel != contents_.state) return;
+            RecordReader from(message.data, name);
+            for (int field = 0; field < 4; ++field) from.leb128(); // version, step, number, parent
+            bytes = patched(bytes, from.rest(), name);
+        });
+    }
+    return bytes;
+}
+
+const Snapshot& Parts::state_of(const Recording::Contents::Keyframe& keyframe) {
+    if (keyframe.is_snapshot) return snapshot(keyframe.number);
+    const std::string name = contents_.where("state " + std::to_string(keyframe.number));
+    const std::string bytes = state_bytes(keyframe.number);
+    RecordReader from(bytes, name);
+    snapshot_.bytes = take_bytes(from);
+    if (const std::string_view defined_by = from.rest(); !snapshot_.definitions || defined_by_ != defined_by) {
+        auto made = std::make_shared<SnapshotDefinitions>();
+        made->bytes = take_bytes(from);
+        made->shapes = decode_shapes(as_bytes(from.rest()), *this);
+        defined_by_ = defined_by;
+        snapshot_.definitions = std::move(made);
+    }
     return snapshot_;
 }
 

@@ -7,6 +7,7 @@
 #include <cairn/commands.h>
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,9 +19,21 @@ namespace cairn::recording {
 struct Recording::Contents {
     explicit Contents(InputBytes bytes);
 
+    struct LogPlace {
+        std::size_t chunk = 0, message = 0; // in `log_chunks`, and of its messages of the log
+    };
     struct Keyframe {
-        std::uint64_t step = 0, snapshot = 0;
-        std::size_t chunk = 0, message = 0; // in `log_chunks`, and of its messages of the log: what follows
+        std::uint64_t step = 0, number = 0; // of its state, or of its snapshot, as older versions have them
+        bool is_snapshot = false;
+        LogPlace next; // what follows
+    };
+    struct Batch { // a message of the log
+        std::uint64_t first_step = 0;
+        LogPlace place;
+    };
+    struct StatePlace {
+        std::size_t chunk = 0;    // of the file
+        std::uint64_t parent = 0; // 0: none
     };
     struct GeometryPlace {
         std::size_t chunk = 0, offset = 0, size = 0; // in the records of a chunk of the file
@@ -31,11 +44,13 @@ struct Recording::Contents {
         float length = 0;        // s, of all of them
     };
     McapReader file;
-    std::optional<std::uint16_t> log, geometry, keyframe, snapshot; // channels
-    std::vector<std::size_t> log_chunks, snapshot_chunks;           // of the file
-    std::vector<GeometryPlace> geometries;                          // by number
-    std::vector<Keyframe> keyframes;                                // by step
-    std::vector<StepRun> runs;                                      // of steps of one length
+    std::optional<std::uint16_t> log, geometry, keyframe, snapshot, state; // channels
+    std::vector<std::size_t> log_chunks, snapshot_chunks;                  // of the file
+    std::vector<GeometryPlace> geometries;                                 // by number
+    std::vector<Keyframe> keyframes;                                       // by step
+    std::vector<Batch> batches;                                            // by step
+    std::map<std::uint64_t, StatePlace> states;                            // by number
+    std::vector<StepRun> runs;                                             // of steps of one length
     RecordingInfo info;
 
     std::string where(const std::string& what) const { return file.name() + ": " + what; }
@@ -44,6 +59,8 @@ struct Recording::Contents {
     void read_chunk(std::size_t chunk);
     void read_batch(std::string_view message);
     void read_keyframe(std::string_view message, std::size_t log_messages);
+    void read_state(std::size_t chunk);
+    LogPlace place_after(std::uint64_t step) const;
 };
 
 // What a log has, one after the other.
@@ -71,7 +88,7 @@ class BatchReader {
 class LogCursor {
   public:
     explicit LogCursor(const Recording::Contents& contents) : contents_(contents), what_(contents.where("log")) {}
-    void move_to(std::size_t chunk, std::size_t message);
+    void move_to(Recording::Contents::LogPlace place);
     const LogEntry& peek();
     void take() { entry_.reset(); }
 
@@ -86,22 +103,26 @@ class LogCursor {
     std::optional<LogEntry> entry_;
 };
 
-// Geometry and snapshots by their numbers; what was asked for once is kept, of snapshots the last one.
+// Geometry, snapshots and states by their numbers; what was asked for once is kept, of snapshots and states the last
+// one.
 class Parts final : public CommandSource {
   public:
     explicit Parts(const Recording::Contents& contents)
         : contents_(contents), shapes_(contents.geometries.size()), definitions_(contents.snapshot_chunks.size()) {}
     const Shape& shape(std::uint64_t number) override;
     const Snapshot& snapshot(std::uint64_t number) override;
+    const Snapshot& state_of(const Recording::Contents::Keyframe& keyframe);
 
   private:
     std::string snapshot_message(std::uint64_t number) const;
+    std::string state_bytes(std::uint64_t number) const;
     std::shared_ptr<const SnapshotDefinitions> definitions(std::uint64_t number);
 
     const Recording::Contents& contents_;
     std::vector<std::optional<Shape>> shapes_;
     std::vector<std::shared_ptr<const SnapshotDefinitions>> definitions_;
     Snapshot snapshot_;
+    std::string defined_by_; // what `snapshot_.definitions` were read from, of a state
 };
 
 } // namespace cairn::recording

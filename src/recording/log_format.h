@@ -12,8 +12,10 @@
 namespace cairn::recording {
 
 inline constexpr std::string_view topic_log = "/cairn/commands", topic_geometry = "/cairn/geometry",
-                                  topic_keyframes = "/cairn/keyframes", topic_snapshots = "/cairn/snapshots",
-                                  log_encoding = "cairn1";
+                                  topic_snapshots = "/cairn/snapshots", topic_states = "/cairn/states",
+                                  topic_keyframes = "/cairn/keyframes", // of versions before /cairn/states
+    log_encoding = "cairn1";
+inline constexpr std::uint64_t states_version = 1; // with which messages of /cairn/states begin
 
 // In the file, for who reads it without Cairn.
 inline constexpr std::string_view parts_encoding =
@@ -28,12 +30,17 @@ inline constexpr std::string_view parts_encoding =
 "hull: count, vertices of 3 floats in m",
 "mesh: count, vertices of 3 floats in m; count, indices",
 "height field: columns, rows of u32; spacing, 2 floats in m; count, heights, floats in m"],
-"/cairn/keyframes": ["number of steps before it", "number of its snapshot"],
 "/cairn/snapshots": [
 "number",
 "number of the snapshot that has its definitions",
 "size, bytes of the state",
-"of one that has definitions: size, bytes, and the shapes as a list of Shape"]
+"of one that has definitions: size, bytes, and the shapes as a list of Shape"],
+"/cairn/states": [
+"1, the version of what follows",
+"number of steps before it",
+"its number, counted from 1, and the number of another before it, or 0",
+"a frame of zstd, whose prefix is what that of the other has, or nothing (as zstd --patch-from)",
+"in it: size, bytes of the state; size, bytes of its definitions; the shapes as a list of Shape"]
 })json";
 
 // A step among commands: its number, and the length as a float.

@@ -14,6 +14,7 @@ namespace {
 
 // Bytes: more than any writer gathers before it writes; what claims to be larger is damaged.
 constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 31;
+constexpr std::uint64_t looked_at = 256; // bytes of a chunk, to see what its first message is
 constexpr std::uint64_t footer_size = record_start + 8 + 8 + 4;
 
 [[noreturn]] void damaged(const std::string& where, const std::string& value, const std::string& expected) {
@@ -171,6 +172,26 @@ std::string McapReader::unpacked(std::string_view compression, std::string_view 
     if (ZSTD_isError(count) != 0 || count != result.size())
         damaged(where, ZSTD_isError(count) != 0 ? ZSTD_getErrorName(count) : "", "cannot be decompressed");
     return result;
+}
+
+std::string McapReader::load_start(std::size_t chunk) const {
+    const ChunkPlace& place = chunks_[chunk];
+    const std::string where = what_ + ": chunk at byte " + std::to_string(place.offset);
+    const std::string start = bytes_.read(place.offset, std::min(place.size, looked_at));
+    RecordReader fields(start, where);
+    fields.take(record_start + 8 + 8 + 8 + 4); // times, size, checksum
+    if (!fields.text().empty()) return load(chunk);
+    fields.number<std::uint64_t>(); // size
+    return std::string(fields.rest());
+}
+
+std::string_view McapReader::start_of_message(std::string_view records) const {
+    RecordReader from(records, what_);
+    const auto opcode = from.number<std::uint8_t>();
+    if (Opcode(opcode) != Opcode::message)
+        damaged(what_ + ": chunk", std::to_string(opcode), "must begin with a message");
+    from.take(8 + 2 + 4 + 8 + 8); // size, channel, sequence, times
+    return from.rest();
 }
 
 std::string McapReader::load(std::size_t chunk) const {

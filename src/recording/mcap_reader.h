@@ -41,6 +41,11 @@ class McapReader {
 
     // The records of a chunk. Throws Error(invalid_file) if they are damaged.
     std::string load(std::size_t chunk) const;
+    // Of a chunk that is not compressed the first of its bytes, unchecked, enough for `start_of_message`; of others
+    // all.
+    std::string load_start(std::size_t chunk) const;
+    // Of its first message what is there of its data. Throws Error(invalid_file) if it begins with something else.
+    std::string_view start_of_message(std::string_view records) const;
     // Calls f(message) for each message of the records of a chunk, in the order in which they were written.
     template <class F> void for_each_message(std::string_view records, F&& f) const {
         RecordReader from(records, what_);

@@ -1,6 +1,7 @@
 #include "recording/mcap_writer.h"
 
 #include "files/checksum.h"
+#include "recording/input_bytes.h"
 
 #include <cairn/version.h>
 
@@ -22,7 +23,8 @@ struct McapWriter::Context {
 
 namespace {
 
-constexpr int compression_level = 3; // zstd's own default
+constexpr int compression_level = 3;     // zstd's own default
+constexpr std::uint64_t piece = 1 << 20; // bytes that are copied at a time
 
 std::string map_field(const std::string& content) {
     std::string field;
@@ -33,7 +35,8 @@ std::string map_field(const std::string& content) {
 } // namespace
 
 McapWriter::McapWriter(const std::filesystem::path& path, bool compress)
-    : file_(path, files::Appearance::as_it_grows), compress_(compress), context_(std::make_unique<Context>()) {
+    : path_(path), file_(std::make_unique<files::OutputFile>(path, files::Appearance::as_it_grows)),
+      compress_(compress), context_(std::make_unique<Context>()) {
     std::string start(mcap_magic), header;
     RecordWriter(header).text("cairn").text("cairn " + std::string(version_string));
     append_record(start, Opcode::header, header);
@@ -43,7 +46,7 @@ McapWriter::McapWriter(const std::filesystem::path& path, bool compress)
 McapWriter::~McapWriter() = default;
 
 void McapWriter::put(std::string_view bytes) {
-    file_.write(bytes);
+    file_->write(bytes);
     offset_ += bytes.size();
 }
 
@@ -72,7 +75,6 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view top
     append_record(record, Opcode::channel, content);
     channels_ += record;
     put(record);
-    message_counts_[id] = 0;
     return id;
 }
 
@@ -99,20 +101,22 @@ std::string McapWriter::compressed(std::string_view records) {
 
 void McapWriter::write(Chunk& chunk) {
     if (chunk.is_empty()) return;
-    const std::string packed = compress_ ? compressed(chunk.records_) : std::string();
-    const std::string_view records = compress_ ? packed : chunk.records_;
+    const bool compress = compress_ && chunk.is_compressed_;
+    const std::string packed = compress ? compressed(chunk.records_) : std::string();
+    const std::string_view records = compress ? packed : chunk.records_;
     std::string content, all;
     RecordWriter(content)
         .number(chunk.first_time_)
         .number(chunk.last_time_)
         .number(std::uint64_t(chunk.records_.size()))
         .number(files::crc32(chunk.records_))
-        .text(compress_ ? "zstd" : "")
+        .text(compress ? "zstd" : "")
         .number(std::uint64_t(records.size()));
     content += records;
     append_record(all, Opcode::chunk, content);
-    ChunkPlace place{chunk.first_time_, chunk.last_time_,      offset_, all.size(), 0,
-                     records.size(),    chunk.records_.size(), {}};
+    ChunkPlace place{
+        chunk.first_time_, chunk.last_time_, offset_, all.size(), 0, records.size(), chunk.records_.size(), {},
+        chunk.counts_,     compress,         false};
     for (const auto& [channel, entries] : chunk.index_) {
         place.index_offsets[channel] = offset_ + all.size();
         std::string pairs, index;
@@ -123,7 +127,6 @@ void McapWriter::write(Chunk& chunk) {
     place.index_size = all.size() - place.size;
     put(all);
     chunks_.push_back(std::move(place));
-    for (const auto& [channel, count] : chunk.counts_) message_counts_[channel] += count;
     chunk = {};
 }
 
@@ -137,7 +140,7 @@ std::string McapWriter::chunk_index(const ChunkPlace& place) const {
         .number(place.size)
         .text(offsets)
         .number(place.index_size)
-        .text(compress_ ? "zstd" : "")
+        .text(place.is_compressed ? "zstd" : "")
         .number(place.compressed)
         .number(place.uncompressed);
     append_record(record, Opcode::chunk_index, content);
@@ -147,13 +150,16 @@ std::string McapWriter::chunk_index(const ChunkPlace& place) const {
 std::string McapWriter::statistics() const {
     std::uint64_t messages = 0, first = 0, last = 0;
     std::string counts, content, record;
-    for (const auto& [channel, count] : message_counts_) {
-        messages += count;
-        RecordWriter(counts).number(channel).number(count);
-    }
+    std::map<std::uint16_t, std::uint64_t> of_channels;
+    for (std::uint16_t channel = 0; channel < channel_count_; ++channel) of_channels[channel] = 0;
     for (const ChunkPlace& place : chunks_) {
         first = &place == &chunks_.front() ? place.first_time : std::min(first, place.first_time);
         last = std::max(last, place.last_time);
+        for (const auto& [channel, count] : place.counts) of_channels[channel] += count;
+    }
+    for (const auto& [channel, count] : of_channels) {
+        messages += count;
+        RecordWriter(counts).number(channel).number(count);
     }
     RecordWriter(content)
         .number(messages)
@@ -204,13 +210,48 @@ std::string McapWriter::summary() const {
     return all + std::string(mcap_magic);
 }
 
+void McapWriter::leave_out(std::size_t chunk) { chunks_[chunk].is_left_out = true; }
+
+// Goes on with a copy that lacks what is left out, and takes the file's place when it is closed.
+void McapWriter::copy_what_stays() {
+    const InputBytes all(path_);
+    auto copy = std::make_unique<files::OutputFile>(path_);
+    const auto copy_range = [&](std::uint64_t from, std::uint64_t to) {
+        for (; from < to; from += std::min(piece, to - from)) copy->write(all.read(from, std::min(piece, to - from)));
+    };
+    std::vector<ChunkPlace> stays;
+    std::uint64_t copied = 0, gone = 0; // bytes
+    auto metadata = metadata_.begin();
+    for (ChunkPlace& place : chunks_) {
+        for (; metadata != metadata_.end() && metadata->offset < place.offset; ++metadata) metadata->offset -= gone;
+        if (place.is_left_out) {
+            const std::uint64_t size = place.size + place.index_size;
+            copy_range(copied, place.offset);
+            copied = place.offset + size;
+            gone += size;
+            continue;
+        }
+        place.offset -= gone;
+        for (auto& [channel, offset] : place.index_offsets) offset -= gone;
+        stays.push_back(std::move(place));
+    }
+    for (; metadata != metadata_.end(); ++metadata) metadata->offset -= gone;
+    copy_range(copied, offset_);
+    offset_ -= gone;
+    chunks_ = std::move(stays);
+    file_->close();
+    file_ = std::move(copy);
+}
+
 void McapWriter::close() {
+    const bool lacks_any = std::any_of(chunks_.begin(), chunks_.end(), [](const auto& c) { return c.is_left_out; });
+    if (lacks_any && !file_->is_stream()) copy_what_stays();
     std::string end, record;
     RecordWriter(end).number(std::uint32_t{0}); // no checksum of the data section: each chunk has its own
     append_record(record, Opcode::data_end, end);
     put(record);
     put(summary());
-    file_.close();
+    file_->close();
 }
 
 } // namespace cairn::recording

@@ -1,5 +1,5 @@
 // Writes MCAP files: schemas, channels and messages in chunks, and at the end the index of them. A file that ends
-// earlier has all chunks that were written whole.
+// earlier has all chunks that were written whole, also those that are left out at the end.
 #pragma once
 
 #include "files/output_file.h"
@@ -37,12 +37,14 @@ class McapWriter {
       public:
         // `nanoseconds`: since the recording began.
         void add(std::uint16_t channel, std::uint32_t sequence, std::uint64_t nanoseconds, std::string_view data);
+        void leave_uncompressed() { is_compressed_ = false; } // until it is written; what is compressed by itself
         std::size_t size() const { return records_.size(); }
         bool is_empty() const { return records_.empty(); }
 
       private:
         friend class McapWriter;
         std::string records_;
+        bool is_compressed_ = true;
         std::uint64_t first_time_ = 0, last_time_ = 0;
         std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>>
             index_; // time, offset; by channel
@@ -50,6 +52,9 @@ class McapWriter {
     };
     // Writes it to the file at once, and empties it. Nothing if it is empty. Throws Error(io).
     void write(Chunk& chunk);
+    std::size_t chunk_count() const { return chunks_.size(); }
+    // That chunk, counted from 0, shall not be in the file once it is closed; of what is no regular file, all stays.
+    void leave_out(std::size_t chunk);
     // The index, and the end of the file. Throws Error(io).
     void close();
     std::uint64_t bytes_written() const { return offset_; }
@@ -58,14 +63,18 @@ class McapWriter {
     struct ChunkPlace {
         std::uint64_t first_time, last_time, offset, size, index_size, compressed, uncompressed;
         std::map<std::uint16_t, std::uint64_t> index_offsets;
+        std::map<std::uint16_t, std::uint32_t> counts;
+        bool is_compressed, is_left_out;
     };
     void put(std::string_view bytes);
     std::string compressed(std::string_view records);
+    void copy_what_stays();
     std::string summary() const;
     std::string chunk_index(const ChunkPlace& place) const;
     std::string statistics() const;
 
-    files::OutputFile file_;
+    std::filesystem::path path_;
+    std::unique_ptr<files::OutputFile> file_;
     bool compress_;
     std::uint64_t offset_ = 0;
     struct Context; // of zstd
@@ -79,7 +88,6 @@ class McapWriter {
         std::string name;
     };
     std::vector<MetadataPlace> metadata_;
-    std::map<std::uint16_t, std::uint64_t> message_counts_;
 };
 
 } // namespace cairn::recording

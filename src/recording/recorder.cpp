@@ -1,6 +1,7 @@
 #include "recording/recorder.h"
 
 #include "recording/geometry_codec.h"
+#include "recording/keyframe_tree.h"
 #include "recording/log_format.h"
 #include "recording/mcap_writer.h"
 #include "recording/readings.h"
@@ -27,10 +28,11 @@ constexpr std::uint64_t batch_steps = 60, chunk_steps = 300;
 class Recorder::Listener final : public CommandListener {
   public:
     Listener(const std::filesystem::path& path, const RecorderOptions& options)
-        : options_(options), file_(std::in_place, path, options.compress) {
-        if (!(options.keyframe_interval > 0) || !std::isfinite(options.keyframe_interval))
-            throw Error(ErrorCode::invalid_value, "RecorderOptions.keyframe_interval",
-                        std::to_string(options.keyframe_interval), "must be finite and > 0");
+        : options_(options), file_(std::in_place, path, options.compress),
+          keyframes_(options.keyframe_work, options.keyframe_budget) {
+        if (!(options.keyframe_work > 0) || !std::isfinite(options.keyframe_work))
+            throw Error(ErrorCode::invalid_value, "RecorderOptions.keyframe_work",
+                        std::to_string(options.keyframe_work), "must be finite and > 0");
         if (!(options.readings_interval >= 0) || !std::isfinite(options.readings_interval))
             throw Error(ErrorCode::invalid_value, "RecorderOptions.readings_interval",
                         std::to_string(options.readings_interval), "must be finite and >= 0");
@@ -39,8 +41,8 @@ class Recorder::Listener final : public CommandListener {
         const std::uint16_t parts = file_->add_schema("cairn.Parts", "cairn", parts_encoding);
         log_ = file_->add_channel(commands, topic_log, log_encoding);
         geometry_ = file_->add_channel(parts, topic_geometry, log_encoding);
-        keyframes_ = file_->add_channel(parts, topic_keyframes, log_encoding);
         snapshots_ = file_->add_channel(parts, topic_snapshots, log_encoding);
+        states_ = file_->add_channel(parts, topic_states, log_encoding);
         if (options.readings.any()) readings_.emplace(*file_, options.readings, options.readings_interval);
     }
 
@@ -70,7 +72,7 @@ class Recorder::Listener final : public CommandListener {
             if (steps_ - batch_start_ >= batch_steps) end_batch();
             const double step_length = next_time_ - time_;
             time_ = next_time_;
-            if (is_keyframe_due()) add_keyframe(world);
+            if (keyframes_.is_due(world)) add_keyframe(world);
             if (readings_) readings_->add(readings_chunk_, world, time_, step_length);
         } catch (...) {
             error_ = std::current_exception(); // for the next command
@@ -132,13 +134,16 @@ class Recorder::Listener final : public CommandListener {
         file_.reset();
         geometry_kept_.clear();
         last_definitions_.reset();
+        kept_definitions_.reset();
     }
 
     std::uint64_t steps() const { return steps_; }
 
   private:
     std::uint64_t nanoseconds() const { return std::uint64_t(std::llround(time_ * 1e9)); }
-    bool is_chunk_full() const { return steps_ - chunk_start_ >= chunk_steps || !snapshot_chunks_.empty(); }
+    bool is_chunk_full() const {
+        return steps_ - chunk_start_ >= chunk_steps || !snapshot_chunks_.empty() || !state_chunk_.is_empty();
+    }
 
     void end_batch() {
         if (batch_.empty()) return;
@@ -153,43 +158,55 @@ class Recorder::Listener final : public CommandListener {
         end_batch();
         file_->write(log_chunk_);
         chunk_start_ = steps_;
-        for (McapWriter::Chunk& chunk : snapshot_chunks_) {
-            const std::uint64_t before = file_->bytes_written();
-            file_->write(chunk);
-            snapshot_bytes_ += file_->bytes_written() - before;
-        }
+        for (McapWriter::Chunk& chunk : snapshot_chunks_) file_->write(chunk);
         snapshot_chunks_.clear();
+        if (!state_chunk_.is_empty()) {
+            const std::uint64_t before = file_->bytes_written();
+            const std::size_t number = file_->chunk_count();
+            file_->write(state_chunk_);
+            for (const std::size_t gone : keyframes_.settle(number, file_->bytes_written() - before))
+                file_->leave_out(gone);
+        }
         file_->write(readings_chunk_);
     }
 
-    // The part of the budget that is left stretches the interval.
-    bool is_keyframe_due() const {
-        if (snapshot_bytes_ >= options_.keyframe_budget) return false;
-        const double left = 1.0 - double(snapshot_bytes_) / double(options_.keyframe_budget);
-        return (time_ - keyframe_time_) * left >= options_.keyframe_interval;
-    }
     void add_keyframe(const World& world) {
-        end_batch();
+        end_batch(); // the log goes on behind it with a message of its own, which is how it is found there
+        const Snapshot snapshot = world.save();
+        std::string state;
+        append_leb128(state, snapshot.bytes.size());
+        state += as_text(snapshot.bytes);
+        if (snapshot.definitions != kept_definitions_) {
+            kept_definitions_ = snapshot.definitions;
+            shapes_ = encode_shapes(snapshot.definitions->shapes, *this);
+        }
+        append_leb128(state, snapshot.definitions->bytes.size());
+        state += as_text(snapshot.definitions->bytes);
+        state += as_text(shapes_);
+        const KeyframeTree::Difference kept = keyframes_.add(std::move(state));
         std::string message;
-        append_leb128(message, steps_);
-        append_leb128(message, number_of(world.save()));
-        log_chunk_.add(keyframes_, std::uint32_t(steps_), nanoseconds(), message);
-        keyframe_time_ = time_;
+        for (const std::uint64_t number : {states_version, steps_, kept.id, kept.parent})
+            append_leb128(message, number);
+        state_chunk_.leave_uncompressed();
+        state_chunk_.add(states_, std::uint32_t(kept.id), nanoseconds(), message + kept.patch);
     }
 
     RecorderOptions options_;
     std::optional<McapWriter> file_; // absent: closed
     std::exception_ptr error_;       // of a step that could not be recorded
-    std::uint16_t log_ = 0, geometry_ = 0, keyframes_ = 0, snapshots_ = 0;
+    std::uint16_t log_ = 0, geometry_ = 0, snapshots_ = 0, states_ = 0;
 
     std::string batch_;
     std::uint64_t steps_ = 0, batch_start_ = 0, chunk_start_ = 0, batch_time_ = 0;
-    double time_ = 0, next_time_ = 0, keyframe_time_ = 0; // s since the recording began
+    double time_ = 0, next_time_ = 0; // s since the recording began
     McapWriter::Chunk log_chunk_;
     std::vector<McapWriter::Chunk> snapshot_chunks_;
     std::optional<ReadingsWriter> readings_; // absent: nobody asked for them
     McapWriter::Chunk readings_chunk_;
-    std::uint64_t snapshot_bytes_ = 0;
+    KeyframeTree keyframes_;
+    McapWriter::Chunk state_chunk_; // of the last one, until it is written
+    std::shared_ptr<const SnapshotDefinitions> kept_definitions_;
+    std::vector<std::byte> shapes_; // theirs
 
     std::unordered_map<const void*, std::uint64_t> geometry_numbers_;
     std::vector<std::shared_ptr<const void>> geometry_kept_;

@@ -75,7 +75,7 @@ void Replay::State::forget() {
 void Replay::State::restart() {
     world = World();
     world.set_threads(thread_count);
-    cursor.move_to(0, 0);
+    cursor.move_to({});
     steps = 0;
     forget();
 }
@@ -83,12 +83,12 @@ void Replay::State::restart() {
 // False if this build cannot use it.
 bool Replay::State::go_to_keyframe(const Recording::Contents::Keyframe& keyframe) {
     try {
-        world.restore(parts.snapshot(keyframe.snapshot));
+        world.restore(parts.state_of(keyframe));
     } catch (const Error& error) {
         if (error.code() != ErrorCode::unsupported) throw;
         return can_use_keyframes = false;
     }
-    cursor.move_to(keyframe.chunk, keyframe.message);
+    cursor.move_to(keyframe.next);
     steps = keyframe.step;
     forget();
     return true;

@@ -192,10 +192,14 @@ template <class Archive, class T> void serialize_fields(Archive& archive, std::v
     std::vector<decltype(fields_of(values[0]))> fields;
     if constexpr (!Archive::reading)
         for (const T& value : values) fields.push_back(fields_of(value));
-    archive(fields);
-    if constexpr (Archive::reading) {
-        values.clear();
-        for (const auto& f : fields) values.push_back(from_fields(f));
+    if constexpr (std::is_same_v<Archive, ArchiveChecker>) {
+        values.reserve(archive(fields));
+    } else {
+        archive(fields);
+        if constexpr (Archive::reading) {
+            values.clear();
+            for (const auto& f : fields) values.push_back(from_fields(f));
+        }
     }
 }
 

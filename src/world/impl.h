@@ -48,6 +48,8 @@ struct World::Impl {
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
     std::shared_ptr<const SnapshotDefinitions> last_definitions;
+    std::uint64_t last_definitions_hash = 0;         // of their bytes
+    std::atomic<std::size_t> last_snapshot_size = 0; // bytes
     bool are_definitions_known = false; // they are `last_definitions`: nothing that they have has changed since
     // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
     void set_shapes(const std::vector<Shape>& shapes);
@@ -55,6 +57,9 @@ struct World::Impl {
     // Without any state yet. Throws Error(invalid_file).
     static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
                                             const WorldDef& settings);
+    // Reads a state of the definitions that the world has, in place of its own: that takes no memory anew. What is read
+    // has been checked. Where memory runs out all the same, the world is good for nothing.
+    template <class Reader> void restore_in_place(Reader& reader);
     // What belongs to the world, and not to its state.
     void take_over(Impl& other);
 
@@ -79,16 +84,6 @@ struct World::Impl {
     template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
 
     void make_step(float dt);
-
-    // While a state is put in place of another one; if it does not end, the world is good for nothing.
-    class Restoring {
-      public:
-        explicit Restoring(Impl& impl) : impl_(impl) { impl_.failed_call = "SnapshotRing::restore"; }
-        void end() { impl_.failed_call = nullptr; }
-
-      private:
-        Impl& impl_;
-    };
 
     // A call that changes the world, with its arguments: one of the table (api), or it does not compile. It is allowed
     // between steps only. What has been checked is done; from `begin` on, of which the listener is told, only running

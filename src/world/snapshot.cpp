@@ -6,6 +6,7 @@
 #include "core/image_archive.h"
 #include "world/definition_archive.h"
 #include "world/impl.h"
+#include "world/snapshot_header.h"
 #include "world/state_archive.h"
 #include "world/validate.h"
 
@@ -18,15 +19,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x37306e7269616321ull; // "!cairn07"
-
-// What comes before the state.
-struct Header {
-    std::uint64_t magic = 0, layout = 0;
-    std::uint64_t definitions = 0;                                       // their hash
-    std::uint64_t checksum = 0;                                          // of all that follows
-    std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
-};
+using Header = SnapshotHeader;
 
 // Of what is archived as it lies in memory. A member may take the place of padding: the size does not show it.
 template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_count<Plain>()), ...); }
@@ -47,14 +40,6 @@ std::uint64_t layout() {
 std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
     Hash64 sum;
     sum.add_bytes(bytes.data(), bytes.size());
-    return sum.value();
-}
-
-std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot) {
-    Hash64 sum;
-    header.checksum = 0;
-    sum.add_bytes(&header, sizeof header);
-    sum.add_bytes(snapshot.data() + sizeof header, snapshot.size() - sizeof header);
     return sum.value();
 }
 
@@ -161,7 +146,17 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
     serialize_definitions(defined, *fresh);
     fresh->set_shapes(definitions->shapes);
     fresh->last_definitions = definitions;
+    fresh->last_definitions_hash = hash_of(definitions->bytes);
     return fresh;
+}
+
+template <class Reader> void World::Impl::restore_in_place(Reader& reader) {
+    failed_call = "World::restore"; // in case that memory runs out
+    state.statistics = {};
+    serialize_state(reader, state, [](StatePart) {});
+    state.events.forget();
+    ++state.joints.changes; // what was found out about joints was so in another state
+    failed_call = nullptr;
 }
 
 void World::Impl::take_over(Impl& other) {
@@ -189,6 +184,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
     if (!is_unchanged) {
         now->shapes = shape_of;
         last_definitions = std::move(now);
+        last_definitions_hash = hash_of(last_definitions->bytes);
     }
     are_definitions_known = true;
     return last_definitions;
@@ -200,6 +196,8 @@ Snapshot World::save() const {
     Snapshot snapshot;
     snapshot.definitions = impl_->definitions();
     Header header;
+    const std::size_t last_size = impl_->last_snapshot_size;
+    snapshot.bytes.reserve(last_size + last_size / 8); // rather than to move what is there, again and again
     snapshot.bytes.resize(sizeof header);
     ArchiveWriter archive(snapshot.bytes);
     std::size_t last = snapshot.bytes.size();
@@ -209,12 +207,13 @@ Snapshot World::save() const {
         last = snapshot.bytes.size();
     });
     header.bodies = sizes[0], header.contacts = sizes[1], header.joints = sizes[2], header.broad_phase = sizes[3];
-    header.magic = magic;
+    header.magic = snapshot_magic;
     header.layout = layout();
-    header.definitions = hash_of(snapshot.definitions->bytes);
+    header.definitions = impl_->last_definitions_hash;
     header.checksum = checksum_of(header, snapshot.bytes);
     std::memcpy(snapshot.bytes.data(), &header, sizeof header);
-    snapshot.bytes.shrink_to_fit();
+    impl_->last_snapshot_size = snapshot.bytes.size();
+    if (snapshot.bytes.capacity() > snapshot.bytes.size() + snapshot.bytes.size() / 4) snapshot.bytes.shrink_to_fit();
     return snapshot;
 }
 
@@ -223,7 +222,7 @@ namespace {
 Header read_header(const Snapshot& snapshot) {
     Header header;
     ArchiveReader(snapshot.bytes.data(), snapshot.bytes.size())(header);
-    if (header.magic != magic)
+    if (header.magic != snapshot_magic)
         throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
     if (header.layout != layout())
         throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
@@ -248,30 +247,36 @@ void World::restore(const Snapshot& snapshot) {
     Header header = read_header(snapshot);
     if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
     const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
-    if (!definitions || hash_of(definitions->bytes) != header.definitions)
+    const bool are_the_same = definitions && !impl_->failed_call && impl_->definitions() == definitions;
+    if (!definitions ||
+        (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
+    const std::byte* const state = snapshot.bytes.data() + sizeof header;
+    const std::size_t size = snapshot.bytes.size() - sizeof header;
+    ArchiveReader reader(state, size);
+    if (are_the_same) {
+        // A checksum that fits does not say who made it: what would be refused half way is refused here.
+        ArchiveChecker checker(state, size);
+        serialize_state(checker, impl_->state, [](StatePart) {});
+        if (checker.bytes_left() > 0) throw_damaged();
+        impl_->tell(commands::world_restore, snapshot);
+        return impl_->restore_in_place(reader);
+    }
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
-    ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     serialize_state(reader, fresh->state, [](StatePart) {});
+    if (reader.bytes_left() > 0) throw_damaged();
     impl_->tell(commands::world_restore, snapshot);
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
 }
 
-// What a ring of snapshots has. Where the definitions are still the same, the state alone is put in place.
+// What a ring of snapshots has.
 void World::restore_image(const StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions) {
-    const bool in_place = !impl_->listener && !impl_->failed_call && impl_->definitions() == definitions;
-    if (in_place) {
-        Impl::Restoring restoring(*impl_);
-        ImageReader reader(image);
-        serialize_state(reader, impl_->state, [](StatePart) {});
-        impl_->state.events.forget();
-        ++impl_->state.joints.changes; // what was found out about joints was so in another state
-        return restoring.end();
-    }
+    ImageReader reader(image);
+    if (!impl_->listener && !impl_->failed_call && impl_->definitions() == definitions)
+        return impl_->restore_in_place(reader);
     World made;
     made.impl_ = Impl::defined_by(definitions, impl_->state.settings);
-    ImageReader reader(image);
     serialize_state(reader, made.impl_->state, [](StatePart) {});
     if (impl_->listener) return restore(made.save());
     made.impl_->take_over(*impl_);

@@ -22,8 +22,9 @@ namespace cairn {
 // Where a shape is if its body was not put elsewhere since the last step.
 inline ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::size_t shape) {
     ShapePose pose{};
+    if (shape >= shapes.links.size() || shape >= shapes.geometry.size()) return pose;
     const std::int32_t body = shapes.links[shape].body;
-    if (shape >= shapes.geometry.size() || std::uint32_t(body) >= bodies.motion.size()) return pose;
+    if (std::uint32_t(body) >= bodies.motion.size()) return pose;
     const Geometry& g = shapes.geometry[shape];
     const BodyMotion& motion = bodies.motion[body];
     pose_shape(pose, g, motion.x + math::to_double(shapes.links[shape].arm), math::to_float(motion.q));
@@ -75,8 +76,12 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
         for (std::size_t i = 0; i < states.size(); ++i)
             std::copy_n(s.joints.axes[i].states, max_joint_axes, states[i].begin());
     }
-    archive(moving), archive(states);
-    if constexpr (Archive::reading) {
+    if constexpr (std::is_same_v<Archive, ArchiveChecker>) {
+        if (archive(moving) != s.joints.info.size() || archive(states) != s.joints.axes.size()) throw_damaged();
+    } else {
+        archive(moving), archive(states);
+    }
+    if constexpr (Archive::reading && !std::is_same_v<Archive, ArchiveChecker>) {
         if (moving.size() != s.joints.info.size() || states.size() != s.joints.axes.size()) throw_damaged();
         for (std::size_t i = 0; i < moving.size(); ++i) {
             const JointInfo defined = s.joints.info[i];

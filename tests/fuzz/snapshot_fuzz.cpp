@@ -1,6 +1,8 @@
 // Fuzzes World::restore: a snapshot of a small world, changed as the bytes say, is refused and leaves the world as it
-// was, or is the snapshot that it was before. The first byte chooses between that and bytes that are a snapshot as they
-// stand.
+// was, or is the snapshot that it was before. The first byte chooses between that, bytes that are a snapshot as they
+// stand, and a change whose checksum was made to fit: that may be taken, but what is refused has changed nothing.
+#include "world/snapshot_header.h"
+
 #include <cairn/cairn.h>
 
 #include <cstdio>
@@ -45,11 +47,39 @@ void damage(std::vector<std::byte>& bytes, const std::uint8_t* data, std::size_t
     std::abort();
 }
 
+void fit_checksum(std::vector<std::byte>& bytes) {
+    SnapshotHeader header;
+    std::memcpy(&header, bytes.data(), sizeof header);
+    header.checksum = checksum_of(header, bytes);
+    std::memcpy(bytes.data(), &header, sizeof header);
+}
+
+// In place of the state of the same bodies.
+void restore_forged(const Snapshot& saved, const std::uint8_t* data, std::size_t size) {
+    Snapshot forged = saved;
+    damage(forged.bytes, data, size);
+    if (forged.bytes.size() < sizeof(SnapshotHeader)) return;
+    fit_checksum(forged.bytes);
+    static World world = small_world();
+    world.restore(saved);
+    world.step(1.0f / 60);
+    const Snapshot before = world.save();
+    try {
+        world.restore(forged);
+    } catch (const Error&) {
+        if (world.save().bytes != before.bytes) fail("a refused snapshot has changed the world");
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Snapshot saved = small_world().save();
     if (size == 0) return 0;
+    if (data[0] == 'f') {
+        restore_forged(saved, data + 1, size - 1);
+        return 0;
+    }
     Snapshot changed = saved;
     if (data[0] & 1) {
         damage(changed.bytes, data + 1, size - 1);

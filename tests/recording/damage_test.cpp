@@ -22,7 +22,7 @@ std::string rewritten(const std::string& bytes, const std::function<void(std::st
     const std::uint16_t schema = writer.add_schema("cairn.Commands", "cairn", "{}");
     std::map<std::uint16_t, std::uint16_t> channels;
     for (const std::string_view topic :
-         {recording::topic_log, recording::topic_geometry, recording::topic_keyframes, recording::topic_snapshots})
+         {recording::topic_log, recording::topic_geometry, recording::topic_snapshots, recording::topic_states})
         channels[*reader.channel(topic)] = writer.add_channel(schema, topic, recording::log_encoding);
     for (std::size_t i = 0; i < reader.chunks().size(); ++i) {
         recording::McapWriter::Chunk chunk;

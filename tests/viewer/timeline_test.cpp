@@ -283,17 +283,41 @@ TEST(Timeline, ImpactsAndBreaksAreMarkedOnce) {
     EXPECT_EQ(count(Mark::Kind::impact), 1) << "done again, it is the same impact";
 }
 
-TEST(Timeline, TheOldestGoesWhereTheBudgetEnds) {
-    Timeline timeline(std::size_t{40} << 10);
-    LoadedScene scene = falling_boxes("8");
+// Steps that take 20 ms each, as is claimed: at first a state is kept every 15 of them.
+std::vector<std::uint64_t> run_within_budget(Timeline& timeline, LoadedScene& scene, int steps, std::size_t most) {
     timeline.begin(scene.world, {});
     std::vector<std::uint64_t> hashes{scene.world.state_hash()};
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < steps; ++i) {
         scene.world.step(1.0f / 60.0f);
-        timeline.after_step(scene.world, 0.02); // as slow as that, a state is kept every 15 steps
+        timeline.after_step(scene.world, 0.02);
         hashes.push_back(scene.world.state_hash());
-        ASSERT_LE(timeline.bytes(), std::size_t{64} << 10);
+        EXPECT_LE(timeline.bytes(), most);
     }
+    return hashes;
+}
+
+TEST(Timeline, AllOfTheRunIsWithinReachWhereTheBudgetIsSpent) {
+    Timeline timeline(std::size_t{400} << 10);
+    LoadedScene scene = falling_boxes("8");
+    constexpr int steps = 2000;
+    const std::vector<std::uint64_t> hashes = run_within_budget(timeline, scene, steps, std::size_t{400} << 10);
+    EXPECT_EQ(timeline.first_step(), 0u);
+    EXPECT_GT(timeline.bytes(), std::size_t{100} << 10);
+    std::uint64_t farthest = 0; // behind a state that is kept
+    for (std::uint64_t step = steps; step > 50; step -= 50) {
+        ASSERT_TRUE(timeline.seek(scene.world, {step, 0}));
+        ASSERT_EQ(scene.world.state_hash(), hashes[step]) << step;
+        World kept;
+        kept.restore(timeline.excerpt(0).start);
+        farthest = std::max(farthest, step - kept.step_count());
+    }
+    EXPECT_LE(farthest, 300u);
+}
+
+TEST(Timeline, TheOldestGoesWhereFewStatesAreLeft) {
+    Timeline timeline(std::size_t{40} << 10);
+    LoadedScene scene = falling_boxes("8");
+    const std::vector<std::uint64_t> hashes = run_within_budget(timeline, scene, 2000, std::size_t{64} << 10);
     ASSERT_GT(timeline.first_step(), 100u);
     ASSERT_LT(timeline.first_step(), 1990u);
     EXPECT_TRUE(timeline.seek(scene.world, {0, 0}));

@@ -1,0 +1,43 @@
+// What comes before the state in a snapshot's bytes.
+#pragma once
+
+#include "core/hash.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace cairn {
+
+inline constexpr std::uint64_t snapshot_magic = 0x38306e7269616321ull; // "!cairn08"
+
+struct SnapshotHeader {
+    std::uint64_t magic = 0, layout = 0;
+    std::uint64_t definitions = 0;                                       // their hash
+    std::uint64_t checksum = 0;                                          // of all that follows
+    std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
+};
+
+// In four parts, as each word waits for the one before it in its part.
+inline std::uint64_t checksum_of(SnapshotHeader header, const std::vector<std::byte>& snapshot) {
+    std::array<Hash64, 4> parts;
+    header.checksum = 0;
+    parts[0].add_bytes(&header, sizeof header);
+    const std::byte* const data = snapshot.data() + sizeof header;
+    const std::size_t size = snapshot.size() - sizeof header, part = size / 32; // words of 8 bytes
+    for (std::size_t i = 0; i < part; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            std::uint64_t word;
+            std::memcpy(&word, data + 8 * (k * part + i), 8);
+            parts[k].add(word);
+        }
+    }
+    parts[3].add_bytes(data + 32 * part, size - 32 * part);
+    Hash64 sum;
+    for (const Hash64& hash : parts) sum.add(hash.value());
+    return sum.value();
+}
+
+} // namespace cairn

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# ./dev tells what a command does, and refuses what it does not know, before it installs or builds anything: in a folder
+# where nothing could be built.
+set -u
+dev=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$dev" "$folder/dev"
+failed=0
+
+# expect CODE WORDS ARGUMENT...: how it ends, and what it says.
+expect() {
+    local code=$1 words=$2 said rc
+    shift 2
+    said=$(PATH=/usr/bin:/bin timeout 20 "$folder/dev" "$@" 2>&1)
+    rc=$?
+    if [ "$rc" -ne "$code" ] || [[ $said != *"$words"* ]] || [ -e "$folder/build" ]; then
+        echo "dev $*: ended with $rc and said: $said"
+        failed=1
+    fi
+}
+
+for command in run build test faults web docs soak fuzz nightly bench lint format; do
+    expect 0 "$command" "$command" --help
+    expect 0 "$command" "$command" -h
+done
+for command in build faults docs soak fuzz mutate nightly lint format web; do
+    expect 2 "--nonsense" "$command" --nonsense
+done
+expect 2 "unknown argument 'many'" fuzz many
+expect 2 "unknown argument '7'" fuzz 60 7
+expect 2 "unknown argument '-x'" run -x
+expect 2 "unknown command 'nonsense'" nonsense
+exit $failed
