@@ -138,7 +138,7 @@ function runPiece(world, state, step) {
 
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
-/** By step: the deviation in meters, the mean of the pieces and the median, and steps a second, the median of some rounds. */
+/** By step: the deviation in meters, of all pieces and of the middle one, and steps a second, the median of rounds. */
 function measure(world, pieces, rounds) {
     const starts = states(world, pieces);
     const ends = starts.map((state) => runPiece(world, state, SHORTEST).end);
@@ -166,7 +166,8 @@ const engines = [await cairn(), await mujoco()];
 console.log(`Node ${process.version}, ${cpus()[0].model}, ${pieces} pieces of 128 ms, median of ${rounds} rounds\n`);
 const names = engines.map(({ name }) => name);
 const rates = names.map((name) => `${name}, steps a second`);
-console.log(`| model | step, ms | ${rates.join(' | ')} | ratio | deviation (of the middle piece): ${names.join(', ')}, mm |`);
+const far = `deviation (of the middle piece): ${names.join(', ')}, mm`;
+console.log(`| model | step, ms | ${rates.join(' | ')} | ratio | ${far} |`);
 console.log('|---|---|---|---|---|---|');
 for (const model of models) {
     const [ours, theirs] = engines.map(({ name, make }) => {
@@ -180,7 +181,7 @@ for (const model of models) {
         const other = theirs[i];
         const cells = [model, (1000 * own.step).toPrecision(2), own.rate.toFixed(0), other.rate.toFixed(0)];
         const mm = (x) => (1000 * x).toPrecision(2);
-        const far = [own, other].map(({ deviation, ofMiddle }) => `${mm(deviation)} (${mm(ofMiddle)})`);
-        console.log(`| ${cells.join(' | ')} | ${(own.rate / other.rate).toFixed(2)} | ${far.join(', ')} |`);
+        const apart = [own, other].map(({ deviation, ofMiddle }) => `${mm(deviation)} (${mm(ofMiddle)})`);
+        console.log(`| ${cells.join(' | ')} | ${(own.rate / other.rate).toFixed(2)} | ${apart.join(', ')} |`);
     });
 }
