@@ -19,7 +19,7 @@ PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::pat
     : png_(std::move(png)), visuals_(visuals_of(scene)), strings_(strings_of(scene)),
       camera_(camera_of(scene, visuals_)), has_camera_(scene.info.camera.has_value()),
       appearances_(appearances_of(scene)), renderer_(width, height) {
-    options_.light = scene.info.light;
+    options_.lighting = viewer::lighting_of(lights_of(scene), camera_.target);
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 

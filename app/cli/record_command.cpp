@@ -51,8 +51,9 @@ int record_command(const RecordOptions& options) {
     scene::Scene scene = options.read.load(path, recorder.listener());
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     const std::vector<viewer::Visual> visuals = visuals_of(scene);
-    recorder.note(looks_note, note_of({how.source, camera_of(scene, visuals), scene.info.light, appearances_of(scene)},
-                                      scene.world));
+    recorder.note(looks_note,
+                  note_of({how.source, camera_of(scene, visuals), lights_of(scene), appearances_of(scene), visuals},
+                          scene.world));
     scene.world.set_threads(options.threads.value_or(hardware_threads()));
     const std::uint64_t steps = steps_to_record(options, static_cast<double>(scene.info.time_step));
     set_activity("recording", options.scene);

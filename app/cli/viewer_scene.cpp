@@ -5,6 +5,7 @@
 #include "recording/recorder.h"
 #include "recording/recording.h"
 #include "scene/mesh_files.h"
+#include "viewer/visual_notes.h"
 #include "viewer/world_state.h"
 
 #include <fmt/core.h>
@@ -52,6 +53,14 @@ std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene) {
     return strings;
 }
 
+std::vector<viewer::Light> lights_of(const scene::Scene& scene) {
+    std::vector<viewer::Light> lights;
+    for (const scene::Light& light : scene.info.lights)
+        lights.push_back({viewer::Light::Kind(int(light.kind)), light.color, light.intensity, light.position,
+                          light.towards, light.range, light.inner_cone, light.outer_cone});
+    return lights;
+}
+
 viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals) {
     if (!scene.info.camera) return viewer::fit_camera(scene.world, visuals);
     viewer::CameraPose pose;
@@ -90,6 +99,21 @@ struct OpenRecording {
     recording::CallReader calls;
 };
 
+// Up to the first that makes no sense.
+void read_lights(std::istringstream words, std::vector<viewer::Light>& lights) {
+    viewer::Light light;
+    Vec3 &color = light.color, &towards = light.towards;
+    Position& place = light.position;
+    int kind = 0;
+    while (words >> kind >> color.x >> color.y >> color.z >> light.intensity >> place.x >> place.y >> place.z >>
+           towards.x >> towards.y >> towards.z >> light.range >> light.inner_cone >> light.outer_cone) {
+        if (kind < 0 || kind > int(viewer::Light::Kind::spot) || light.intensity < 0.0f || towards == Vec3(0.0f))
+            return;
+        light.kind = viewer::Light::Kind(kind);
+        lights.push_back(light);
+    }
+}
+
 // As `note_of` wrote it. What is missing or makes no sense stays as it is.
 void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::string>& note) {
     const auto words = [&](const char* name) {
@@ -103,9 +127,12 @@ void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::st
             camera.is_parallel &&
         eye != target && camera.vertical_fov > 0.0f && camera.vertical_fov < 3.1f)
         loaded.camera = camera;
-    Vec3 light(0.0f);
-    auto of_light = words("light");
-    if (of_light >> light.x >> light.y >> light.z && light != Vec3(0.0f)) loaded.light = light;
+    read_lights(words("lights"), loaded.lights);
+    Vec3 sun(0.0f); // all that earlier versions wrote of lights
+    auto of_sun = words("light");
+    if (loaded.lights.empty() && of_sun >> sun.x >> sun.y >> sun.z && sun != Vec3(0.0f))
+        loaded.lights.push_back({.color = {1.0f, 0.93f, 0.82f}, .towards = sun});
+    loaded.visuals = viewer::visuals_of(note, loaded.world);
     std::map<std::uint32_t, ShapeId> shapes;
     for (const BodyId body : loaded.world.bodies())
         for (const ShapeId shape : loaded.world.body(body).shapes()) shapes.emplace(shape.index(), shape);
@@ -165,8 +192,13 @@ std::map<std::string, std::string> note_of(const viewer::RecordingLooks& looks, 
                                camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z,
                                camera.vertical_fov, camera.is_parallel ? 1 : 0)},
         {"colors", colors}};
-    if (looks.light)
-        note["light"] = fmt::format("{:.9g} {:.9g} {:.9g}", looks.light->x, looks.light->y, looks.light->z);
+    note.merge(viewer::notes_of(looks.visuals, world));
+    for (const viewer::Light& light : looks.lights)
+        note["lights"] += fmt::format(
+            "{} {:.9g} {:.9g} {:.9g} {:.9g} {:.17g} {:.17g} {:.17g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n",
+            int(light.kind), light.color.x, light.color.y, light.color.z, light.intensity, light.position.x,
+            light.position.y, light.position.z, light.towards.x, light.towards.y, light.towards.z, light.range,
+            light.inner_cone, light.outer_cone);
     return note;
 }
 
@@ -188,6 +220,9 @@ void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
     scene.info.time_step = saved.time_step;
     scene.info.camera = scene::Camera{saved.camera.position, saved.camera.target,
                                       glm::degrees(saved.camera.vertical_fov), saved.camera.is_parallel};
+    for (const viewer::Light& light : saved.lights)
+        scene.info.lights.push_back({scene::Light::Kind(int(light.kind)), light.color, light.intensity, light.position,
+                                     light.towards, light.range, light.inner_cone, light.outer_cone});
     for (const viewer::Appearance& appearance : saved.appearances)
         if (saved.world.is_valid(appearance.shape))
             scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});
@@ -224,7 +259,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.visuals = visuals_of(scene);
     loaded.strings = strings_of(scene);
     loaded.camera = camera_of(scene, loaded.visuals);
-    loaded.light = scene.info.light;
+    loaded.lights = lights_of(scene);
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;

@@ -22,6 +22,8 @@ std::vector<viewer::Visual> visuals_of(const scene::Scene& scene);
 
 std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene);
 
+std::vector<viewer::Light> lights_of(const scene::Scene& scene);
+
 // The scene's own view, or one that shows all of it.
 viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals);
 

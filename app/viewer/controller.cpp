@@ -415,7 +415,7 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.colors = colors;
     options.grid = grid;
     options.shadows = shadows;
-    options.light = state.scene_light;
+    options.lighting = state.lighting;
     options.visuals = visuals;
     options.selected = state.selected;
     options.selection = state.selection;

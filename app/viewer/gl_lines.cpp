@@ -13,8 +13,9 @@
 namespace cairn::viewer {
 
 GlLines::GlLines()
-    : program_(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment), array_(make_vertex_array()),
-      buffer_(make_buffer()) {
+    : program_(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment),
+      box_program_(shaders::desktop_header, shaders::line_box_vertex, shaders::line_fragment),
+      array_(make_vertex_array()), buffer_(make_buffer()), box_array_(make_vertex_array()), box_buffer_(make_buffer()) {
     glBindVertexArray(array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
     glEnableVertexAttribArray(0);
@@ -22,10 +23,44 @@ GlLines::GlLines()
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
                           reinterpret_cast<const void*>(3 * sizeof(float)));
+    // Of boxes all that is on the card is what each one has; its edges are counted there.
+    static_assert(sizeof(LineBox) == 9 * sizeof(float));
+    glBindVertexArray(box_array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, box_buffer_.name());
+    for (GLuint i = 0; i < 3; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(LineBox),
+                              reinterpret_cast<const void*>(3 * i * sizeof(float)));
+        glVertexAttribDivisor(i, 1);
+    }
     glBindVertexArray(0);
 }
 
+// What lies behind something is faint, as of strokes.
+void GlLines::draw_boxes(std::vector<LineBox> boxes, const glm::mat4& clip_from_world) {
+    for (LineBox& box : boxes) box.color = srgb(box.color);
+    constexpr float hidden_alpha = 0.25f;
+    constexpr GLsizei ends_of_edges = 24;
+    box_program_.use();
+    box_program_.set("u_clip_from_world", clip_from_world);
+    glBindVertexArray(box_array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, box_buffer_.name());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(boxes.size() * sizeof(LineBox)), boxes.data(), GL_STREAM_DRAW);
+    const auto draw = [&] { glDrawArraysInstanced(GL_LINES, 0, ends_of_edges, GLsizei(boxes.size())); };
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    glBlendColor(0.0f, 0.0f, 0.0f, hidden_alpha);
+    glDepthFunc(GL_GREATER);
+    draw();
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    draw();
+}
+
 void GlLines::draw(const RenderFrame& frame, const glm::mat4& clip_from_world) {
+    if (!frame.line_boxes.empty()) draw_boxes(frame.line_boxes, clip_from_world);
     if (frame.lines.empty()) return;
     std::vector<Vec3> vertices;
     for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});

@@ -1,5 +1,5 @@
 /// \file gl_lines.h
-/// Draws what has no lit surface: thin lines, strokes that are as wide on every screen, and veils.
+/// Draws what has no lit surface: thin lines and boxes of them, strokes that are as wide on every screen, and veils.
 #pragma once
 
 #include "viewer/camera.h"
@@ -14,16 +14,17 @@ namespace cairn::viewer {
 class GlLines {
   public:
     GlLines();
-    /// The lines of a frame, a pixel wide.
+    /// The lines and boxes of a frame, a pixel wide.
     void draw(const RenderFrame& frame, const glm::mat4& clip_from_world);
     /// Its veils and strokes, into a picture of `height` pixels. `camera`: that of the frame.
     void draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera, int width,
                     int height);
 
   private:
+    void draw_boxes(std::vector<LineBox> boxes, const glm::mat4& clip_from_world);
     void upload(const std::vector<Vec3>& vertices);
-    GlProgram program_;
-    GlObject array_, buffer_;
+    GlProgram program_, box_program_;
+    GlObject array_, buffer_, box_array_, box_buffer_;
 };
 
 } // namespace cairn::viewer

@@ -158,6 +158,7 @@ struct GlRenderer::Impl {
     template <class Use> void draw_shapes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
+    static void set_lamps(const GlProgram& program, const RenderFrame& frame);
     void draw_sky(const RenderFrame& frame, float aspect);
     void draw_bodies(const RenderFrame& frame);
     void draw_ghosts(const RenderFrame& frame, int height, float aspect);
@@ -200,7 +201,7 @@ void GlRenderer::Impl::make_shadow_map() {
 void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
     camera.set_pose(frame.camera);
     eye = Vec3(camera.position() - frame.origin);
-    to_light = glm::normalize(frame.light_direction);
+    to_light = glm::normalize(frame.lighting.to_sun);
     clip_from_world = camera.projection(aspect) * camera.view(frame.origin);
 
     const ShadowRegion region = shadow_region(frame);
@@ -322,6 +323,8 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
     program.set("u_eye", eye);
     program.set("u_viewer", camera.is_parallel() ? glm::vec4(-camera.forward(), 0.0f) : glm::vec4(eye, 1.0f));
     program.set("u_to_light", to_light);
+    program.set("u_sun", frame.lighting.sun);
+    set_lamps(program, frame);
     program.set("u_shadow_from_world", shadow_from_world);
     program.set("u_shadow_texel", shadow_texel);
     program.set("u_shadow_step", 1.0f / float(shadow_size));
@@ -329,6 +332,29 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
     program.set("u_shadow_rings", 2);
     program.set("u_shadow_map", 0);
     program.set("u_grid", frame.grid ? 1.0f : 0.0f);
+}
+
+void GlRenderer::Impl::set_lamps(const GlProgram& program, const RenderFrame& frame) {
+    const std::vector<Lamp>& lamps = frame.lighting.lamps;
+    const std::size_t count = std::min(lamps.size(), max_lamps);
+    program.set("u_lamp_count", int(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Light& light = lamps[i].light;
+        const bool has_place = light.kind != Light::Kind::directional;
+        const Vec3 place = has_place ? Vec3(light.position - frame.origin) : light.towards;
+        float scale = 0.0f, offset = 1.0f; // of the cosine to the axis
+        if (light.kind == Light::Kind::spot) {
+            const float outer = std::cos(light.outer_cone);
+            scale = 1.0f / std::max(std::cos(light.inner_cone) - outer, 1e-3f);
+            offset = -outer * scale;
+        }
+        const auto set = [&](const char* name, const glm::vec4& value) {
+            program.set((name + ("[" + std::to_string(i) + "]")).c_str(), value);
+        };
+        set("u_lamp_place", glm::vec4(place, has_place ? 1.0f : 0.0f));
+        set("u_lamp_color", glm::vec4(lamps[i].color, light.range > 0.0f ? 1.0f / (light.range * light.range) : 0.0f));
+        set("u_lamp_axis", glm::vec4(light.towards * scale, offset));
+    }
 }
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {

@@ -240,7 +240,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     frame.camera = camera;
     frame.grid = options.grid;
     frame.shadows = options.shadows;
-    if (options.light) frame.light_direction = *options.light;
+    frame.lighting = options.lighting;
     const std::vector<Transform> transforms = poses_between(previous, current, fraction);
     for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
     if (options.visuals)

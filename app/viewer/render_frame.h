@@ -6,6 +6,7 @@
 ///     renderer.save_picture("out.png");
 #pragma once
 
+#include "viewer/lights.h"
 #include "viewer/side_run.h"
 #include "viewer/world_state.h"
 
@@ -70,6 +71,12 @@ struct Veil {
     Vec3 color{1.0f, 1.0f, 1.0f};
 };
 
+/// The twelve edges of a box, each a pixel wide. Relative to `RenderFrame::origin`.
+struct LineBox {
+    Vec3 min, max;
+    Vec3 color{1.0f, 1.0f, 1.0f};
+};
+
 /// Solid bodies.
 struct ShapeInstances {
     std::vector<Instance> spheres, boxes, rectangles, capsules, cylinders;
@@ -82,11 +89,12 @@ struct RenderFrame : ShapeInstances {
     ShapeInstances ghosts; ///< Transparent, without shadows.
     std::vector<GroundPlane> grounds;
     std::vector<Line> lines;
+    std::vector<LineBox> line_boxes;
     std::vector<Stroke> strokes;
     std::vector<Veil> veils;
     bool grid = true; ///< Draw the lines of the ground.
     bool shadows = true;
-    Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
+    Lighting lighting; ///< Fixed in the world.
 };
 
 /// Which joints are drawn. `some`: the selected one, those of the selected body, those that bear half of what breaks
@@ -111,7 +119,7 @@ struct FrameOptions {
     std::vector<BodyId> selection;          ///< Likewise, in ascending order.
     JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
-    std::optional<Vec3> light;    ///< Towards it; absent: that of every scene.
+    Lighting lighting;
     std::optional<DragLine> drag; ///< Shown as a line with a dot at both ends.
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/camera.h"
+#include "viewer/lights.h"
 #include "viewer/shape_meshes.h"
 
 #include <cairn/cairn.h>
@@ -60,7 +61,7 @@ struct LoadedScene {
     std::string title;
     std::string hint; ///< One line on what to try.
     CameraPose camera;
-    std::optional<Vec3> light;      ///< Unit or not, towards the light; absent: that of every scene.
+    std::vector<Light> lights{};    ///< None: that of every scene.
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
@@ -78,8 +79,9 @@ using SceneLoader = std::function<LoadedScene(const std::string& path)>;
 struct RecordingLooks {
     std::string source; ///< What is recorded, for people.
     CameraPose camera;
-    std::optional<Vec3> light; ///< As `LoadedScene` has it.
+    std::vector<Light> lights; ///< As `LoadedScene` has them.
     std::vector<Appearance> appearances;
+    std::vector<Visual> visuals{};
 };
 
 /// How the viewer's files are written. Either may be empty, and throws as the loader does.

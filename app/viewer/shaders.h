@@ -18,6 +18,12 @@ inline constexpr const char* lighting = R"(
 uniform vec3 u_eye;
 uniform vec4 u_viewer; // the eye and 1, or the direction towards it and 0 where rays are parallel
 uniform vec3 u_to_light;
+uniform vec3 u_sun;             // color of a white surface that faces that light
+const int c_max_lamps = 8;      // what shines without a shadow
+uniform int u_lamp_count;
+uniform vec4 u_lamp_place[c_max_lamps]; // and 1, or the direction towards it and 0
+uniform vec4 u_lamp_color[c_max_lamps]; // and 1 over the square of its range
+uniform vec4 u_lamp_axis[c_max_lamps];  // what a cone adds to, by the cosine to its axis; of others 0 and 1
 uniform mat4 u_shadow_from_world;
 uniform float u_shadow_texel;   // size of one texel of the shadow map in the world
 uniform float u_shadow_step;    // and in the map itself
@@ -63,11 +69,31 @@ float lit_fraction(vec3 world, vec3 normal) {
     return 1.0 - (1.0 - lit / compared) * inside * u_shadow_strength;
 }
 
+// KHR_lights_punctual's laws of distance and cone.
+vec3 shade_by_lamps(vec3 world, vec3 normal, vec3 to_eye, vec3 color, float gloss) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < u_lamp_count; ++i) {
+        vec3 way = u_lamp_place[i].xyz - u_lamp_place[i].w * world;
+        float square = max(dot(way, way), 1e-4);
+        vec3 to_lamp = way * inversesqrt(square);
+        float fade = square * u_lamp_color[i].w;
+        float cone = clamp(dot(u_lamp_axis[i].xyz, to_lamp) + u_lamp_axis[i].w, 0.0, 1.0);
+        float reach = cone * cone * mix(1.0, clamp(1.0 - fade * fade, 0.0, 1.0) / square, u_lamp_place[i].w);
+        vec3 light = u_lamp_color[i].rgb * (reach * max(dot(normal, to_lamp), 0.0));
+        float shine = max(dot(normal, normalize(to_eye + to_lamp)), 0.0);
+        shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+        sum += light * (color + 0.5 * gloss * shine);
+    }
+    return sum;
+}
+
+const vec3 c_mirrored_sun = vec3(0.4865, 0.49985, 0.53395); // a little whiter
+
 vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
     vec3 to_eye = towards_viewer(world);
     float facing = max(dot(normal, u_to_light), 0.0);
     float lit = facing > 0.0 ? lit_fraction(world, normal) : 0.0;
-    vec3 sun = vec3(1.0, 0.93, 0.82) * (1.85 * facing * lit);
+    vec3 sun = u_sun * (facing * lit);
     vec3 around = mix(vec3(0.22, 0.21, 0.20), vec3(0.36, 0.43, 0.54), 0.5 + 0.5 * normal.y);
     float shine = max(dot(normal, normalize(to_eye + u_to_light)), 0.0);
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; // to the 64th
@@ -76,7 +102,8 @@ vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
     float up = clamp(0.5 + reflect(-to_eye, normal).y, 0.0, 1.0);
     vec3 mirrored = mix(vec3(0.42, 0.45, 0.47), vec3(0.45, 0.60, 0.76), up);
     return color * (sun + around) +
-           gloss * (vec3(0.90, 0.86, 0.81) * (shine * facing * lit) + mirrored * (0.16 * edge * edge));
+           gloss * (c_mirrored_sun * sun * shine + mirrored * (0.16 * edge * edge)) +
+           shade_by_lamps(world, normal, to_eye, color, gloss);
 }
 
 // Narkowicz's fit of the ACES film curve, then the display's own curve (a fit of sRGB by roots, within 0.3 %).
@@ -430,6 +457,22 @@ out vec3 v_color;
 void main() {
     v_color = a_color;
     gl_Position = u_clip_from_world * vec4(a_position, 1.0);
+}
+)";
+
+// Edge 4 i + k of a box goes along its axis i from the k-th corner of the face that it begins at.
+inline constexpr const char* line_box_vertex = R"(
+layout(location = 0) in vec3 a_min;
+layout(location = 1) in vec3 a_max;
+layout(location = 2) in vec3 a_color;
+uniform mat4 u_clip_from_world;
+out vec3 v_color;
+void main() {
+    int edge = gl_VertexID / 2;
+    vec3 t = vec3(float(gl_VertexID % 2), float(edge % 2), float(edge / 2 % 2));
+    t = edge < 4 ? t.xyz : edge < 8 ? t.zxy : t.yzx;
+    v_color = a_color;
+    gl_Position = u_clip_from_world * vec4(mix(a_min, a_max, t), 1.0);
 }
 )";
 

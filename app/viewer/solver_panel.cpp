@@ -36,9 +36,7 @@ void draw_tree_choice(const StageState& state, Controller& controller, SolverSho
     if (nodes.empty())
         ImGui::TextUnformatted("There is none: planes are in no tree.");
     else
-        ImGui::Text(nodes.size() < std::size_t(most_tree_boxes) ? "%d of single shapes"
-                                                                : "%d of single shapes; more are not drawn",
-                    shapes);
+        ImGui::Text("%d of single shapes", shapes);
 }
 
 // A line for each group of contacts: its color, what it is, and how many there are.

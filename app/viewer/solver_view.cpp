@@ -169,8 +169,7 @@ bool has_end(const Bounds& bounds) {
 void read_tree(SolverView& view, const World& world, int depth, BodyId selected) {
     constexpr int every = std::numeric_limits<int>::max();
     const bool is_of_one = selected && world.is_valid(selected);
-    std::vector<BroadPhaseNode> nodes =
-        is_of_one ? world.broad_phase_nodes(every, every) : world.broad_phase_nodes(depth, most_tree_boxes);
+    std::vector<BroadPhaseNode> nodes = world.broad_phase_nodes(is_of_one ? every : depth, every);
     if (is_of_one) {
         std::vector<char> is_above(nodes.size());
         for (std::size_t i = nodes.size(); i-- > 0;) { // what is below comes later
@@ -259,6 +258,20 @@ void draw_box(Pen& pen, const Bounds& bounds, const Vec3& color, float width) {
     for (int i = 0; i < 8; ++i)
         for (const int axis : {1, 2, 4})
             if (!(i & axis)) pen.line(corner(i), corner(i | axis), color, width);
+}
+
+// Those of shapes, and of the trees that hold these.
+void draw_boxes(RenderFrame& frame, Pen& pen, const SolverView& view) {
+    const bool are_wide = view.bounds.size() + view.nodes.size() <= max_wide_boxes;
+    const auto draw = [&](const Bounds& bounds, const Vec3& color, float width) {
+        if (are_wide)
+            draw_box(pen, bounds, color, width);
+        else
+            frame.line_boxes.push_back({pen.at(bounds.min), pen.at(bounds.max), color});
+    };
+    for (const Bounds& bounds : view.bounds) draw(bounds, bound_color, 1.0f);
+    for (const BroadPhaseNode& node : view.nodes)
+        draw(node.bounds, tree_color(node.depth), node.depth == view.shown.tree_depth ? 2.2f : 1.2f);
 }
 
 // Of both, the colors of contacts are seen.
@@ -357,9 +370,7 @@ void draw_solver(RenderFrame& frame, const SolverView& view) {
             pen.line(at - half, at + half, colors[i], 3.0f);
         }
     }
-    for (const Bounds& bounds : view.bounds) draw_box(pen, bounds, bound_color, 1.0f);
-    for (const BroadPhaseNode& node : view.nodes)
-        draw_box(pen, node.bounds, tree_color(node.depth), node.depth == view.shown.tree_depth ? 2.2f : 1.2f);
+    draw_boxes(frame, pen, view);
     if (view.difference) draw_difference(frame, pen, *view.difference);
 }
 

@@ -8,6 +8,7 @@
 
 #include <cairn/world.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,8 +16,8 @@
 
 namespace cairn::viewer {
 
-inline constexpr int greatest_tree_depth = 8; ///< Eight to the power of that many bodies have no deeper trees.
-inline constexpr int most_tree_boxes = 3000;
+inline constexpr int greatest_tree_depth = 8;       ///< Eight to the power of that many bodies have no deeper trees.
+inline constexpr std::size_t max_wide_boxes = 3000; ///< Of more, each edge is a pixel wide.
 
 /// What of it is shown.
 struct SolverShown {

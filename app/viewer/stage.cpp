@@ -148,7 +148,7 @@ StageState Stage::state() const {
     state.title = scene_.title;
     state.hint = scene_.hint;
     state.scene_camera = scene_.camera;
-    state.scene_light = scene_.light;
+    state.lighting = lighting_of(scene_.lights, scene_.camera.target);
     state.layout = layout_;
     state.previous = previous_;
     state.current = current_;

@@ -59,7 +59,7 @@ struct StageState {
     std::uint64_t scene_serial = 0; ///< Counts loaded scenes, resets included.
     std::string path, title, hint;
     CameraPose scene_camera;
-    std::optional<Vec3> scene_light; ///< Towards it; absent: that of every scene.
+    Lighting lighting;
     std::shared_ptr<const WorldLayout> layout;
     std::shared_ptr<const WorldMotion> previous, current;
     Statistics statistics;

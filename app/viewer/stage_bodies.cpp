@@ -71,6 +71,7 @@ void Stage::operator()(const command::SaveScene& save) {
     copy.title = scene_.title;
     copy.hint = scene_.hint;
     copy.camera = save.camera;
+    copy.lights = scene_.lights;
     copy.time_step = float(clock_.time_step());
     copy.appearances = scene_.appearances;
     copy.strings = scene_.strings;

@@ -246,8 +246,8 @@ void Stage::operator()(const command::SaveRecording& save) {
         std::make_shared<Timeline::Excerpt>(timeline_.excerpt(std::uint64_t(save.seconds / clock_.time_step())));
     writer_ = std::make_shared<Writer>();
     const int threads = std::max(scene_.world.threads() / 2, 1);
-    RecordingLooks looks{std::filesystem::path(path_).filename().generic_string(), save.camera, scene_.light,
-                         scene_.appearances};
+    RecordingLooks looks{std::filesystem::path(path_).filename().generic_string(), save.camera, scene_.lights,
+                         scene_.appearances, scene_.visuals};
     writer_->thread =
         std::thread([excerpt, threads, looks, write = savers_.recording, writer = writer_.get(), path = save.path] {
             std::string words;

@@ -48,6 +48,7 @@ class Writer {
             add_joint(scene_.world.joint_def(id), color == joint_colors_.end() ? nullptr : &color->second);
         }
         for (const JointDef& joint : scene_.idle_joints) add_joint(joint);
+        for (const Light& light : scene_.info.lights) add_light(light);
     }
 
     std::string text() const { return document(true); }
@@ -83,6 +84,8 @@ class Writer {
         std::string text;
         if (!shapes.empty()) text += ",\n\"KHR_implicit_shapes\": {" + shapes.substr(2) + "}";
         if (!physics.empty()) text += ",\n\"KHR_physics_rigid_bodies\": {" + physics.substr(2) + "}";
+        const std::string lights = list("lights", lights_);
+        if (!lights.empty()) text += ",\n\"KHR_lights_punctual\": {" + lights.substr(2) + "}";
         return text.empty() ? "" : ",\n\"extensions\": {\n" + text.substr(2) + "\n}";
     }
 
@@ -101,8 +104,9 @@ class Writer {
         if (definitions_.uses_joint_extension()) used.push_back("CAIRN_joint");
         if (definitions_.uses_shape_extension() || uses_rounded_hulls_) used.push_back("CAIRN_shape");
         if (definitions_.uses_height_fields()) used.push_back("CAIRN_height_field");
-        if (!nodes_.empty()) used.push_back("KHR_physics_rigid_bodies");
+        if (nodes_.size() > lights_.size()) used.push_back("KHR_physics_rigid_bodies");
         if (!definitions_.shapes().lines().empty()) used.push_back("KHR_implicit_shapes");
+        if (!lights_.empty()) used.push_back("KHR_lights_punctual");
         return used;
     }
 
@@ -225,6 +229,29 @@ class Writer {
         return nodes_.size() - 1;
     }
 
+    // At a node of its own, whose z axis points against the way it shines.
+    void add_light(const Light& light) {
+        constexpr const char* names[] = {"directional", "point", "spot"};
+        Json json{{"type", names[int(light.kind)]}}, node;
+        if (light.color != Vec3(1.0f)) json["color"] = number_array(light.color);
+        if (light.intensity != 1.0f) json["intensity"] = shortest(light.intensity);
+        if (light.range > 0.0f) json["range"] = shortest(light.range);
+        if (light.kind == Light::Kind::spot)
+            json["spot"] = {{"innerConeAngle", shortest(light.inner_cone)},
+                            {"outerConeAngle", shortest(light.outer_cone)}};
+        place({light.position, turn_of_z(light)}, node);
+        node["extensions"]["KHR_lights_punctual"]["light"] = lights_.size();
+        lights_.push_back(json_text(json));
+        roots_.push_back(nodes_.size());
+        nodes_.push_back(std::move(node));
+    }
+    static Quat turn_of_z(const Light& light) {
+        if (light.kind == Light::Kind::point) return {1.0f, 0.0f, 0.0f, 0.0f};
+        const glm::dvec3 z = glm::normalize(glm::dvec3(light.towards));
+        if (z.z < -0.999999) return {0.0f, 0.0f, 1.0f, 0.0f}; // half a turn about y
+        return Quat(glm::normalize(glm::dquat(1.0 + z.z, -z.y, z.x, 0.0)));
+    }
+
     static void place(const Transform& transform, Json& node) {
         if (transform.position != Position(0.0)) node["translation"] = number_array(transform.position);
         if (!is_identity(transform.rotation)) node["rotation"] = number_array(transform.rotation);
@@ -316,6 +343,7 @@ class Writer {
     std::unordered_map<std::uint64_t, int> group_of_;                     // likewise
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
     std::vector<Json> nodes_;
+    std::vector<std::string> lights_;
     std::vector<std::size_t> roots_;
     bool uses_body_extension_ = false, uses_rounded_hulls_ = false;
 };

@@ -35,13 +35,26 @@ struct Camera {
     bool is_orthographic = false;
 };
 
+/// A light, as KHR_lights_punctual has it.
+struct Light {
+    enum class Kind { directional, point, spot };
+    Kind kind = Kind::directional;
+    Vec3 color{1.0f, 1.0f, 1.0f};      ///< Linear.
+    float intensity = 1.0f;            ///< Lux of a directional light, candela of others.
+    Position position{0.0, 0.0, 0.0};  ///< Meters; of no meaning for a directional one.
+    Vec3 towards{0.0f, 1.0f, 0.0f};    ///< Unit, against the way it shines; of no meaning for a point.
+    float range = 0.0f;                ///< Meters, beyond which it does not shine; 0: it has no end.
+    float inner_cone = 0.0f;           ///< Of a spot: rad from its axis up to which it shines in full,
+    float outer_cone = 0.78539816339f; ///< and where its light ends.
+};
+
 /// What a scene says about itself beside its bodies.
 struct SceneInfo {
     std::string title;                    ///< A few words.
     std::string hint;                     ///< One line on what to watch or try.
     float time_step = 1.0f / 60.0f;       ///< s, 0.0001 to 1: the step that the scene is meant for.
     std::optional<Camera> camera;         ///< Absent: choose a view of your own.
-    std::optional<Vec3> light;            ///< Unit, towards the light that shines from far away. Not saved.
+    std::vector<Light> lights;            ///< Where they are at the beginning, and they stay there.
     std::vector<ForceField> force_fields; ///< Those in the world; `Scene::force_fields` has their handles.
 };
 

@@ -20,6 +20,38 @@ std::optional<glm::dvec3> direction_of_z(const Affine& map) {
     return map.linear[2] / length;
 }
 
+constexpr Range light_color_range{0.0, 1e6, false}, intensity_range{0.0, 1e12, false},
+    cone_range{0.0, 1.5707963268, false};
+
+// Nothing if the light is of a kind that no version of the extension has yet, or its node has no direction.
+std::optional<Light> read_light(const Value& document, const Value& index, const Affine& map) {
+    const auto own = extension(document, "KHR_lights_punctual");
+    const Value light = element(own ? own->find("lights") : std::nullopt, index, max_definitions, "lights");
+    Light result;
+    const std::string type = light.require("type").text();
+    const auto towards = direction_of_z(map);
+    if (type == "point") {
+        result.kind = Light::Kind::point;
+    } else if (type == "spot" && towards) {
+        result.kind = Light::Kind::spot;
+        result.outer_cone = 0.78539816339f;
+        if (const auto spot = light.find("spot")) {
+            if (const auto inner = spot->find("innerConeAngle")) result.inner_cone = inner->real(cone_range);
+            if (const auto outer = spot->find("outerConeAngle")) result.outer_cone = outer->real(cone_range);
+        }
+    } else if (type != "directional" || !towards) {
+        return std::nullopt;
+    }
+    if (!(glm::dot(map.translation, map.translation) < 1e18)) return std::nullopt;
+    if (towards) result.towards = Vec3(*towards);
+    if (result.kind != Light::Kind::directional) result.position = map.translation;
+    if (const auto color = light.find("color")) result.color = color->float_vector3(light_color_range);
+    if (const auto intensity = light.find("intensity")) result.intensity = intensity->real(intensity_range);
+    if (const auto range = light.find("range"); range && result.kind != Light::Kind::directional)
+        result.range = range->real(positive_float);
+    return result;
+}
+
 std::optional<Camera> read_camera(const Value& document, const Value& index, const Affine& map) {
     const Value camera = element(document.find("cameras"), index, max_definitions, "cameras");
     const auto back = direction_of_z(map); // it looks along -z
@@ -47,13 +79,8 @@ std::optional<Camera> read_camera(const Value& document, const Value& index, con
 
 bool read_view(const Value& document, const Value& node, const Affine& map, SceneInfo& info) {
     const auto lamp = extension(node, "KHR_lights_punctual");
-    if (const auto index = lamp ? lamp->find("light") : std::nullopt; index && !info.light) {
-        const auto own = extension(document, "KHR_lights_punctual");
-        const Value light = element(own ? own->find("lights") : std::nullopt, *index, max_definitions, "lights");
-        const auto type = light.find("type");
-        const auto towards = direction_of_z(map);
-        if (type && type->text() == "directional" && towards) info.light = Vec3(*towards);
-    }
+    if (const auto index = lamp ? lamp->find("light") : std::nullopt)
+        if (const auto light = read_light(document, *index, map)) info.lights.push_back(*light);
     const auto index = node.find("camera");
     if (!index || info.camera) return false;
     info.camera = read_camera(document, *index, map);

@@ -7,7 +7,7 @@
 
 namespace cairn::scene {
 
-// Takes the camera of a node if there is none yet, and its light if that shines from far away and is the first one.
+// Takes the camera of a node if there is none yet, and its light.
 // `map`: of the node in the world. Returns whether it took a camera, which looks at a point a meter before it.
 bool read_view(const Value& document, const Value& node, const Affine& map, SceneInfo& info);
 

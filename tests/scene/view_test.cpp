@@ -61,9 +61,60 @@ TEST(SceneView, TheSunOfTheFileShines) {
     const Scene scene =
         load_view(R"({"rotation":[-0.70710678,0,0,0.70710678],"extensions":{"KHR_lights_punctual":{"light":0}}})",
                   R"(,"KHR_lights_punctual":{"lights":[{"type":"directional"}]}})", "");
-    ASSERT_TRUE(scene.info.light);
-    EXPECT_LT(glm::length(*scene.info.light - Vec3(0, 1, 0)), 1e-5f); // shines down
-    EXPECT_FALSE(load_view("{}", "}", "").info.light);
+    ASSERT_EQ(scene.info.lights.size(), 1u);
+    EXPECT_LT(glm::length(scene.info.lights[0].towards - Vec3(0, 1, 0)), 1e-5f); // shines down
+    EXPECT_EQ(scene.info.lights[0].intensity, 1.0f);
+    EXPECT_TRUE(load_view("{}", "}", "").info.lights.empty());
+}
+
+TEST(SceneView, AllLightsAreReadAndSaved) {
+    const Scene scene =
+        load_view(R"({"rotation":[-0.70710678,0,0,0.70710678],"children":[2,3,4],)"
+                  R"("extensions":{"KHR_lights_punctual":{"light":0}}},)"
+                  R"({"translation":[1,2,3],"extensions":{"KHR_lights_punctual":{"light":1}}},)"
+                  R"({"translation":[0,-5,0],"rotation":[0,1,0,0],"extensions":{"KHR_lights_punctual":{"light":2}}},)"
+                  R"({"extensions":{"KHR_lights_punctual":{"light":3}}})",
+                  R"(,"KHR_lights_punctual":{"lights":[
+           {"type":"directional","color":[1,0.5,0.25],"intensity":3},
+           {"type":"point","color":[0,1,0],"intensity":40,"range":12},
+           {"type":"spot","intensity":7,"spot":{"innerConeAngle":0.1,"outerConeAngle":0.5}},
+           {"type":"area"}]}})",
+                  "");
+    const std::string text = scene::save_to_string(scene);
+    const Scene again = load_text(text);
+    for (const Scene* each : {&scene, &again}) {
+        const std::vector<scene::Light>& lights = each->info.lights;
+        ASSERT_EQ(lights.size(), 3u) << "what the extension does not know does not shine";
+        EXPECT_EQ(lights[0].kind, scene::Light::Kind::directional);
+        EXPECT_EQ(lights[0].color, Vec3(1.0f, 0.5f, 0.25f));
+        EXPECT_EQ(lights[0].intensity, 3.0f);
+        EXPECT_LT(glm::length(lights[0].towards - Vec3(0, 1, 0)), 1e-5f);
+        EXPECT_EQ(lights[1].kind, scene::Light::Kind::point);
+        EXPECT_LT(glm::length(lights[1].position - Position(1, 3, -2)), 1e-5) << "a quarter of a turn about x";
+        EXPECT_EQ(lights[1].range, 12.0f);
+        EXPECT_EQ(lights[1].intensity, 40.0f);
+        EXPECT_EQ(lights[2].kind, scene::Light::Kind::spot);
+        EXPECT_LT(glm::length(lights[2].position - Position(0, 0, 5)), 1e-5);
+        EXPECT_LT(glm::length(lights[2].towards - Vec3(0, -1, 0)), 1e-5f) << "shines up";
+        EXPECT_EQ(lights[2].inner_cone, 0.1f);
+        EXPECT_EQ(lights[2].outer_cone, 0.5f);
+        EXPECT_EQ(lights[2].range, 0.0f);
+    }
+    EXPECT_EQ(scene::save_to_string(again), text);
+    Scene down = load_view("{}", "}", "");
+    down.info.lights.push_back({.towards = {0.0f, 0.0f, -1.0f}});
+    const Scene turned = load_text(scene::save_to_string(down));
+    ASSERT_EQ(turned.info.lights.size(), 1u);
+    EXPECT_LT(glm::length(turned.info.lights[0].towards - Vec3(0, 0, -1)), 1e-5f) << "half a turn";
+}
+
+TEST(SceneView, LightsThatMakeNoSenseAreRefused) {
+    for (const char* light : {R"({})", R"({"type":"point","intensity":-1})", R"({"type":"point","range":0})",
+                              R"({"type":"spot","spot":{"outerConeAngle":3}})", R"({"type":"point","color":[1,1]})"})
+        EXPECT_THROW(load_view(R"({"extensions":{"KHR_lights_punctual":{"light":0}}})",
+                               std::string(R"(,"KHR_lights_punctual":{"lights":[)") + light + "]}}", ""),
+                     Error)
+            << light;
 }
 
 TEST(SceneView, CamerasThatAreNotThereAreRefused) {

@@ -90,7 +90,7 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
     const OrbitCamera camera(pose);
     RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
-    frame.light_direction = {1.0f, 1.0f, 0.0f}; // the shadow of a cube of one meter falls one meter far along -x
+    frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // the shadow of a cube of one meter falls one meter far along -x
     renderer.draw(frame);
 
     const Color sky = mean(renderer, 0.5, 0.03), box = mean_at(renderer, camera, {0.0, 0.5, 0.5});
@@ -134,6 +134,113 @@ TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
         EXPECT_GT(covered, 1000);
         EXPECT_LE(differ, covered / 100) << depth;
     }
+}
+
+TEST(HeadlessRenderer, LampsShineByDistanceRangeAndCone) {
+    const LoadedScene scene = test::boxes_on_plane(0);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 7.0, 7.0}, {0.0, 0.0, 0.0}};
+    const OrbitCamera camera(pose);
+    FrameOptions options;
+    options.grid = false;
+    const auto draw = [&](std::vector<Light> lights) {
+        lights.push_back({.intensity = 0.0f}); // no sun
+        options.lighting = lighting_of(lights, {0.0, 0.0, 0.0});
+        renderer.draw(make_frame(scene.world, {}, pose, options));
+    };
+    const auto at = [&](const Position& point) { return mean_at(renderer, camera, point); };
+    const Position below(0.0, 0.0, 0.0), beside(2.5, 0.0, 0.0);
+    draw({});
+    const double dark = at(below).sum();
+    Light light{Light::Kind::point, {1.0f, 0.1f, 0.1f}, 4.0f, {0.0, 2.0, 0.0}};
+    draw({light});
+    const Color red = at(below);
+    EXPECT_GT(red.sum(), dark + 40.0);
+    EXPECT_GT(red.red, red.blue + 40.0) << "it has the color of the light";
+    const double far = at(beside).sum();
+    EXPECT_LT(far, red.sum() - 20.0);
+    EXPECT_GT(far, dark + 5.0);
+    light.range = 2.5f;
+    draw({light});
+    EXPECT_GT(at(below).sum(), dark + 15.0);
+    EXPECT_NEAR(at(beside).sum(), dark, 6.0) << "3.2 m away";
+    light.range = 0.0f;
+    light.kind = Light::Kind::spot;
+    light.outer_cone = 0.6f;
+    draw({light});
+    EXPECT_GT(at(below).sum(), dark + 40.0);
+    EXPECT_NEAR(at(beside).sum(), dark, 6.0) << "0.9 rad from the axis";
+    light.towards = {1.0f, 0.0f, 0.0f};
+    draw({light});
+    EXPECT_NEAR(at(below).sum(), dark, 6.0) << "it shines elsewhere";
+    draw({{.intensity = 0.0f}, {.color = {0.1f, 0.1f, 1.0f}}});
+    EXPECT_GT(at(beside).blue, at(beside).red + 40.0) << "a second one from far away";
+}
+
+TEST(HeadlessRenderer, TheSunHasColorAndIntensityOfTheScene) {
+    const LoadedScene scene = test::boxes_on_plane(0);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const OrbitCamera camera(pose);
+    FrameOptions options;
+    options.grid = false;
+    const auto ground = [&](const std::vector<Light>& lights) {
+        options.lighting = lighting_of(lights, {0.0, 0.0, 0.0});
+        renderer.draw(make_frame(scene.world, {}, pose, options));
+        return mean_at(renderer, camera, {0.0, 0.0, 0.0});
+    };
+    const auto of = [&](float intensity) { return ground({{.intensity = intensity}}).sum(); };
+    const Color usual = ground({}), white = ground({Light{}}), blue = ground({{.color = {0.2f, 0.2f, 1.0f}}});
+    EXPECT_GT(usual.red - usual.blue, white.red - white.blue) << "that of every scene is warm";
+    EXPECT_GT(blue.blue, blue.red + 30.0);
+    EXPECT_GT(white.sum(), of(0.01f) + 20.0);
+    EXPECT_LT(white.sum(), of(10.0f) - 5.0);
+    EXPECT_NEAR(of(1e5f), of(1e4f), 1.0) << "eyes adapt";
+}
+
+TEST(HeadlessRenderer, BoxesOfLinesAreDrawnAndFaintBehindBodies) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const OrbitCamera camera(pose);
+    RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
+    renderer.draw(frame);
+    const std::vector<std::uint8_t> plain(renderer.pixels().begin(), renderer.pixels().end());
+    // How much bluer the picture is on the way from one point to the other, at the bluest pixel across.
+    const auto blue_on = [&](const Position& a, const Position& b) {
+        double least = 1e9;
+        for (int i = 1; i < 10; ++i) {
+            const auto device = camera.project(a + (b - a) * (0.1 * i), float(width) / float(height));
+            const int x = int((0.5f + 0.5f * device->x) * width), y = int((0.5f - 0.5f * device->y) * height);
+            double most = 0.0;
+            for (int dy = -2; dy <= 2; ++dy)
+                for (int dx = -2; dx <= 2; ++dx) {
+                    const std::size_t pixel = 3 * std::size_t((y + dy) * width + x + dx);
+                    const auto blueness = [&](const auto& pixels) {
+                        return double(pixels[pixel + 2]) - double(pixels[pixel]);
+                    };
+                    most = std::max(most, blueness(renderer.pixels()) - blueness(plain));
+                }
+            least = std::min(least, most);
+        }
+        return least;
+    };
+    const auto box = [&](const Position& min, const Position& max) {
+        return LineBox{Vec3(min - frame.origin), Vec3(max - frame.origin), {0.0f, 0.0f, 1.0f}};
+    };
+    frame.line_boxes = {box({0.0, -50.0, 0.0}, {0.1, -49.0, 0.1}), box({-1.5, 0.2, -0.2}, {1.5, 1.7, 0.7})};
+    renderer.draw(frame);
+    const auto corner = [](int k) { return Position(k & 1 ? 1.5 : -1.5, k & 2 ? 1.7 : 0.2, k & 4 ? 0.7 : -0.2); };
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {1, 2, 4}) {
+            if (i & axis) continue;
+            EXPECT_GT(blue_on(corner(i), corner(i | axis)), 12.0) << i << " along " << axis;
+        }
+    frame.line_boxes = {box({-0.4, 0.1, -0.4}, {0.4, 0.9, 0.4})};
+    renderer.draw(frame);
+    const double hidden = blue_on({-0.4, 0.1, 0.4}, {0.4, 0.1, 0.4});
+    EXPECT_GT(hidden, 8.0);
+    EXPECT_LT(hidden, 150.0);
 }
 
 TEST(HeadlessRenderer, StrokesAreSeenThroughBodiesButFainter) {

@@ -278,6 +278,29 @@ TEST(SolverView, TheTreeIsDrawnDownToADepthAndOfOneBodyTheWayToIt) {
     EXPECT_EQ(frame.strokes.back().color, tree_color(3));
 }
 
+TEST(SolverView, AllBoxesOfALargeTreeAreDrawn) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    constexpr int count = 4000;
+    for (int i = 0; i < count; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({3.0 * (i % 64), 5.0, 3.0 * (i / 64)})), Box{});
+    scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.tree = true;
+    shown.tree_depth = greatest_tree_depth;
+    RenderFrame frame;
+    frame.camera = scene.camera;
+    frame.origin = {10.0, 0.0, 0.0};
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0);
+    EXPECT_EQ(std::count_if(view->nodes.begin(), view->nodes.end(), [](const auto& node) { return node.is_leaf; }),
+              count);
+    draw_solver(frame, *view);
+    EXPECT_TRUE(frame.strokes.empty());
+    ASSERT_EQ(frame.line_boxes.size(), view->nodes.size());
+    EXPECT_EQ(frame.line_boxes.back().min, Vec3(view->nodes.back().bounds.min - frame.origin));
+    EXPECT_EQ(frame.line_boxes.back().max, Vec3(view->nodes.back().bounds.max - frame.origin));
+    EXPECT_EQ(frame.line_boxes.back().color, tree_color(view->nodes.back().depth));
+}
+
 TEST(SolverView, ContactsHaveTheColorsAndSubstepsInWhichTheyAreSolved) {
     LoadedScene scene = test::boxes_on_plane(1);
     for (int i = 1; i < 8; ++i)

@@ -59,8 +59,8 @@ TEST_F(WebShaders, VertexShadersCompile) {
         const std::string constant = shaders::body_kind(shaders::BodyKind(kind));
         EXPECT_EQ(compile(GL_VERTEX_SHADER, constant + shaders::body_vertex), "");
     }
-    for (const char* source :
-         {shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex, shaders::smoothing_vertex})
+    for (const char* source : {shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex,
+                               shaders::line_box_vertex, shaders::smoothing_vertex})
         EXPECT_EQ(compile(GL_VERTEX_SHADER, source), "");
 }
 

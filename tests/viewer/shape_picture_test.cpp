@@ -109,7 +109,7 @@ TEST(ShapePicture, EveryShapeThrowsAShadow) {
         def.position = {0.0, 2.0, 0.0};
         scene.world.add_shape(scene.world.create_body(def), shape);
         RenderFrame frame = make_frame(scene.world, {}, pose);
-        frame.light_direction = {1.0f, 1.0f, 0.0f}; // what is 2 m above the ground darkens it 2 m along -x
+        frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // what is 2 m above the ground darkens it 2 m along -x
         const auto brightness = [&] {
             renderer.draw(frame);
             const auto device = camera.project({-2.0, 0.0, 0.0}, aspect);

@@ -1,0 +1,97 @@
+// The meshes of a scene in the notes of a recording.
+#include "viewer/visual_notes.h"
+
+#include "test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+std::shared_ptr<const ShapeMesh> mesh_of_triangles(int triangles) {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i < 3 * triangles; ++i) {
+        vertices.push_back({0.1f * float(i), float(i % 3), 0.3f * float(i * i % 5)});
+        indices.push_back(std::uint32_t(i));
+    }
+    return std::make_shared<const ShapeMesh>(
+        make_shape_mesh(visual_triangles(vertices, {}, indices), MeshLook::visual));
+}
+
+struct VisualNotes : testing::Test {
+    LoadedScene scene = test::boxes_on_plane(2);
+    std::vector<Visual> visuals;
+    void SetUp() override {
+        const auto shared = mesh_of_triangles(7);
+        const std::vector<BodyId> bodies = scene.world.bodies();
+        visuals.push_back({bodies[1], {{0.1, 1.0 / 3.0, -2.0}, Quat(0.6f, 0.0f, 0.8f, 0.0f)}, shared, {0.1f, 0.2f, 1}});
+        visuals.push_back({bodies[2], {}, shared, {1.0f, 0.0f, 0.0f}});
+        visuals.push_back({BodyId(), {{5, 6, 7}, Quat(1, 0, 0, 0)}, mesh_of_triangles(1), {0.5f, 0.5f, 0.5f}});
+    }
+};
+
+TEST_F(VisualNotes, ComeBackAsTheyWere) {
+    const Notes notes = notes_of(visuals, scene.world);
+    EXPECT_EQ(notes.size(), 3u) << "two meshes, and where they are";
+    const std::vector<Visual> back = visuals_of(notes, scene.world);
+    ASSERT_EQ(back.size(), visuals.size());
+    for (std::size_t i = 0; i < back.size(); ++i) {
+        EXPECT_EQ(back[i].body, visuals[i].body);
+        EXPECT_EQ(back[i].local.position, visuals[i].local.position);
+        EXPECT_EQ(back[i].local.rotation, visuals[i].local.rotation);
+        EXPECT_EQ(back[i].color, visuals[i].color);
+        EXPECT_EQ(back[i].mesh->look, MeshLook::visual);
+        const TriangleMesh &before = visuals[i].mesh->triangles, &now = back[i].mesh->triangles;
+        EXPECT_EQ(now.indices, before.indices);
+        ASSERT_EQ(now.vertices.size(), before.vertices.size());
+        for (std::size_t k = 0; k < now.vertices.size(); ++k) {
+            EXPECT_EQ(now.vertices[k].corner, before.vertices[k].corner);
+            EXPECT_EQ(now.vertices[k].normal, before.vertices[k].normal);
+        }
+    }
+    EXPECT_EQ(back[0].mesh, back[1].mesh);
+}
+
+TEST_F(VisualNotes, OfBodiesThatAreThere) {
+    const Notes notes = notes_of(visuals, scene.world);
+    scene.world.destroy_body(visuals[0].body);
+    EXPECT_EQ(visuals_of(notes, scene.world).size(), 2u);
+    EXPECT_EQ(visuals_of(notes_of(visuals, scene.world), scene.world).size(), 2u);
+    EXPECT_TRUE(notes_of({}, scene.world).empty());
+    EXPECT_TRUE(visuals_of({}, scene.world).empty());
+}
+
+TEST_F(VisualNotes, AreLeftOutWhereTheyAreTooLarge) {
+    EXPECT_TRUE(notes_of(visuals, scene.world, 900).empty());
+    EXPECT_FALSE(notes_of(visuals, scene.world, 10000).empty());
+}
+
+TEST_F(VisualNotes, WhatMakesNoSenseIsLeftOut) {
+    const Notes good = notes_of(visuals, scene.world);
+    std::mt19937 random(3);
+    for (int round = 0; round < 3000; ++round) {
+        Notes notes = good;
+        auto note = notes.begin();
+        std::advance(note, random() % notes.size());
+        std::string& text = note->second;
+        if (random() % 4 == 0)
+            text.resize(random() % text.size());
+        else
+            for (unsigned i = random() % 4; i < 4; ++i) text[random() % text.size()] = "09AZ-. e+/\n"[random() % 11];
+        for (const Visual& visual : visuals_of(notes, scene.world)) {
+            ASSERT_TRUE(visual.mesh);
+            for (const std::uint32_t index : visual.mesh->triangles.indices)
+                ASSERT_LT(index, visual.mesh->triangles.vertices.size());
+        }
+    }
+    Notes cut = good;
+    cut["mesh 0"].resize(100);
+    EXPECT_EQ(visuals_of(cut, scene.world).size(), 1u);
+}
+
+} // namespace
