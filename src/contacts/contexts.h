@@ -14,6 +14,7 @@ struct NarrowInput {
     const Shapes& shapes;
     const Islands& islands;
     const ForceFields& fields;
+    int substeps; // of the step, where no island asks for more
 };
 
 // What changes once the tests have said which contacts begin, go on and end: lists of islands, colors, sleep, events,

@@ -6,7 +6,6 @@
 #include "contacts/contact_update.h"
 #include "contacts/patches.h"
 #include "contacts/touch.h"
-#include "state/substeps.h"
 
 #include <algorithm>
 
@@ -32,7 +31,7 @@ float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, fl
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const math::DVec3 a = acceleration_at(in.bodies, in.fields, in.settings, first, in.bodies.motion[first].x) -
                           acceleration_at(in.bodies, in.fields, in.settings, second, in.bodies.motion[second].x);
-    const float share = 0.5f * (1 + 1.0f / float(substeps_of(in.settings, dt))); // as in substeps
+    const float share = 0.5f * (1 + 1.0f / float(in.substeps)); // as in substeps
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 

@@ -4,17 +4,13 @@
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/flight.h"
-#include "state/substeps.h"
 
 namespace cairn {
 
 // s from the start of the step: the mean of the times at which its substeps begin. A contact acts in each of them as it
 // is found once. What rocks moves its place of touch all the time: found at the start, it is late by this, and feeds
 // the motion (tests/physics/rocking_test.cpp).
-inline float midway_time(const WorldDef& settings, float dt) {
-    const int substeps = substeps_of(settings, dt);
-    return dt * float(substeps - 1) / float(2 * substeps);
-}
+inline float midway_time(int substeps, float dt) { return dt * float(substeps - 1) / float(2 * substeps); }
 
 // What will have moved by less than a micrometer is where it is.
 inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {

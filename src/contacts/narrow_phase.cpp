@@ -14,6 +14,7 @@
 #include "contacts/touch.h"
 #include "core/cache.h"
 #include "jobs/ordered_list.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <atomic>
@@ -80,7 +81,7 @@ class WideTest {
     WideTest(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, NarrowBatch& own,
              float dt)
         : in(in), contacts_(contacts), narrow_(narrow), own_(own), kind_(kind), dt_(dt),
-          midway_(midway_time(in.settings, dt)) {}
+          midway_(midway_time(in.substeps, dt)) {}
 
     // Up to PairBatch::capacity of them, by their places among all.
     void run(const std::uint32_t* places, int count) {
@@ -180,7 +181,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
     const std::uint32_t id = narrow.candidates[place];
     const ContactInfo& c = contacts.info[id];
     const PosedShape a = posed_shape(in.shapes, c.shape_a), b = posed_shape(in.shapes, c.shape_b);
-    const float margin = contact_margin(in.bodies, narrow, c, dt), midway = midway_time(in.settings, dt);
+    const float margin = contact_margin(in.bodies, narrow, c, dt), midway = midway_time(in.substeps, dt);
     const math::Vec3 guess = to_vec(contacts.records[id].normal);
     ContactMemory memory = contacts.records[id].features;
     bool is_settled = false;
@@ -389,14 +390,14 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
                             const WorldDef& settings, StepScratch& step, float dt) {
     NarrowScratch& narrow = step.narrow;
     ThreadPool& thread_pool = *step.thread_pool;
-    const NarrowInput in{settings, bodies, shapes, islands, fields};
+    const NarrowInput in{settings, bodies, shapes, islands, fields, substeps_of(settings, dt)};
     const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved};
     count_motion(bodies, islands, settings, narrow, thread_pool, dt);
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
     const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, narrow, thread_pool);
-    pose_midway(bodies, shapes, narrow, thread_pool, midway_time(settings, dt));
+    pose_midway(bodies, shapes, narrow, thread_pool, midway_time(in.substeps, dt));
     test_all(in, contacts, narrow, thread_pool, dt);
     follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);

@@ -8,7 +8,6 @@
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
 #include "math/rotation.h"
-#include "state/substeps.h"
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ namespace {
 constexpr float slide_part = 0.05f;
 
 // The last substep looks ahead at the next one as well.
-float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(substeps_of(in.settings, dt))); }
+float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.substeps)); }
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.

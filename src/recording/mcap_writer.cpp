@@ -2,6 +2,7 @@
 
 #include "files/checksum.h"
 #include "recording/input_bytes.h"
+#include "recording/zstd_context.h"
 
 #include <cairn/version.h>
 
@@ -11,15 +12,7 @@
 
 namespace cairn::recording {
 
-struct McapWriter::Context {
-    Context() : zstd(ZSTD_createCCtx()) {
-        if (zstd == nullptr) throw std::bad_alloc();
-    }
-    ~Context() { ZSTD_freeCCtx(zstd); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-    ZSTD_CCtx* zstd;
-};
+struct McapWriter::Context : ZstdContext {};
 
 namespace {
 

@@ -1,5 +1,7 @@
 #include "recording/patch.h"
 
+#include "recording/zstd_context.h"
+
 #include <cairn/error.h>
 
 #include <zstd.h>
@@ -18,15 +20,7 @@ constexpr unsigned long long largest = 1ull << 31; // bytes, as chunks
 
 } // namespace
 
-struct Patcher::Context {
-    Context() : zstd(ZSTD_createCCtx()) {
-        if (zstd == nullptr) throw std::bad_alloc();
-    }
-    ~Context() { ZSTD_freeCCtx(zstd); }
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-    ZSTD_CCtx* zstd;
-};
+struct Patcher::Context : ZstdContext {};
 
 Patcher::Patcher() : context_(std::make_unique<Context>()) {}
 Patcher::~Patcher() = default;
