@@ -141,6 +141,14 @@ Spin spin_of(const BodyMass& mass) {
             math::normalized(math::to_double(mass.principal))};
 }
 
+namespace {
+
+bool turns_freely(const BodyMass& mass) {
+    return mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
+}
+
+} // namespace
+
 DVec3 spin_change(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q) {
     if (bodies.mass[b].isotropic) return {};
     const Spin spin = spin_of(bodies.mass[b]);
@@ -149,13 +157,15 @@ DVec3 spin_change(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q) {
 
 bool gyrates(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q, double dt) {
     const BodyLinks& links = bodies.links[b];
-    const double speed = math::length(w), change = math::length(spin_change(bodies, b, w, q));
-    return dt * dt * dt / 3 * change * speed * double(links.radius) > core_depth_of(double(links.inner_radius));
+    const double speed = math::length(w), most = core_depth_of(double(links.inner_radius));
+    const double off_by = dt * dt * dt / 3 * speed * double(links.radius); // for a change of 1 rad/s^2
+    // No moment exceeds the sum of the others: the change is never more than the square of the rate.
+    if (turns_freely(bodies.mass[b]) && off_by * speed * speed <= most) return false;
+    return off_by * math::length(spin_change(bodies, b, w, q)) > most;
 }
 
 bool precesses(const BodyMass& mass, DVec3 w, double h) {
-    const bool turns_freely = mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
-    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > min_turn * min_turn;
+    return !mass.isotropic && turns_freely(mass) && h * h * math::dot(w, w) > min_turn * min_turn;
 }
 
 // For a body at rotation q with the angular velocity w and the angular momentum that goes with it.

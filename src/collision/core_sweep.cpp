@@ -42,56 +42,57 @@ class SweptCore {
     // It is asked for again and again where the span begins and ends. Of strips, which have no end, it is the part near
     // a point, and `reach` about it.
     SweptCore(const Mover& m, Span span, DVec3 near = {}, double reach = 0)
-        : m_(m), span_(span), near_(near), reach_(reach), core_(made({}, {0, 0, 0, 1})),
-          local_center_(core_.center), scale_{core_.axes.c0.x, core_.axes.c1.y, core_.axes.c2.z} {
-        begin_ = frame_at(m, span.begin);
+        : m_(m), near_(near), reach_(reach), begin_{span.begin, made({}, {0, 0, 0, 1})}, end_{span.end},
+          local_center_(begin_.core.center), scale_{begin_.core.axes.c0.x, begin_.core.axes.c1.y,
+                                                    begin_.core.axes.c2.z} {
         place(begin_);
     }
     const Convex& at(double time) {
-        if (time == now_) return core_;
-        now_ = time;
-        if (time != span_.begin && time != span_.end) {
-            between_ = frame_at(m_, time);
-            place(between_);
-        } else if (time == span_.begin) {
-            place(begin_);
-        } else {
-            if (!has_end_) end_ = frame_at(m_, time);
-            has_end_ = true;
-            place(end_);
-        }
-        return core_;
+        now_ = time == begin_.time ? &begin_ : time == end_.time ? &end_ : &between_;
+        if (now_->is_placed && now_->time == time) return now_->core;
+        now_->time = time;
+        now_->core = begin_.core;
+        place(*now_);
+        return now_->core;
     }
-    const Frame& frame() const { return *frame_; } // of what was asked for last
+    const Frame& frame() const { return now_->frame; } // of what was asked for last
 
   private:
+    struct Placed {
+        double time = 0;
+        Convex core{};
+        Frame frame{};
+        bool is_placed = false;
+    };
     Convex made(DVec3 center, DQuat rotation) const {
         const Geometry part = near_part(m_.shape().geometry, center, rotation, near_, reach_);
         Convex core = make_convex(part, m_.shape().data, center, rotation);
         if (m_.layer < Layer::skin) shrink(core, depth_of(core, m_.layer, m_.half_width));
         return core;
     }
-    void place(const Frame& frame) {
-        frame_ = &frame;
-        if (core_.kind == Convex::Kind::polygon) {
-            const RigidPath::Pose pose = m_.body_at(now_);
-            core_ = made(m_.origin_at(pose), m_.rotation_at(pose));
+    // A copy of the core, placed where the shape is at its time.
+    void place(Placed& p) const {
+        p.is_placed = true;
+        if (m_.is_point()) { // no turn moves it
+            p.core.center = p.frame.origin = m_.center_at(p.time);
             return;
         }
-        core_.center = frame.to_world(local_center_);
-        core_.axes = {scale_.x * frame.axes.c0, scale_.y * frame.axes.c1, scale_.z * frame.axes.c2};
+        p.frame = frame_at(m_, p.time);
+        if (p.core.kind == Convex::Kind::polygon) {
+            const RigidPath::Pose pose = m_.body_at(p.time);
+            p.core = made(m_.origin_at(pose), m_.rotation_at(pose));
+            return;
+        }
+        p.core.center = p.frame.to_world(local_center_);
+        p.core.axes = {scale_.x * p.frame.axes.c0, scale_.y * p.frame.axes.c1, scale_.z * p.frame.axes.c2};
     }
 
     const Mover& m_;
-    const Span span_;
     const DVec3 near_;
     const double reach_;
-    double now_ = span_.begin;
-    Convex core_;
+    Placed begin_, end_, between_;
     const DVec3 local_center_, scale_; // in the frame of the shape
-    Frame begin_, end_, between_;
-    const Frame* frame_ = nullptr;
-    bool has_end_ = false;
+    Placed* now_ = &begin_;
 };
 
 // From a ball, where a formula tells it: of the others but hulls and polygons.
@@ -156,10 +157,18 @@ class GapFinder {
     DVec3 on_a_[3], on_b_[3]; // in the frames of the shapes
 };
 
+// How far a shape reaches from its center along a unit direction.
+double reach_along(DVec3 n, const Convex& c) {
+    const Core core = exact_core(c);
+    if (c.kind == Convex::Kind::ball) return core.radius;
+    if (c.kind != Convex::Kind::box) return dot(n, core_support(core, n) - c.center) + core.radius;
+    const DVec3 along = math::abs(to_local(c, n));
+    return dot(along, c.size) + core.radius;
+}
+
 // How far two are apart along a unit direction from `a` to `b`.
 double gap_along(DVec3 n, const Convex& a, const Convex& b) {
-    const Core core_a = exact_core(a), core_b = exact_core(b);
-    return dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
+    return dot(n, b.center - a.center) - (reach_along(n, a) + reach_along(-n, b));
 }
 
 // Whether two never come as near as `question` asks along a direction: what is cheap to ask, and true of most.
@@ -169,7 +178,7 @@ bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
-    const double limit = question.tolerance + question.within + question.highest_floor(),
+    const double limit = question.tolerance + question.within + question.highest_floor,
                  first = pair.apart_along(n, span.begin) - limit;
     return first > 0 &&
            stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
@@ -202,6 +211,9 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked
         return {};
     const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
+    if (question.deeper == infinity && // along the normal of the contact that pushes them apart
+        pair.apart_along(math::normalized(asked.axis), span.begin) < question.highest_floor)
+        return {overlapped};
     return course_by(a, b, question, span, pair);
 }
 
@@ -424,10 +436,10 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const bool is_known = held == Held::by_contact;
+    const double part = is_known ? 0.5 : 1, deeper = is_known ? infinity : held == Held::perhaps ? deeper_part : 0;
     for (const Layer layer : {Layer::inner, Layer::deep}) {
         const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
-        const Course course = course_of(first, second, {from, to},
-                                        {0, is_known ? 0.5 : 1.0, axis, held == Held::by_nothing ? 0 : deeper_part});
+        const Course course = course_of(first, second, {from, to}, {0, part, axis, deeper});
         const double time = course.meeting;
         if (time != overlapped)
             return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, is_known, from, axis);

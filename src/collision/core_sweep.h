@@ -79,12 +79,12 @@ enum class Held { by_nothing, perhaps, by_contact };
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
 double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
-// When two that touch, or overlap, are deeper in each other than they may be: than they are now, by a quarter of it
-// (not if `by_nothing`) and a twenty-fifth of what a core is inside; but they may be as deep as faces that touch, by
-// the distance of what is twice as deep as cores (of corners that is a little inside), or as deep as where cores meet
-// if the solver has the contact (`by_contact`), which is soft. What goes deeper and comes back may be missed; then it
-// is when the cores meet, if they do. Of two that are nearly as deep as that already it is when they are as deep as
-// half of the smallest half width, as the solver pushes them apart; if `by_nothing`, when they go deeper.
+// When two that touch, or overlap, are deeper in each other than they may be: than faces that touch, by the distance of
+// what is twice as deep as cores (of corners that is a little inside), or than where cores meet if the solver has the
+// contact (`by_contact`), which is soft. What is deeper already is asked again when it is deeper by a quarter of that
+// (if `by_nothing`: at all) and a twenty-fifth of what a core is inside; if `by_contact`, or if it is nearly as deep as
+// inner cores are, when it is as deep as half of the smallest half width, as the solver pushes the two apart. What goes
+// deeper and comes back may be missed; then it is when the cores meet, if they do.
 double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1

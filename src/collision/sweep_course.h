@@ -73,6 +73,9 @@ class Mover {
     double until() const { return s_.until; }
     const SweptShape& shape() const { return s_; }
     RigidPath::Pose body_at(double time) const { return time == from_ ? first_ : time == to_ ? last_ : pose_at(time); }
+    // A ball about the center of mass, which no turn moves, and its center.
+    bool is_point() const { return is_ball() && reach_ == 0; }
+    DVec3 center_at(double time) const { return s_.path.start + std::min(time, s_.until) * s_.path.translation; }
     DQuat first_rotation() const { return rotation_at(first_); }
     DQuat rotation_at(const RigidPath::Pose& pose) const {
         return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
@@ -173,8 +176,9 @@ inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 inline constexpr double deeper_part = 0.25;
 
 // What is asked of a pair. `within`: how near it comes matters up to there. `floor_part`: if not 0, it is asked when
-// inner cores are nearer than that part of their distance at a touch, and nearer than now, in place of when the two
-// meet. `axis`: the search begins with that direction from one to the other, or 0, and leaves the last one there.
+// inner cores are nearer than that part of their distance at a touch, in place of when the two meet; what is nearer
+// already, when it is nearer by the part `deeper` of what is missing (infinite: it counts as overlapping). `axis`: the
+// search begins with that direction from one to the other, or 0, and leaves the last one there.
 struct Asked {
     double within = 0, floor_part = 0;
     DVec3& axis;
@@ -185,27 +189,21 @@ struct Asked {
 // `within`.
 struct Question {
     double tolerance, within = 0;
-    bool is_impact = false; // what is as near as that and parts, or stays, has not met
-    double floor_part = 0;
-    double touch = 0; // the distance of inner cores where the shapes touch, at least
+    bool is_impact = false;   // what is as near as that and parts, or stays, has not met
+    double highest_floor = 0; // the part that is asked of the distance of inner cores where the shapes touch, at least
     double deeper = deeper_part;
 
-    bool sinks() const { return floor_part > 0; }
-    double highest_floor() const { return floor_part * touch; }
+    bool sinks() const { return highest_floor > 0; }
     // Down to which distance of inner cores two may go that are now at another one.
     double floor_from(double distance) const {
-        return std::min(highest_floor(), distance - deeper * std::max(touch - distance, 0.0)) - 2 * tolerance;
+        const double missing = highest_floor - distance;
+        return (missing > 0 ? distance - deeper * missing : highest_floor) - 2 * tolerance;
     }
 };
 
 inline Question question_of(const Convex& c, const Mover& m, const Asked& asked, double depth_of_other) {
-    const double tolerance = tolerance_of(c, m.layer, m.half_width);
-    return {tolerance,
-            asked.within,
-            m.layer == Layer::impact,
-            asked.floor_part,
-            depth_of(c, m.layer, m.half_width) + depth_of_other,
-            asked.deeper};
+    return {tolerance_of(c, m.layer, m.half_width), asked.within, m.layer == Layer::impact,
+            asked.floor_part * (depth_of(c, m.layer, m.half_width) + depth_of_other), asked.deeper};
 }
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.
@@ -326,7 +324,7 @@ template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
-    if (!(gap.distance > 0)) return begin > 0 ? begin : overlapped;
+    if (!(gap.distance > 0)) return overlapped;
     tolerance = std::min(tolerance, 0.5 * gap.distance); // what has been stopped at it goes on if it parts
     double span = end - begin;                           // is looked at next
     for (int round = 0; round < max_rounds; ++round) {

@@ -18,7 +18,7 @@ inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
     return moves(bodies, body) && bodies.ahead[body] - bodies.travel[body] > budget_of(still);
 }
 
-// Poses all shapes of the bodies that move.
+// Poses all shapes of the bodies that move and have met something.
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 

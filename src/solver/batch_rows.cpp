@@ -47,15 +47,26 @@ void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion) {
 // The weight of an island, and how it moves.
 void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, float gravity,
            std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
+    const auto sum = [&](std::span<const std::int32_t> part) {
+        MotionSum r;
+        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b]);
+        return r;
+    };
     const std::size_t count = members.size();
-    sums.assign(count / bodies_per_sum + 1, {});
-    for_chunks(thread_pool, int(sums.size()), 1, [&](int begin, int end, int) {
-        for (auto part = std::size_t(begin); part < std::size_t(end); ++part)
-            for (std::size_t k = part * bodies_per_sum, last = std::min(k + bodies_per_sum, count); k < last; ++k)
-                add(sums[part], bodies.mass[members[k]], bodies.motion[members[k]]);
-    });
     MotionSum all;
-    for (const MotionSum& part : sums) all.mass += part.mass, all.momentum += part.momentum, all.energy += part.energy;
+    if (count <= bodies_per_sum) {
+        all = sum(members);
+    } else {
+        sums.resize(count / bodies_per_sum + 1);
+        for_chunks(thread_pool, int(sums.size()), 1, [&](int begin, int end, int) {
+            for (auto part = std::size_t(begin); part < std::size_t(end); ++part) {
+                const std::size_t first = part * bodies_per_sum;
+                sums[part] = sum(members.subspan(first, std::min<std::size_t>(bodies_per_sum, count - first)));
+            }
+        });
+        for (const MotionSum& part : sums)
+            all.mass += part.mass, all.momentum += part.momentum, all.energy += part.energy;
+    }
     island.weight = float(all.mass) * gravity;
     if (!(all.mass > 0)) return;
     const math::DVec3 mean = (1 / all.mass) * all.momentum;

@@ -67,9 +67,9 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
 }
 
 // Touching pairs, some of them pressed into each other: the inner cores (twice as deep as cores) come no nearer before
-// the time of sinking than they are where faces touch, or cores do if the solver has the contact; or a little nearer
-// than they were. What goes deeper and comes back within a part of the step may not be seen, but inner cores stay
-// apart, or of two that the solver presses together, what is as deep as it may press them.
+// the time of sinking than they are where faces touch, or a little nearer than they were; or, if the solver has the
+// contact, than where cores touch. What goes deeper and comes back within a part of the step may not be seen, but inner
+// cores stay apart, or of two that the solver presses together, what is as deep as it may press them.
 TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     Random random(2);
     int sank = 0, stayed = 0, unseen = 0, met = 0;
@@ -98,7 +98,8 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const auto depth_of = [](const Convex& c) { return std::min(2 * core_depth_of(c.extent), c.extent); };
         const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
         if (!(before > 1e-3)) continue;
-        DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
+        // Wherever the search begins, or along the normal of the contact.
+        DVec3 axis = is_known ? r.normal : random.below(2) ? DVec3{} : random.direction();
         const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b),
                                                    is_known ? cairn::Held::by_contact : cairn::Held::perhaps, 0, axis);
         ++(time <= 1 ? sank : stayed);
@@ -106,7 +107,8 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
                               double(b.geometry.bounding_radius) * length(path_b.turn);
         const bool moves_far =
             length(path_a.translation - path_b.translation) + turned > cairn::free_share * half_width;
-        const double floor = std::min((is_known ? 0.5 : 1) * touch, before - 0.25 * std::max(touch - before, 0.0)),
+        const double floor = is_known ? (before > 0.5 * touch ? 0.5 * touch : 0)
+                                      : std::min(touch, before - 0.25 * std::max(touch - before, 0.0)),
                      tolerance = 3 * cairn::sinking_part * core_depth_of(half_width);
         if (!(floor > tolerance)) continue; // judged by what is deeper
         const bool is_apart = time > 1 && moves_far && cores_at(0) > 0;
@@ -124,6 +126,35 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     EXPECT_GT(stayed, 1500);
     EXPECT_LE(unseen, 24);
     EXPECT_LE(met, 1);
+}
+
+// What is pressed into something beyond its core, and leaves it turning, was met anew at once wherever in a step it was
+// asked, 64 times, and then stood still for the rest of the step.
+TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
+    Random random(3);
+    int asked = 0, met = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const double from = random.uniform(0.05, 0.9);
+        const Solid a = any_solid(random, 1), b = any_solid(random, 1);
+        const DQuat q = random.rotation();
+        const RigidPath still = RigidPath::between({}, q, {}, q);
+        const DQuat start = random.rotation();
+        const DVec3 place = 4.0 * random.direction();
+        const Convex at_a = a.at({}, q), at_b = b.at(place, start);
+        const auto r = cairn::gjk_distance({exact_core(at_a), exact_core(at_b)}, {}, 1e300);
+        const auto depth_of = [](const Convex& c) { return core_depth_of(c.extent); };
+        const double pressed = 1.3 * (depth_of(at_a) + depth_of(at_b));
+        const DVec3 pushed = place - (distance(at_a, at_b) + pressed) * r.normal;
+        const DVec3 leaving = pushed + random.uniform(0.5, 2) * r.normal;
+        const DQuat turned = about(random.direction(), random.uniform(0, 0.3)) * start;
+        const RigidPath path = RigidPath::between(pushed, start, leaving, turned, from, 1);
+        if (distance(core_of(a, {{}, q}, 1), core_of(b, {pushed, start}, 1)) >= 0) continue;
+        DVec3 axis = r.normal;
+        const double time = cairn::time_of_sinking(swept(a, still), swept(b, path), cairn::Held::perhaps, from, axis);
+        ++asked, met += time <= from;
+    }
+    EXPECT_GT(asked, 1000);
+    EXPECT_EQ(met, 0);
 }
 
 // A ball that was pressed into a box beyond its core and leaves it over an edge meets nothing anew: neither where the
