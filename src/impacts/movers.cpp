@@ -302,6 +302,22 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     m.is_changed = true;
 }
 
+void Movers::push_way(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
+    Mover& m = (*this)[i];
+    MovingState now = state_at(i, time);
+    if (m.is_free || m.is_led) {
+        now.v += dv, now.w += dw;
+        return redirect(i, time, now);
+    }
+    BodyMotion& motion = s.bodies.motion[m.body];
+    const double left = (1 - time) * double(dt_);
+    motion.x += left * dv;
+    if (!m.turns_over) motion.q = turned_by(left * dw, motion.q);
+    if (and_velocity) motion.v += math::to_float(dv), motion.w += math::to_float(dw);
+    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, 1);
+    m.is_changed = true;
+}
+
 DVec3 Movers::acceleration_of(std::int32_t i, const MovingState& now, DVec3 point) const {
     const Mover& m = (*this)[i];
     if (!m.is_free) return {};

@@ -47,6 +47,9 @@ class Movers {
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
     // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
+    // It goes by `dv` and `dw` faster on the rest of its way. `and_velocity`: so it does in the end, as what is free
+    // does in any case; else it arrives with the velocities that the solver gave it.
+    void push_way(std::int32_t i, double time, math::DVec3 dv, math::DVec3 dw, bool and_velocity);
     // Something kinematic takes it along from a time on.
     void carry(std::int32_t i, double time, std::int32_t carrier);
     // The next part of the path of what is led.

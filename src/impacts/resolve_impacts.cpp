@@ -265,7 +265,7 @@ class ImpactQueue {
             if (cut_a || cut_b) cairn::collide(a, b, points_, law, rows_);
         }
         if (is_impact) pairs_[k].touches = !outcome.bounces;
-        if (!is_impact && (points_.empty() || pair.rests)) return false;
+        if (!is_impact && (points_.empty() || pair.rests)) return part_ways(k, time);
         if (is_impact) {
             ++s.statistics.impacts;
             report(pair, outcome, time);
@@ -281,12 +281,57 @@ class ImpactQueue {
         }
         go_on(pair.first, body_a, time, now_a);
         go_on(pair.second, body_b, time, now_b);
+        if (!part_ways(k, time)) follow(pair, time);
+        return true;
+    }
+
+    // What the solver has moved goes straight from its first pose to its last, not as fast as it is in the end: two
+    // that do not approach by their velocities may come nearer on their ways all the same. Those are parted, as by an
+    // impact without a bounce. False if they do not come nearer.
+    bool part_ways(std::int32_t k, double time) {
+        const SweptPair pair = pairs_[k];
+        if (points_.empty() || (!is_moved_by_solver(pair.first) && !is_moved_by_solver(pair.second))) return false;
+        const auto on_its_way = [&](std::int32_t mover, std::uint32_t shape) {
+            const std::int32_t body = s.shapes.links[shape].body;
+            MovingState now = state_of(mover, body, time);
+            if (mover == none || !movers_[mover].has_stopped()) {
+                const RigidPath path = mover != none ? movers_[mover].path : movers_.path_of(body);
+                now.v = (1 / double(dt_)) * path.translation, now.w = (1 / double(dt_)) * path.turn;
+            }
+            return impact_body(mover, body, now);
+        };
+        ImpactBody a = on_its_way(pair.first, pair.shape), b = on_its_way(pair.second, pair.other);
+        const DVec3 va = a.v, wa = a.w, vb = b.v, wb = b.w;
+        for (ImpactPoint& point : points_) point.rebound = 0;
+        const ImpactOutcome outcome = cairn::collide(a, b, points_, ImpactMaterial{}, rows_);
+        if (!(outcome.approach * (1 - time) * double(dt_) > impact_tolerance(half_width_of(pair.shape, pair.other))))
+            return false;
+        pairs_[k].touches = true;
+        // What is free has one velocity on its way and in the end: it takes it from the other.
+        const bool one_is_free = is_free(pair.first) || is_free(pair.second);
+        push(pair.first, time, a.v - va, a.w - wa, one_is_free);
+        push(pair.second, time, b.v - vb, b.w - wb, one_is_free);
+        follow(pair, time);
+        return true;
+    }
+    bool is_free(std::int32_t i) const { return i != none && movers_[i].is_free; }
+    bool is_moved_by_solver(std::int32_t i) const {
+        return i != none && !movers_[i].is_free && !movers_[i].is_led && !movers_[i].has_stopped();
+    }
+    void push(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
+        if (i == none || movers_[i].has_stopped()) return;
+        movers_.push_way(i, time, dv, dw, and_velocity);
+        expect_renewal(i);
+        ++movers_[i].impacts;
+    }
+
+    // What is near the new ways of a pair, and all pairs of the two.
+    void follow(const SweptPair& pair, double time) {
         std::int32_t changed[2] = {none, none};
         int count = 0;
         for (const std::int32_t i : {pair.first, pair.second})
             if (i != none && !movers_[i].has_stopped()) look_near(i, time), changed[count++] = i;
         if (count > 0) ask_again(changed[0], time, changed[1]);
-        return true;
     }
 
     void go_on(std::int32_t mover, std::int32_t body, double time, const MovingState& now) {

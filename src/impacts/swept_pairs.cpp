@@ -353,7 +353,9 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
     const bool gyrates = first.gyrates || (second && second->gyrates);
-    const Held held = pair.is_known ? Held::by_contact : gyrates ? Held::by_nothing : Held::perhaps;
+    // What turned over flies anew, whatever the solver knew of it.
+    const bool is_held = pair.is_known && !first.is_free && !(second && second->is_free);
+    const Held held = is_held ? Held::by_contact : gyrates ? Held::by_nothing : Held::perhaps;
     if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.axis);
     if (turns || catches) return time_of_meeting(a, b, false, from, pair.axis);
     return time_of_impact(a, b, held, from, pair.axis);
