@@ -230,10 +230,10 @@ TEST(Fast, BallsThatSlideAlongBoxesHardlyStandStill) {
     EXPECT_LE(stopped, 12u);
 }
 
-// Of bodies that are thrown onto a heap, some are pressed into others beyond their cores. Wherever in a step such a pair
-// was asked anew, it met at once, although it parted; and two that the solver had moved came nearer on their ways, but
-// not by their velocities, so that no impact kept them apart. Both met 64 times, and stood still for the rest of the
-// step: 217 and 5,652 times in these heaps.
+// Of bodies that are thrown onto a heap, some are pressed into others beyond their cores. Wherever in a step such a
+// pair was asked anew, it met at once, although it parted; and two that the solver had moved came nearer on their ways,
+// but not by their velocities, so that no impact kept them apart. Both met 64 times, and stood still for the rest of
+// the step: 217 and 5,652 times in these heaps.
 TEST(Fast, HeapsThatAreThrownDownHardlyStandStill) {
     for (const auto& [round, most] : {std::pair(false, 40u), std::pair(true, 400u)}) {
         std::size_t stopped = 0;
