@@ -146,6 +146,7 @@ void Timeline::drop_other_future() {
     is_undone_ = false;
     recorded_until_ = std::min(recorded_until_, branch->step);
     states_.drop_after(branch->step);
+    since_kept_ = step_seconds_ * double(branch->step - states_.last());
     groups_.erase(groups_.upper_bound(*branch), groups_.end());
     while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
     if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
