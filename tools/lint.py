@@ -23,7 +23,7 @@ USERS = {
     "src/recording": {"files", "recording"},
     "src/validation": {"validation"},
     "app/ranks": set(),
-    "app/viewer": {"files", "viewer"},
+    "app/viewer": {"files", "recording", "viewer"},
     "app/cli": {"checkpoint", "cli", "files", "recording", "scene", "sweep", "validation", "viewer"},
 }
 # Stages of a step take the groups of the state that they use (Bodies, Contacts, ...), const where they only read, or a

@@ -19,10 +19,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_way = 0.1;      // s of steps from a state that is kept to the next, before any have gone
-constexpr double greatest_share = 0.025; // of the time of the steps that keeping states may take
-constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps, likewise
-constexpr std::size_t fewest_states = 8;                              // that are left where the budget is spent
+constexpr double longest_way = 0.1;      // s of steps that are rather done than that a state is restored
+constexpr double greatest_share = 0.035; // of the time of the steps that keeping states may take on their thread
+constexpr std::uint64_t least_interval = 15,
+                        most_interval = 240; // steps from a state that is kept to the next, before any have gone
+constexpr std::size_t fewest_states = 8;     // that are left where the budget is spent
 constexpr std::size_t most_in_ring = 240;
 constexpr double newest_weight = 0.1; // in running means
 constexpr std::size_t ring_bytes = std::size_t{96} << 20;
@@ -67,16 +68,13 @@ void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     hits_.clear();
     watched_until_ = 0;
     is_undone_ = false;
-    step_seconds_ = since_kept_ = stepping_seconds_ = keeping_seconds_ = 0.0;
-    thinned_ = 1;
+    step_seconds_ = keep_seconds_ = since_kept_ = keeping_seconds_ = 0.0;
     ring_.states.reset();
     verdict_ = {};
     name_recorded_changes();
-    keyframes_.clear();
-    const Clock::time_point start = Clock::now();
-    keyframes_.emplace(0, std::make_shared<const Keyframe>(Keyframe{world.save(), world.state_digest()}));
-    save_seconds_ = seconds_since(start);
-    keep_within_budget();
+    states_ = KeptStates();
+    states_.keep(world, 0);
+    forget_what_came_before();
     gather_marks();
 }
 
@@ -94,57 +92,47 @@ void Timeline::name_recorded_changes() {
     }
 }
 
-// Between states so much time of steps that saving one costs little of it, and no more than a wait that nobody minds.
+// After so much time of steps that keeping one costs little of it, and no more than a wait that nobody minds; or after
+// many steps.
 bool Timeline::is_state_due(std::uint64_t steps) const {
-    const double way = std::max(longest_way, save_seconds_ / greatest_share);
-    return steps >= thinned_ * least_interval &&
-           (since_kept_ >= double(thinned_) * way || steps >= thinned_ * greatest_interval);
+    const double thinned = states_.thinned();
+    const double least = std::max(states_.least_seconds(), thinned * keep_seconds_ / greatest_share);
+    return double(steps) >= thinned * least_interval && since_kept_ >= least &&
+           (since_kept_ >= states_.usual_seconds() || double(steps) >= thinned * most_interval);
 }
 
+// States are kept in the order of their steps. What is done again before the last one has some already.
 void Timeline::keep(const World& world, double step_seconds) {
     step_seconds_ = mean(step_seconds_, step_seconds);
-    stepping_seconds_ += step_seconds;
     since_kept_ += step_seconds;
     const std::uint64_t step = log_->now.step;
-    const std::uint64_t last = std::prev(keyframes_.upper_bound(step))->first;
-    if (last == step) since_kept_ = 0.0;
-    if (!is_state_due(step - last)) return;
-    if (keeping_seconds_ + save_seconds_ > greatest_share * stepping_seconds_) return; // steps have become cheaper
+    if (states_.digest(step) != nullptr) since_kept_ = 0.0;
+    const auto is_due = [&] { return step > states_.last() && is_state_due(step - states_.last()); };
+    if (!is_due()) return;
     const Clock::time_point start = Clock::now();
-    keyframes_.insert_or_assign(step, std::make_shared<const Keyframe>(Keyframe{world.save(), world.state_digest()}));
-    since_kept_ = 0.0;
-    keep_within_budget();
-    const double seconds = seconds_since(start);
-    save_seconds_ = mean(save_seconds_, seconds);
-    keeping_seconds_ += seconds;
-}
-
-void Timeline::count_keyframes() {
-    keyframe_bytes_ = 0;
-    const SnapshotDefinitions* counted = nullptr;
-    for (const auto& [step, keyframe] : keyframes_) {
-        keyframe_bytes_ += keyframe->snapshot.bytes.size();
-        const SnapshotDefinitions* own = keyframe->snapshot.definitions.get();
-        if (own != counted) keyframe_bytes_ += own->bytes.size();
-        counted = own;
+    states_.settle();
+    make_room(2 * states_.last_size()); // the state and its difference
+    if (is_due()) {
+        states_.keep(world, step);
+        since_kept_ = 0.0;
     }
+    const double seconds = seconds_since(start);
+    keep_seconds_ = mean(keep_seconds_, seconds);
+    keeping_seconds_ += seconds;
 }
 
 // All of the past stays within reach, from states that are farther apart; only where that no longer helps, the oldest
 // moments go.
-void Timeline::keep_within_budget() {
-    count_keyframes();
-    while (bytes() > budget_ && keyframes_.size() > fewest_states) {
-        bool stays = false;
-        std::erase_if(keyframes_, [&](const auto&) { return !(stays = !stays); }); // the first stays
-        thinned_ *= 2;
-        count_keyframes();
+void Timeline::make_room(std::size_t more) {
+    while (bytes() + more > budget_ && states_.count() > fewest_states) states_.thin_out();
+    while (bytes() + more > budget_ && states_.count() > 2) {
+        states_.drop_oldest();
+        log_->forget_before(states_.first());
     }
-    while (bytes() > budget_ && keyframes_.size() > 2 && std::next(keyframes_.begin())->first <= log_->now.step) {
-        keyframe_bytes_ -= keyframes_.begin()->second->snapshot.bytes.size();
-        keyframes_.erase(keyframes_.begin());
-        log_->forget_before(keyframes_.begin()->first);
-    }
+    forget_what_came_before();
+}
+
+void Timeline::forget_what_came_before() {
     const std::uint64_t first = log_->first_step();
     while (!changes_.empty() && changes_.front().begin.step < first) changes_.pop_front();
     groups_.erase(groups_.begin(), std::prev(groups_.upper_bound(Moment{first, 0})));
@@ -157,7 +145,8 @@ void Timeline::drop_other_future() {
     branched_at_ = branched_at_ ? std::min(*branched_at_, *branch) : *branch;
     is_undone_ = false;
     recorded_until_ = std::min(recorded_until_, branch->step);
-    keyframes_.erase(keyframes_.upper_bound(branch->step), keyframes_.end());
+    states_.drop_after(branch->step);
+    since_kept_ = step_seconds_ * double(branch->step - states_.last());
     groups_.erase(groups_.upper_bound(*branch), groups_.end());
     while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
     if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
@@ -204,7 +193,7 @@ void Timeline::after_step(const World& world, double seconds) {
 void Timeline::compare(const World& world) {
     const std::uint64_t step = log_->now.step;
     std::optional<StateDigest> known = log_->frame(step - 1).digest;
-    if (const auto kept = keyframes_.find(step); !known && kept != keyframes_.end()) known = kept->second->digest;
+    if (const StateDigest* kept = states_.digest(step); !known && kept != nullptr) known = *kept;
     if (!known) return;
     ++verdict_.compared;
     if (verdict_.first_different) return;
@@ -249,8 +238,7 @@ bool Timeline::follow(World& world, const std::function<void(const World&)>& bef
 // Goes to the last state that is kept at or before `step`, if it is later than `after`.
 bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after) {
     const Going going(*log_);
-    const auto kept = std::prev(keyframes_.upper_bound(step));
-    const std::uint64_t beyond = std::max(kept->first, after.value_or(0));
+    const std::uint64_t kept = states_.before(step), beyond = std::max(kept, after.value_or(0));
     if (recorded_keyframe_) {
         const auto recorded = recorded_keyframe_(beyond, std::min(step, recorded_until_));
         try {
@@ -265,9 +253,9 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
             recorded_keyframe_ = nullptr; // of another build: the way is longer
         }
     }
-    if (after && kept->first <= *after) return false;
-    world.restore(kept->second->snapshot);
-    log_->now = {kept->first, 0};
+    if (after && kept <= *after) return false;
+    world.restore(states_.state(kept));
+    log_->now = {kept, 0};
     since_kept_ = 0.0;
     return true;
 }
@@ -282,7 +270,7 @@ bool Timeline::seek(World& world, Moment to, double seconds) {
     if (log_->now > to)
         restore_before(world, to.step, std::nullopt);
     else if (const std::uint64_t steps = to.step - log_->now.step;
-             double(steps) * step_seconds_ > longest_way || steps > greatest_interval)
+             double(steps) * step_seconds_ > longest_way || steps > most_interval)
         restore_before(world, to.step, log_->now.step);
     while (log_->now.step < to.step) {
         follow_one(world);
@@ -307,8 +295,7 @@ bool Timeline::step_back(World& world) {
         ring_.states->restore(world, std::size_t(ring_.last - to));
     } else {
         restore_before(world, to, std::nullopt);
-        const std::size_t bytes = keyframes_.begin()->second->snapshot.bytes.size();
-        ring_.states.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, most_in_ring));
+        ring_.states.emplace(std::clamp<std::size_t>(2 * ring_bytes / (states_.last_size() + 1), 8, most_in_ring));
         for (;;) {
             if (to - log_->now.step < ring_.states->capacity()) ring_.states->push(world);
             if (log_->now.step >= to) break;
@@ -436,8 +423,8 @@ bool Timeline::redo(World& world) {
 
 Timeline::Excerpt Timeline::excerpt(std::uint64_t steps) const {
     const std::uint64_t from = log_->now.step - std::min(steps, log_->now.step - first_step());
-    const auto kept = std::prev(keyframes_.upper_bound(from));
-    return {kept->second->snapshot, log_->excerpt(kept->first)};
+    const std::uint64_t kept = states_.before(from);
+    return {states_.state(kept), log_->excerpt(kept)};
 }
 
 } // namespace cairn::viewer

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "viewer/impact.h"
+#include "viewer/kept_states.h"
 #include "viewer/timeline_log.h"
 
 #include <cairn/snapshot_ring.h>
@@ -37,8 +38,8 @@ using Groups = std::vector<std::vector<BodyId>>;
 
 class Timeline {
   public:
-    /// `budget`: bytes that whole states and commands may take. Where it is spent, every other state goes; where few
-    /// are left, the oldest moments.
+    /// `budget`: bytes that states and commands may take. Where it is spent, every other state goes; where few are
+    /// left, the older half of the run.
     explicit Timeline(std::size_t budget = std::size_t{256} << 20) : budget_(budget) {}
 
     /// Begins with the world as it is, and listens to it. `run`: what is known to follow.
@@ -51,7 +52,7 @@ class Timeline {
     bool is_at_end() const { return log_->is_at_end(); }
     /// Whether the next step shall do what was done before, rather than begin a new future: not after `undo`.
     bool follows() const { return !is_at_end() && !is_undone_; }
-    std::size_t bytes() const { return log_->bytes() + keyframe_bytes_; }
+    std::size_t bytes() const { return log_->bytes() + states_.bytes(); }
     double seconds_kept() const {
         return keeping_seconds_;
     } ///< That keeping states took since the beginning, real time.
@@ -122,10 +123,6 @@ class Timeline {
     std::optional<Moment> take_branch();
 
   private:
-    struct Keyframe {
-        Snapshot snapshot;
-        StateDigest digest;
-    };
     // States one after the other, to step back through. A copy begins without.
     struct Ring {
         std::optional<SnapshotRing> states;
@@ -149,15 +146,14 @@ class Timeline {
     bool execute_changes(World& world, std::uint32_t count);
     void drop_other_future();
     bool is_state_due(std::uint64_t steps) const;
-    void count_keyframes();
-    void keep_within_budget();
+    void make_room(std::size_t bytes);
+    void forget_what_came_before();
     void name_recorded_changes();
     void gather_marks();
 
     std::size_t budget_;
     std::shared_ptr<TimelineLog> log_;
-    std::map<std::uint64_t, std::shared_ptr<const Keyframe>> keyframes_; // by steps made; the first is always there
-    std::size_t keyframe_bytes_ = 0;
+    KeptStates states_; // there is at least one
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // from there on, what the recording has is no longer what follows
     std::deque<Change> changes_;
@@ -167,11 +163,10 @@ class Timeline {
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them
     std::shared_ptr<const std::vector<Mark>> marks_;
     bool is_undone_ = false;
-    bool has_ended_ = false;                                // the last change
-    double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
-    double since_kept_ = 0.0;                               // s of steps since a state that is kept
-    std::uint64_t thinned_ = 1;                             // how many times as far apart they are as at first
-    double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
+    bool has_ended_ = false;                         // the last change
+    double step_seconds_ = 0.0, keep_seconds_ = 0.0; // means
+    double since_kept_ = 0.0;                        // s of steps since a state that is kept
+    double keeping_seconds_ = 0.0;                   // sum
     Ring ring_;
     Verdict verdict_;
     std::optional<Moment> branched_at_;

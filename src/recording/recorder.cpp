@@ -4,6 +4,7 @@
 #include "recording/keyframe_tree.h"
 #include "recording/log_format.h"
 #include "recording/mcap_writer.h"
+#include "recording/patch.h"
 #include "recording/readings.h"
 
 #include <cairn/error.h>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 14, chunk_bytes = std::size_t{1} << 18;
 constexpr std::uint64_t batch_steps = 60, chunk_steps = 300;
+constexpr double keyframe_share = 0.1; // of the work of the steps
 
 } // namespace
 
@@ -29,7 +31,7 @@ class Recorder::Listener final : public CommandListener {
   public:
     Listener(const std::filesystem::path& path, const RecorderOptions& options)
         : options_(options), file_(std::in_place, path, options.compress),
-          keyframes_(options.keyframe_work, options.keyframe_budget) {
+          keyframes_(options.keyframe_work, keyframe_share, options.keyframe_budget) {
         if (!(options.keyframe_work > 0) || !std::isfinite(options.keyframe_work))
             throw Error(ErrorCode::invalid_value, "RecorderOptions.keyframe_work",
                         std::to_string(options.keyframe_work), "must be finite and > 0");
@@ -183,12 +185,14 @@ class Recorder::Listener final : public CommandListener {
         append_leb128(state, snapshot.definitions->bytes.size());
         state += as_text(snapshot.definitions->bytes);
         state += as_text(shapes_);
-        const KeyframeTree::Difference kept = keyframes_.add(std::move(state));
+        const auto shared = std::make_shared<const std::string>(std::move(state));
+        const KeyframeTree::Difference kept = keyframes_.add({shared, *shared});
         std::string message;
         for (const std::uint64_t number : {states_version, steps_, kept.id, kept.parent})
             append_leb128(message, number);
         state_chunk_.leave_uncompressed();
-        state_chunk_.add(states_, std::uint32_t(kept.id), nanoseconds(), message + kept.patch);
+        state_chunk_.add(states_, std::uint32_t(kept.id), nanoseconds(),
+                         message + patcher_.patch(kept.before ? kept.before->bytes : std::string_view(), *shared));
     }
 
     RecorderOptions options_;
@@ -204,6 +208,7 @@ class Recorder::Listener final : public CommandListener {
     std::optional<ReadingsWriter> readings_; // absent: nobody asked for them
     McapWriter::Chunk readings_chunk_;
     KeyframeTree keyframes_;
+    Patcher patcher_;
     McapWriter::Chunk state_chunk_; // of the last one, until it is written
     std::shared_ptr<const SnapshotDefinitions> kept_definitions_;
     std::vector<std::byte> shapes_; // theirs

@@ -314,6 +314,25 @@ TEST(Timeline, AllOfTheRunIsWithinReachWhereTheBudgetIsSpent) {
     EXPECT_LE(farthest, 300u);
 }
 
+// 64 boxes that fall and lie, for 50 s. 200 whole states would take several times the budget.
+TEST(Timeline, AnyMomentOfALongRunIsWithinThirtyStepsOfAStateThatIsKept) {
+    constexpr std::size_t budget = std::size_t{1} << 20;
+    constexpr std::uint64_t steps = 3000;
+    Timeline timeline(budget);
+    LoadedScene scene = falling_boxes("64");
+    const std::vector<std::uint64_t> hashes = run_within_budget(timeline, scene, int(steps), budget);
+    EXPECT_EQ(timeline.first_step(), 0u);
+    std::mt19937 random(2);
+    for (int i = 0; i < 60; ++i) {
+        const std::uint64_t to = random() % steps;
+        timeline.seek(scene.world, {steps, 0});
+        std::uint64_t done_again = 1;
+        while (!timeline.seek(scene.world, {to, 0}, 0.0)) ++done_again; // a step each
+        ASSERT_EQ(scene.world.state_hash(), hashes[to]) << to;
+        ASSERT_LE(done_again, 30u) << to;
+    }
+}
+
 TEST(Timeline, TheOldestGoesWhereFewStatesAreLeft) {
     Timeline timeline(std::size_t{40} << 10);
     LoadedScene scene = falling_boxes("8");
