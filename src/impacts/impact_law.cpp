@@ -16,29 +16,40 @@ constexpr double precision = 1e-9;         // of the greatest approach: changes 
 constexpr double min_friction_share = 0.1; // is halved once more before there is none
 constexpr double rounding_gain = 1e-9;     // of the energy: what is more has been gained
 
-double velocity_along(const ImpactRow& row, const ImpactBody& a, const ImpactBody& b) {
+double velocity_along(const ImpactRow& row, std::span<const ImpactBody> bodies) {
+    const ImpactBody &a = bodies[std::size_t(row.a)], &b = bodies[std::size_t(row.b)];
     return dot(row.direction, b.v - a.v) + (dot(row.arm_b, b.w) - dot(row.arm_a, a.w));
 }
-void push(const ImpactRow& row, double impulse, ImpactBody& a, ImpactBody& b) {
+void push(const ImpactRow& row, double impulse, std::span<ImpactBody> bodies) {
+    ImpactBody &a = bodies[std::size_t(row.a)], &b = bodies[std::size_t(row.b)];
     a.v = a.v - (impulse * a.inverse_mass) * row.direction;
     a.w = a.w - impulse * row.turn_a;
     b.v = b.v + (impulse * b.inverse_mass) * row.direction;
     b.w = b.w + impulse * row.turn_b;
 }
 
-ImpactRow finished(ImpactRow row, double inverse_mass, const ImpactBody& a, const ImpactBody& b) {
-    row.turn_a = a.inverse_inertia * row.arm_a;
-    row.turn_b = b.inverse_inertia * row.arm_b;
-    row.inverse_effective_mass = inverse_mass + (dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b));
-    return row;
-}
-ImpactRow row_along(DVec3 direction, DVec3 position, const ImpactBody& a, const ImpactBody& b) {
-    const ImpactRow row{direction, cross(position - a.x, direction), cross(position - b.x, direction), {}, {}, 0, 0, 0};
-    return finished(row, a.inverse_mass + b.inverse_mass, a, b);
-}
-ImpactRow couple_about(DVec3 axis, const ImpactBody& a, const ImpactBody& b) {
-    return finished({{}, axis, axis, {}, {}, 0, 0, 0}, 0, a, b);
-}
+// Makes the rows of one pair after another.
+class RowMaker {
+  public:
+    RowMaker(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs, std::int32_t pair)
+        : pair_(pairs[std::size_t(pair)]), index_(pair), a_(bodies[std::size_t(pair_.a)]),
+          b_(bodies[std::size_t(pair_.b)]) {}
+    ImpactRow row_along(DVec3 direction, DVec3 position) const {
+        return finished(direction, cross(position - a_.x, direction), cross(position - b_.x, direction),
+                        a_.inverse_mass + b_.inverse_mass);
+    }
+    ImpactRow couple_about(DVec3 axis) const { return finished({}, axis, axis, 0); }
+
+  private:
+    ImpactRow finished(DVec3 direction, DVec3 arm_a, DVec3 arm_b, double inverse_mass) const {
+        const DVec3 turn_a = a_.inverse_inertia * arm_a, turn_b = b_.inverse_inertia * arm_b;
+        return {direction, arm_a,   arm_b,   turn_a, turn_b, inverse_mass + (dot(arm_a, turn_a) + dot(arm_b, turn_b)),
+                0,         0,       pair_.a, pair_.b, index_};
+    }
+    const ImpactPair& pair_;
+    const std::int32_t index_;
+    const ImpactBody &a_, &b_;
+};
 
 DVec3 any_tangent(DVec3 n) {
     const DVec3 axis = std::fabs(n.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
@@ -48,24 +59,25 @@ DVec3 any_tangent(DVec3 n) {
 // Rows of a point: the normal, two tangents, and couples about all three.
 constexpr std::size_t rows_per_point = 6;
 
-// `share`: of friction and couples that acts. Gauss-Seidel from the velocities of `a` and `b`, which get those after
-// it. Returns the energy that the impulses have added, by their work: half of the velocities before and after.
-double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const ImpactMaterial& material, double share,
+// `share`: of friction and couples that acts. Gauss-Seidel from the velocities before, to those of `bodies`. Returns the
+// energy that the impulses have added, by their work: half of the velocities before and after.
+double solve(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs, ImpactBuffer& buffer, double share,
              double scale) {
-    const ImpactBody before_a = a, before_b = b;
+    std::vector<ImpactRow>& rows = buffer.rows;
+    std::copy(buffer.before.begin(), buffer.before.end(), bodies.begin());
     for (ImpactRow& row : rows) row.impulse = 0;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         double change = 0;
         const auto apply = [&](ImpactRow& row, double next) {
             const double by = next - row.impulse;
-            push(row, by, a, b);
+            push(row, by, bodies);
             row.impulse = next;
             change = std::max(change, std::fabs(by) * row.inverse_effective_mass);
         };
         // What stops the motion along rows, or as much of it as the limit allows.
         const auto stop = [&](const ImpactRow& row) {
             const double mass = row.inverse_effective_mass;
-            return mass > 0 ? row.impulse - velocity_along(row, a, b) / mass : 0.0;
+            return mass > 0 ? row.impulse - velocity_along(row, bodies) / mass : 0.0;
         };
         const auto resist_one = [&](ImpactRow& row, double limit) {
             if (limit > 0) apply(row, std::clamp(stop(row), -limit, limit));
@@ -79,8 +91,9 @@ double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const I
         };
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             ImpactRow& normal = rows[k];
+            const ImpactMaterial& material = pairs[std::size_t(normal.pair)].material;
             apply(normal, std::max(normal.impulse +
-                                       (normal.target - velocity_along(normal, a, b)) / normal.inverse_effective_mass,
+                                       (normal.target - velocity_along(normal, bodies)) / normal.inverse_effective_mass,
                                    0.0));
             const double load = share * normal.impulse, friction = material.friction * load;
             resist(rows[k + 1], rows[k + 2], friction);
@@ -91,40 +104,57 @@ double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const I
     }
     double work = 0;
     for (const ImpactRow& row : rows)
-        work += 0.5 * row.impulse * (velocity_along(row, before_a, before_b) + velocity_along(row, a, b));
+        work += 0.5 * row.impulse * (velocity_along(row, buffer.before) + velocity_along(row, bodies));
     return work;
+}
+
+// Of the points that approach; of a pair that rests, of all that may.
+ImpactOutcome make_rows(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                        std::span<const ImpactPoint> points, std::vector<ImpactRow>& rows, double& greatest) {
+    ImpactOutcome outcome;
+    rows.clear();
+    auto next = points.begin();
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        const ImpactPair& pair = pairs[p];
+        const RowMaker make(bodies, pairs, std::int32_t(p));
+        for (const auto end = next + pair.points; next != end; ++next) {
+            ImpactRow normal = make.row_along(next->normal, next->position);
+            const double approach = -velocity_along(normal, bodies);
+            if (!(approach > 0 || pair.rests) || !(normal.inverse_effective_mass > 0)) continue;
+            const bool bounces =
+                !pair.rests && pair.material.restitution > 0 && approach > pair.material.restitution_speed;
+            normal.target = std::max(bounces ? pair.material.restitution * approach : 0.0, next->rebound);
+            greatest = std::max(greatest, approach);
+            if (p == 0) {
+                outcome.bounces |= bounces;
+                if (approach > outcome.approach)
+                    outcome.approach = approach, outcome.position = next->position, outcome.normal = next->normal;
+            }
+            const DVec3 first = any_tangent(next->normal), second = cross(next->normal, first);
+            rows.push_back(normal);
+            for (const DVec3 tangent : {first, second}) rows.push_back(make.row_along(tangent, next->position));
+            for (const DVec3 axis : {next->normal, first, second}) rows.push_back(make.couple_about(axis));
+        }
+    }
+    return outcome;
 }
 
 } // namespace
 
-ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoint>& points,
-                      const ImpactMaterial& material, std::vector<ImpactRow>& rows) {
-    ImpactOutcome outcome;
-    rows.clear();
-    for (const ImpactPoint& point : points) {
-        ImpactRow normal = row_along(point.normal, point.position, a, b);
-        const double approach = -velocity_along(normal, a, b);
-        if (!(approach > 0) || !(normal.inverse_effective_mass > 0)) continue;
-        const bool bounces = material.restitution > 0 && approach > material.restitution_speed;
-        normal.target = std::max(bounces ? material.restitution * approach : 0.0, point.rebound);
-        outcome.bounces |= bounces;
-        if (approach > outcome.approach)
-            outcome.approach = approach, outcome.position = point.position, outcome.normal = point.normal;
-        const DVec3 first = any_tangent(point.normal), second = cross(point.normal, first);
-        rows.push_back(normal);
-        for (const DVec3 tangent : {first, second}) rows.push_back(row_along(tangent, point.position, a, b));
-        for (const DVec3 axis : {point.normal, first, second}) rows.push_back(couple_about(axis, a, b));
-    }
-    if (rows.empty()) return outcome;
-    const ImpactBody before_a = a, before_b = b;
+ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                      std::span<const ImpactPoint> points, ImpactBuffer& buffer) {
+    double greatest = 0; // approach
+    std::vector<ImpactRow>& rows = buffer.rows;
+    ImpactOutcome outcome = make_rows(bodies, pairs, points, rows, greatest);
+    if (!(outcome.approach > 0)) return outcome;
+    buffer.before.assign(bodies.begin(), bodies.end());
     for (double share = 1;; share = share > min_friction_share ? 0.5 * share : 0) {
-        a = before_a, b = before_b;
-        const double work = solve(a, b, rows, material, share, outcome.approach);
+        const double work = solve(bodies, pairs, buffer, share, greatest);
         double scale = 0, given = 0; // of the energies along the normals; what rebounds add
         outcome.impulse = 0;
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
-            outcome.impulse += rows[k].impulse;
-            const double approach = std::fabs(velocity_along(rows[k], before_a, before_b));
+            if (rows[k].pair == 0) outcome.impulse += rows[k].impulse;
+            const double approach = std::fabs(velocity_along(rows[k], buffer.before));
             scale += rows[k].impulse * approach;
             given += 0.5 * rows[k].impulse * std::max(rows[k].target - approach, 0.0);
         }

@@ -1,4 +1,4 @@
-// What an impact makes of the velocities of two bodies.
+// What an impact makes of the velocities of two bodies, and of what these lie on.
 //
 // Restitution acts at the points that approach, all at once (Newton): each of them leaves at `restitution` times the
 // speed at which it came, and no impulse pulls. With the impulses p and the normal velocities v before and u after, the
@@ -13,23 +13,9 @@
 #include "math/vec.h"
 #include "state/impact_rows.h"
 
-#include <vector>
+#include <span>
 
 namespace cairn {
-
-// A body at the moment of an impact; with an inverse mass and inertia of 0 it does not react.
-struct ImpactBody {
-    math::DVec3 x; // center of mass
-    math::DVec3 v, w;
-    double inverse_mass = 0;
-    math::DSym3 inverse_inertia; // world axes
-};
-
-struct ImpactMaterial {
-    double restitution, friction;
-    double torsion_radius, rolling_radius; // m
-    double restitution_speed;              // m/s: slower approaches do not bounce
-};
 
 struct ImpactOutcome {
     double approach = 0;          // m/s: the greatest, before; 0: nothing approached, and nothing was changed
@@ -37,8 +23,9 @@ struct ImpactOutcome {
     double impulse = 0;           // N s: along the normals
     math::DVec3 position, normal; // of the fastest point
 };
-// Changes the velocities of both. The buffer is working memory.
-ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoint>& points,
-                      const ImpactMaterial& material, std::vector<ImpactRow>& buffer);
+// Changes the velocities of bodies. `points`: of one pair after another. The outcome is that of the first pair; the
+// others are what its bodies lie on, which is pushed at the same time.
+ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                      std::span<const ImpactPoint> points, ImpactBuffer& buffer);
 
 } // namespace cairn

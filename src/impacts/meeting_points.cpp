@@ -34,7 +34,6 @@ Placed placed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape
 void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape_a, const MovingState& a,
                          std::uint32_t shape_b, const MovingState& b, NarrowBatch& scratch,
                          std::vector<ImpactPoint>& points) {
-    points.clear();
     bool swapped = false;
     const std::optional<PairKind> kind = pair_kind(shapes.geometry[shape_a], shapes.geometry[shape_b], swapped);
     if (!kind) return;

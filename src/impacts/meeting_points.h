@@ -8,7 +8,8 @@
 
 namespace cairn {
 
-// All points in which the shapes touch, within the tolerance of touches (core_sweep.h): those are struck at once.
+// Appends all points in which the shapes touch, within the tolerance of touches (core_sweep.h): those are struck at
+// once.
 void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape_a, const MovingState& a,
                          std::uint32_t shape_b, const MovingState& b, NarrowBatch& scratch,
                          std::vector<ImpactPoint>& points);

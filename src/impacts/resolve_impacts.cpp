@@ -158,20 +158,19 @@ class ImpactQueue {
         return i;
     }
 
-    // The pairs of what goes another way from now on: of one or two movers. Each looks at its own two bodies alone.
-    void ask_again(std::int32_t i, double time, std::int32_t other = none) {
+    // The pairs of what goes another way from now on. Each looks at its own two bodies alone.
+    void ask_again(std::span<const std::int32_t> changed, double time) {
         asked_.clear();
-        const auto gather = [&](std::int32_t k) {
-            SweptPair& pair = pairs_[k];
-            pair.time = never;
-            const bool ends =
-                movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-            if (!ends && !pair.was_carried) asked_.push_back(k);
-        };
-        pairs_.for_each_of(i, gather);
-        if (other != none)
-            pairs_.for_each_of(other, [&](std::int32_t k) {
-                if (pairs_[k].first != i && pairs_[k].second != i) gather(k);
+        for (std::size_t n = 0; n < changed.size(); ++n)
+            pairs_.for_each_of(changed[n], [&](std::int32_t k) {
+                SweptPair& pair = pairs_[k];
+                const std::int32_t other = pair.first == changed[n] ? pair.second : pair.first;
+                const auto gathered = changed.first(n);
+                if (std::find(gathered.begin(), gathered.end(), other) != gathered.end()) return;
+                pair.time = never;
+                const bool ends =
+                    movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
+                if (!ends && !pair.was_carried) asked_.push_back(k);
             });
         step.thread_pool->for_chunks(int(asked_.size()), questions_per_chunk, [&](int begin, int end, int) {
             for (int n = begin; n < end; ++n) {
@@ -181,6 +180,7 @@ class ImpactQueue {
         });
         for (const std::int32_t k : asked_) expect(k);
     }
+    void ask_again(std::int32_t i, double time) { ask_again(std::span(&i, 1), time); }
 
     bool can_go_on(std::int32_t b) const {
         return s.bodies.is_dynamic(b) && is_awake(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
@@ -206,10 +206,11 @@ class ImpactQueue {
 
     // What gyrates sinks a little into what it lies on, as what presses it there acts, before it is stopped: it comes
     // back as fast as would bring it up to where it touches.
-    void set_rebounds(const SweptPair& pair, const MovingState& now_a, const MovingState& now_b) {
+    void set_rebounds(const SweptPair& pair, const MovingState& now_a, const MovingState& now_b,
+                      std::span<ImpactPoint> points) const {
         const bool has_second = pair.second != none;
         if (!movers_[pair.first].gyrates && !(has_second && movers_[pair.second].gyrates)) return;
-        for (ImpactPoint& point : points_) {
+        for (ImpactPoint& point : points) {
             DVec3 press = movers_.acceleration_of(pair.first, now_a, point.position);
             if (has_second) press -= movers_.acceleration_of(pair.second, now_b, point.position);
             point.rebound = std::sqrt(2 * std::max(dot(press, point.normal), 0.0) * std::max(point.depth, 0.0));
@@ -217,11 +218,11 @@ class ImpactQueue {
     }
 
     // Of the surface of what does not move by forces, along it (at the first of the points).
-    DVec3 surface_velocity(std::uint32_t shape) const {
+    DVec3 surface_velocity(std::uint32_t shape, std::span<const ImpactPoint> points) const {
         const ShapeTraits& traits = s.shapes.traits[shape];
-        if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points_.empty())
+        if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points.empty())
             return {};
-        const DVec3 n = points_.front().normal;
+        const DVec3 n = points.front().normal;
         const DVec3 u = to_double(math::rotate(shape_rotation(s.shapes.poses[shape]), traits.surface_velocity));
         return u - dot(u, n) * n;
     }
@@ -239,33 +240,77 @@ class ImpactQueue {
         return true;
     }
 
+    // A body that an impact may push: the first two are those that meet.
+    struct Struck {
+        std::int32_t mover, body;
+        MovingState now;
+        DVec3 belt; // m/s: of its surface
+    };
+    // Its place. What no impact moves has one for each pair, as it has another surface there.
+    std::int32_t add_struck(std::int32_t mover, std::int32_t body, double time) {
+        for (std::size_t i = 0; mover != none && i < struck_.size(); ++i)
+            if (struck_[i].mover == mover) return std::int32_t(i);
+        struck_.push_back({mover, body, state_of(mover, body, time), {}});
+        bodies_.push_back(impact_body(mover, body, struck_.back().now));
+        return std::int32_t(struck_.size()) - 1;
+    }
+    void add_touching(const SweptPair& pair, double time, bool rests) {
+        const std::int32_t a = add_struck(pair.first, s.shapes.links[pair.shape].body, time),
+                           b = add_struck(pair.second, s.shapes.links[pair.other].body, time);
+        Struck &first = struck_[std::size_t(a)], &second = struck_[std::size_t(b)];
+        const std::size_t before = points_.size();
+        find_meeting_points(s.bodies, s.shapes, pair.shape, first.now, pair.other, second.now, scratch_, points_);
+        const std::span<ImpactPoint> points = std::span(points_).subspan(before);
+        set_rebounds(pair, first.now, second.now, points);
+        const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
+        touching_.push_back({a, b, int(points.size()),
+                             {double(material.restitution), double(material.friction), double(material.torsion_radius),
+                              double(material.rolling_radius), double(s.settings.restitution_speed)},
+                             rests});
+        for (Struck* const body : {&first, &second}) {
+            const DVec3 belt = surface_velocity(body == &first ? pair.shape : pair.other, points);
+            body->belt += belt, bodies_[std::size_t(body == &first ? a : b)].v += belt;
+        }
+    }
+    // The two that meet, and what they have met in this step and lie on.
+    void gather_struck(const SweptPair& pair, std::int32_t k, double time) {
+        struck_.clear(), bodies_.clear(), touching_.clear(), points_.clear();
+        add_touching(pair, time, false);
+        if (points_.empty()) return;
+        for (const std::int32_t i : {pair.first, pair.second}) {
+            if (i == none || movers_[i].has_stopped()) continue;
+            pairs_.for_each_of(i, [&](std::int32_t other) {
+                const SweptPair& p = pairs_[other];
+                const bool is_listed = i == pair.second && (p.first == pair.first || p.second == pair.first);
+                if (other != k && !is_listed && p.rests && p.touches) add_touching(p, time, true);
+            });
+        }
+    }
+
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
-        const std::int32_t body_a = s.shapes.links[pairs_[k].shape].body, body_b = s.shapes.links[pairs_[k].other].body;
+        const std::int32_t body_b = s.shapes.links[pairs_[k].other].body;
         if (pairs_[k].second == none && can_go_on(body_b)) expect_renewal(mover_at(body_b, time));
         const SweptPair pair = pairs_[k];
-        MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
-        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, scratch_, points_);
-        set_rebounds(pair, now_a, now_b);
-        ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
-        const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
-        const ImpactMaterial law{double(material.restitution), double(material.friction),
-                                 double(material.torsion_radius), double(material.rolling_radius),
-                                 double(s.settings.restitution_speed)};
-        const DVec3 belt_a = surface_velocity(pair.shape), belt_b = surface_velocity(pair.other);
-        a.v += belt_a, b.v += belt_b;
-        ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
+        gather_struck(pair, k, time);
+        ImpactOutcome outcome = cairn::collide(bodies_, touching_, points_, buffer_);
         // What would not be seen in the rest of the step is none: forces press them together. Of a pair that meets for
         // the first time, in a whole step: what is left of this one may be next to nothing.
         const double time_to_see = pair.has_begun || pair.rests ? (1 - time) * double(dt_) : double(dt_);
         const bool is_impact = outcome.approach * time_to_see > impact_tolerance(half_width_of(pair.shape, pair.other));
         // Spins beyond the world's limit are cut: what then still approaches is stopped by its velocity alone.
         if (is_impact) {
-            const bool cut_a = cut_spin(a), cut_b = cut_spin(b);
-            if (cut_a || cut_b) cairn::collide(a, b, points_, law, rows_);
+            bool was_cut = false;
+            for (ImpactBody& body : bodies_) was_cut |= cut_spin(body);
+            if (was_cut) cairn::collide(bodies_, touching_, points_, buffer_);
         }
         if (is_impact) pairs_[k].touches = !outcome.bounces;
-        if (!is_impact && (points_.empty() || pair.rests)) return part_ways(k, time);
+        changed_.clear();
+        if (!is_impact && (points_.empty() || pair.rests)) {
+            if (!part_ways(k, time)) return false;
+            follow(time);
+            return true;
+        }
         if (is_impact) {
             ++s.statistics.impacts;
             report(pair, outcome, time);
@@ -273,15 +318,14 @@ class ImpactQueue {
         } else {
             outcome.normal = points_.front().normal;
         }
-        now_a.v = a.v - belt_a, now_a.w = a.w, now_b.v = b.v - belt_b, now_b.w = b.w;
         if (!outcome.bounces) {
             pairs_[k].rests = true;
             movers_.rest_on(pair.first, outcome.normal);
             if (pair.second != none) movers_.rest_on(pair.second, -outcome.normal);
         }
-        go_on(pair.first, body_a, time, now_a);
-        go_on(pair.second, body_b, time, now_b);
-        if (!part_ways(k, time)) follow(pair, time);
+        for (std::size_t i = 0; i < struck_.size(); ++i) go_on(i, time);
+        part_ways(k, time);
+        follow(time);
         return true;
     }
 
@@ -300,18 +344,18 @@ class ImpactQueue {
             }
             return impact_body(mover, body, now);
         };
-        ImpactBody a = on_its_way(pair.first, pair.shape), b = on_its_way(pair.second, pair.other);
-        const DVec3 va = a.v, wa = a.w, vb = b.v, wb = b.w;
-        for (ImpactPoint& point : points_) point.rebound = 0;
-        const ImpactOutcome outcome = cairn::collide(a, b, points_, ImpactMaterial{}, rows_);
+        const ImpactBody before[] = {on_its_way(pair.first, pair.shape), on_its_way(pair.second, pair.other)};
+        ImpactBody after[] = {before[0], before[1]};
+        const ImpactPair smooth{0, 1, touching_.front().points, {}};
+        for (int i = 0; i < smooth.points; ++i) points_[std::size_t(i)].rebound = 0;
+        const ImpactOutcome outcome = cairn::collide(after, std::span(&smooth, 1), points_, buffer_);
         if (!(outcome.approach * (1 - time) * double(dt_) > impact_tolerance(half_width_of(pair.shape, pair.other))))
             return false;
         pairs_[k].touches = true;
         // What is free has one velocity on its way and in the end: it takes it from the other.
         const bool one_is_free = is_free(pair.first) || is_free(pair.second);
-        push(pair.first, time, a.v - va, a.w - wa, one_is_free);
-        push(pair.second, time, b.v - vb, b.w - wb, one_is_free);
-        follow(pair, time);
+        push(pair.first, time, after[0].v - before[0].v, after[0].w - before[0].w, one_is_free);
+        push(pair.second, time, after[1].v - before[1].v, after[1].w - before[1].w, one_is_free);
         return true;
     }
     bool is_free(std::int32_t i) const { return i != none && movers_[i].is_free; }
@@ -323,30 +367,36 @@ class ImpactQueue {
         movers_.push_way(i, time, dv, dw, and_velocity);
         expect_renewal(i);
         ++movers_[i].impacts;
+        note_changed(i);
+    }
+    void note_changed(std::int32_t i) {
+        if (std::find(changed_.begin(), changed_.end(), i) == changed_.end()) changed_.push_back(i);
     }
 
-    // What is near the new ways of a pair, and all pairs of the two.
-    void follow(const SweptPair& pair, double time) {
-        std::int32_t changed[2] = {none, none};
-        int count = 0;
-        for (const std::int32_t i : {pair.first, pair.second})
-            if (i != none && !movers_[i].has_stopped()) look_near(i, time), changed[count++] = i;
-        if (count > 0) ask_again(changed[0], time, changed[1]);
+    // What is near the new ways, and all pairs of those that have them.
+    void follow(double time) {
+        for (const std::int32_t i : changed_) look_near(i, time);
+        ask_again(changed_, time);
     }
 
-    void go_on(std::int32_t mover, std::int32_t body, double time, const MovingState& now) {
-        if (mover != none) {
-            if (movers_[mover].has_stopped()) return;
-            if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
-            movers_.redirect(mover, time, now);
-            expect_renewal(mover);
-            ++movers_[mover].impacts;
+    // With the velocities after the impact.
+    void go_on(std::size_t struck, double time) {
+        const auto [mover, body, before, belt] = struck_[struck];
+        MovingState now = before;
+        now.v = bodies_[struck].v - belt, now.w = bodies_[struck].w;
+        const bool is_of_the_two = struck < 2;
+        if (!is_of_the_two && now.v == before.v && now.w == before.w) return;
+        if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return;
+        if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
+        if (mover == none) { // asleep, or on joints: those act in the next step
+            s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
+            s.bodies.links[body].quiet_time = 0;
             return;
         }
-        if (!s.bodies.is_dynamic(body)) return; // asleep, or on joints: those act in the next step
-        if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
-        s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
-        s.bodies.links[body].quiet_time = 0;
+        movers_.redirect(mover, time, now);
+        expect_renewal(mover);
+        if (is_of_the_two) ++movers_[mover].impacts;
+        note_changed(mover);
     }
     void look_near(std::int32_t i, double time) {
         movers_[i].is_redirected = true;
@@ -404,7 +454,11 @@ class ImpactQueue {
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
     std::vector<ImpactPoint>& points_ = step.solver.sweep.points;
-    std::vector<ImpactRow>& rows_ = step.solver.sweep.rows;
+    std::vector<Struck> struck_; // by the impact that is looked at
+    std::vector<ImpactBody>& bodies_ = step.solver.sweep.struck; // likewise
+    std::vector<ImpactPair>& touching_ = step.solver.sweep.touching;
+    std::vector<std::int32_t> changed_; // movers
+    ImpactBuffer& buffer_ = step.solver.sweep.impact;
 };
 
 } // namespace

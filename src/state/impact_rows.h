@@ -3,6 +3,9 @@
 
 #include "math/vec.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace cairn {
 
 struct ImpactPoint {
@@ -11,10 +14,39 @@ struct ImpactPoint {
     double rebound = 0;           // m/s: as fast as that it leaves, at least
 };
 
+// A body at the moment of an impact; with an inverse mass and inertia of 0 it does not react.
+struct ImpactBody {
+    math::DVec3 x; // center of mass
+    math::DVec3 v, w;
+    double inverse_mass = 0;
+    math::DSym3 inverse_inertia; // world axes
+};
+
+struct ImpactMaterial {
+    double restitution, friction;
+    double torsion_radius, rolling_radius; // m
+    double restitution_speed;              // m/s: slower approaches do not bounce
+};
+
+// Two bodies, by their places, that touch at some points.
+struct ImpactPair {
+    std::int32_t a, b;
+    int points;
+    ImpactMaterial material;
+    bool rests = false; // it has met before: nothing bounces, and what does not approach may come to
+};
+
 struct ImpactRow {
     math::DVec3 direction, arm_a, arm_b; // arms: r x direction; of a couple, no direction, and its axis
     math::DVec3 turn_a, turn_b;          // inverse inertia times arm
     double inverse_effective_mass, target, impulse;
+    std::int32_t a, b, pair; // by their places
+};
+
+// Working memory of an impact.
+struct ImpactBuffer {
+    std::vector<ImpactRow> rows;
+    std::vector<ImpactBody> before;
 };
 
 } // namespace cairn
