@@ -132,6 +132,8 @@ void shrink(Convex& c, double depth) {
     c.radius = std::max(0.0, around - depth);
     if (c.kind == Convex::Kind::box) {
         for (int i = 0; i < 3; ++i) c.size[i] = std::max(0.0, c.size[i] - left);
+    } else if (c.kind == Convex::Kind::capsule) { // both of its radii, of which `radius` is the smaller one
+        c.size.x = std::max(0.0, c.size.x - depth), c.size.z = std::max(0.0, c.size.z - depth);
     } else if (c.kind == Convex::Kind::cylinder && left > 0) {
         const Frustum f = inset_frustum(c.size.x, c.size.y, c.size.z, std::min(left, 0.999 * c.size.y));
         const double half = std::max(0.0, 0.5 * (f.high - f.low));

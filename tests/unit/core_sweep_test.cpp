@@ -128,6 +128,20 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     EXPECT_LE(met, 1);
 }
 
+// The core of a capsule of two radii was the capsule itself: whatever it touched had met its core, 64 times in a step.
+TEST(CoreSweep, CoresAreAsDeepInsideAsTheyShouldBe) {
+    Random random(4);
+    for (int k = 0; k < 3000; ++k) {
+        const Solid s = any_solid(random, 1);
+        const Convex whole = s.at({}, random.rotation());
+        const double depth = random.uniform(0.001, 0.5) * whole.extent;
+        const Convex core = shrunk(whole, depth);
+        const DVec3 d = random.direction();
+        const double inside = dot(d, support(whole, d)) - dot(d, support(core, d));
+        ASSERT_GT(inside, 0.4 * depth) << k << ", kind " << int(whole.kind);
+    }
+}
+
 // What is pressed into something beyond its core, and leaves it turning, was met anew at once wherever in a step it was
 // asked, 64 times, and then stood still for the rest of the step.
 TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
