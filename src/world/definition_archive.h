@@ -4,6 +4,7 @@
 
 #include "core/archive.h"
 #include "core/fields.h"
+#include "core/set_aside.h"
 #include "state/state.h"
 #include "world/impl.h"
 
@@ -189,12 +190,12 @@ inline SleepEventFields fields_of(const SleepEvent& e) { return {e.body, e.aslee
 inline SleepEvent from_fields(const SleepEventFields& f) { return {f.body, f.asleep != 0}; }
 
 template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
-    std::vector<decltype(fields_of(values[0]))> fields;
-    if constexpr (!Archive::reading)
-        for (const T& value : values) fields.push_back(fields_of(value));
-    if constexpr (std::is_same_v<Archive, ArchiveChecker>) {
-        values.reserve(archive(fields));
+    if constexpr (std::is_same_v<Archive, SetAside>) {
+        archive(values);
     } else {
+        std::vector<decltype(fields_of(values[0]))> fields;
+        if constexpr (!Archive::reading)
+            for (const T& value : values) fields.push_back(fields_of(value));
         archive(fields);
         if constexpr (Archive::reading) {
             values.clear();

@@ -4,10 +4,12 @@
 #include "core/fields.h"
 #include "core/hash.h"
 #include "core/image_archive.h"
+#include "core/set_aside.h"
 #include "world/definition_archive.h"
 #include "world/impl.h"
 #include "world/snapshot_header.h"
 #include "world/state_archive.h"
+#include "world/state_check.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -150,13 +152,45 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
     return fresh;
 }
 
-template <class Reader> void World::Impl::restore_in_place(Reader& reader) {
+void World::Impl::restore_in_place(ImageReader& reader) {
     failed_call = "World::restore"; // in case that memory runs out
     state.statistics = {};
     serialize_state(reader, state, [](StatePart) {});
     state.events.forget();
     ++state.joints.changes; // what was found out about joints was so in another state
     failed_call = nullptr;
+}
+
+template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&& tell_of_it) {
+    const auto go_through = [&](SetAside::Mode mode) {
+        set_aside.begin(mode);
+        serialize_state(set_aside, state, [](StatePart) {});
+    };
+    const auto exchange = [&] { go_through(SetAside::Mode::exchange); };
+    go_through(SetAside::Mode::make_room);
+    const Statistics before = state.statistics;
+    exchange();
+    try {
+        state.statistics = {};
+        serialize_state(reader, state, [](StatePart) {});
+        reader.end();
+        check_state(state);
+        state.bodies.pushed.reserve(state.bodies.forces.capacity()); // pushing allocates nothing
+    } catch (...) {
+        exchange();
+        state.statistics = before;
+        throw;
+    }
+    if (listener) {
+        const Statistics found = state.statistics;
+        exchange();
+        state.statistics = before;
+        tell_of_it();
+        exchange();
+        state.statistics = found;
+    }
+    state.events.forget();
+    ++state.joints.changes;
 }
 
 void World::Impl::take_over(Impl& other) {
@@ -251,21 +285,15 @@ void World::restore(const Snapshot& snapshot) {
     if (!definitions ||
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
-    const std::byte* const state = snapshot.bytes.data() + sizeof header;
-    const std::size_t size = snapshot.bytes.size() - sizeof header;
-    ArchiveReader reader(state, size);
-    if (are_the_same) {
-        // A checksum that fits does not say who made it: what would be refused half way is refused here.
-        ArchiveChecker checker(state, size);
-        serialize_state(checker, impl_->state, [](StatePart) {});
-        if (checker.bytes_left() > 0) throw_damaged();
-        impl_->tell(commands::world_restore, snapshot);
-        return impl_->restore_in_place(reader);
-    }
+    ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
+    const auto tell_of_it = [&] { impl_->tell(commands::world_restore, snapshot); };
+    if (are_the_same) return impl_->restore_in_place(reader, tell_of_it);
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
+    check_definitions(fresh->state, {fresh->names, fresh->user_data, fresh->def_of, fresh->joint_defs});
     serialize_state(reader, fresh->state, [](StatePart) {});
-    if (reader.bytes_left() > 0) throw_damaged();
-    impl_->tell(commands::world_restore, snapshot);
+    reader.end();
+    check_state(fresh->state);
+    tell_of_it();
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
 }
