@@ -58,8 +58,8 @@ template <class Id> class SlotPool {
     std::size_t size() const noexcept { return generations_.size(); } // live, dead and free
     bool full() const noexcept { return free_.empty() && generations_.size() >= max_slots; }
 
+    // Without the world's number, of which there is one for all pools.
     template <class Archive> void serialize(Archive& archive) {
-        archive(world_);
         archive(generations_);
         archive(live_);
         archive(free_);

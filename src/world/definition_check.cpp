@@ -34,7 +34,16 @@ void check_bodies(const Bodies& bodies, const CheckedDefinitions& definitions) {
     for (std::size_t i = 0; i < count; ++i) {
         require_sound(bodies.settings[i].type <= BodyType::dynamic, {"bodies", i, "type"}, int(bodies.settings[i].type),
                       "must be 0 to 2");
-        require_sound(is_finite(bodies.mass[i].center), {"bodies", i, "center"}, 0, "must be finite");
+        const BodyMass& mass = bodies.mass[i];
+        const math::Vec3 moments = mass.inertia, inverse = mass.inverse_inertia;
+        const math::Quat q = mass.principal;
+        require_sound(is_finite(mass.center), {"bodies", i, "center"}, 0, "must be finite");
+        require_sound(mass.mass >= 0 && mass.inverse_mass >= 0 && is_finite(moments) && is_finite(inverse) &&
+                          are_finite(mass.mass, mass.inverse_mass) && moments.x >= 0 && moments.y >= 0 &&
+                          moments.z >= 0 && inverse.x >= 0 && inverse.y >= 0 && inverse.z >= 0,
+                      {"bodies", i, "mass"}, 0, "must be finite, and 0 or more");
+        const float square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+        require_sound(square > 0.5f && square < 2, {"bodies", i, "principal"}, 0, "must be a unit quaternion");
         kinematic += bodies.slots.is_live(std::uint32_t(i)) && bodies.settings[i].type == BodyType::kinematic;
     }
     std::vector<std::uint8_t> listed(count);

@@ -143,8 +143,17 @@ template <class Archive> void serialize_counters(Archive& archive, State& s) {
     archive(s.steps), archive(s.time), archive(s.clamped_speeds);
     archive(s.statistics.tested_pairs), archive(s.statistics.max_penetration), archive(s.statistics.swept_pairs);
     archive(s.statistics.impacts), archive(s.statistics.stopped_bodies);
-    archive(s.events.ends.next), serialize_fields(archive, s.events.triggers.next);
+    serialize_fields(archive, s.events.ends.next), serialize_fields(archive, s.events.triggers.next);
     serialize_fields(archive, s.events.joints.next), serialize_fields(archive, s.events.sleeps.next);
+}
+
+// In events that were read: their handles are kept without.
+inline void name_world_in_events(State& s) {
+    const auto name = [world = s.bodies.slots.world()](auto&... ids) { (name_world(ids, world), ...); };
+    for (ContactEnd& e : s.events.ends.next) name(e.shape_a, e.shape_b, e.body_a, e.body_b);
+    for (TriggerEvent& e : s.events.triggers.next) name(e.trigger, e.other, e.trigger_body, e.other_body);
+    for (JointEvent& e : s.events.joints.next) name(e.joint, e.body_a, e.body_b);
+    for (SleepEvent& e : s.events.sleeps.next) name(e.body);
 }
 
 // What a snapshot's bytes are for, in their order.

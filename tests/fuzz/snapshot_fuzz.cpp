@@ -99,9 +99,7 @@ void restore_forged(char which, const Snapshot& saved, const std::uint8_t* data,
     if (which == 'd') {
         auto definitions = std::make_shared<SnapshotDefinitions>(*saved.definitions);
         damage(definitions->bytes, data, size);
-        Hash64 hash;
-        hash.add_bytes(definitions->bytes.data(), definitions->bytes.size());
-        const std::uint64_t value = hash.value();
+        const std::uint64_t value = hash_of(definitions->bytes);
         std::memcpy(forged.bytes.data() + offsetof(SnapshotHeader, definitions), &value, sizeof value);
         forged.definitions = std::move(definitions);
     } else {
