@@ -5,7 +5,7 @@
 ///     key Shift+Backspace    press and release a key
 ///     down KP4               press a key ...
 ///     up KP4                 ... and release it
-///     cursor 640 360         move the cursor there, in pixels from the top left corner
+///     cursor 640 360         move the cursor there, in pixels from the top left corner; over a panel it is the panel's
 ///     press Shift+left       hold a mouse button down (left, right or middle; with keys before it that are held) ...
 ///     release left           ... and let it go, with those keys
 ///     wheel -2               turn the wheel

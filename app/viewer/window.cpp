@@ -63,6 +63,7 @@ class Application {
     void set_modifiers(int modifiers);
     void play_script(double seconds);
     void play(const ScriptLine& line);
+    void show_script_mouse() const;
     void fit_interface();
     void rebuild_fonts();
     void save_picture(const std::filesystem::path& path);
@@ -84,6 +85,11 @@ class Application {
     Controller controller_;
     Panel panel_;
     ScriptPlayer script_;
+    struct {
+        bool is_used = false; // in place of the mouse, from the first time that it moves until that moves itself
+        float x = 0.0f, y = 0.0f;
+        std::array<bool, 3> down{}; // by ImGui's number of the button
+    } script_mouse_;
     WindowFacts facts_;
     std::filesystem::path window_picture_;   // to be taken of this frame
     int frame_width_ = 0, frame_height_ = 0; // of the whole window, pixels
@@ -122,7 +128,10 @@ void Application::install_callbacks() {
         application(w)->set_modifiers(modifiers);
         application(w)->on_button(button, action);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { application(w)->on_cursor(x, y); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        application(w)->script_mouse_.is_used = false;
+        application(w)->on_cursor(x, y);
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) { application(w)->on_wheel(notches); });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         const std::vector<std::string> dropped(paths, paths + count);
@@ -202,6 +211,9 @@ void Application::play_script(double seconds) {
     while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) {
         play(*line);
         if (!window_picture_.empty()) break; // it is of what came before, and taken at the end of the frame
+        // The panels are told of the mouse once in a frame, and then know whether it is theirs.
+        using Kind = ScriptLine::Kind;
+        if (line->kind == Kind::cursor || line->kind == Kind::press || line->kind == Kind::release) break;
     }
 }
 
@@ -212,6 +224,10 @@ void Application::play(const ScriptLine& line) {
     const MouseButton button = key == "left"    ? MouseButton::left
                                : key == "right" ? MouseButton::right
                                                 : MouseButton::middle;
+    const std::size_t number = key == "left"    ? ImGuiMouseButton_Left
+                               : key == "right" ? ImGuiMouseButton_Right
+                                                : ImGuiMouseButton_Middle;
+    const bool is_over_panel = script_mouse_.is_used && ImGui::GetIO().WantCaptureMouse;
     switch (line.kind) {
     case ScriptLine::Kind::wait:
         break;
@@ -227,18 +243,25 @@ void Application::play(const ScriptLine& line) {
         break;
     case ScriptLine::Kind::cursor:
         on_cursor(line.x, line.y);
+        script_mouse_.is_used = true;
+        script_mouse_.x = float(line.x), script_mouse_.y = float(line.y);
         break;
     case ScriptLine::Kind::press:
         set_modifiers((modifiers.find("Shift+") != std::string::npos ? GLFW_MOD_SHIFT : 0) |
                       (modifiers.find("Ctrl+") != std::string::npos ? GLFW_MOD_CONTROL : 0));
-        press(button);
+        script_mouse_.down[number] = true;
+        if (!is_over_panel) press(button);
         break;
     case ScriptLine::Kind::release:
+        script_mouse_.down[number] = false;
         release(button);
         set_modifiers(0);
         break;
     case ScriptLine::Kind::wheel:
-        controller_.wheel(float(line.x));
+        if (is_over_panel)
+            ImGui::GetIO().MouseWheel += float(line.x);
+        else
+            controller_.wheel(float(line.x));
         break;
     case ScriptLine::Kind::drop:
         controller_.drop_files(std::array{line.word});
@@ -256,6 +279,14 @@ void Application::play(const ScriptLine& line) {
         controller_.quit = true;
         break;
     }
+}
+
+// To the panels, which have asked the window for its own.
+void Application::show_script_mouse() const {
+    if (!script_mouse_.is_used) return;
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {script_mouse_.x, script_mouse_.y};
+    for (std::size_t i = 0; i < script_mouse_.down.size(); ++i) io.MouseDown[i] |= script_mouse_.down[i];
 }
 
 // The interface has the same share of a window of any size and pixels of any density, as far as letters stay legible.
@@ -416,6 +447,7 @@ void Application::run() {
         save_what_was_asked_for();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        show_script_mouse();
         ImGui::NewFrame();
         panel_.draw(latest.stage, controller_, facts_, interface_scale_);
         ImGui::Render();

@@ -41,6 +41,12 @@ class KdOrder {
     std::vector<std::uint32_t> order_;
 };
 
+// Of the levels of a tree: throws Error(invalid_file) unless each of `count` items has a box of numbers or none, and
+// the lanes beyond them are empty. `alive`: how many have one.
+void check_leaves(const char* name, const Node8* leaves, std::size_t count, std::size_t& alive);
+// Likewise above the leaves: `count` nodes of the level below.
+void check_inner_nodes(const char* name, const Node8* nodes, std::size_t count);
+
 class SlotTree {
   public:
     std::uint32_t slot_count() const { return std::uint32_t(items_.size()); }
@@ -74,6 +80,9 @@ class SlotTree {
     void assign(std::span<const std::uint32_t> items, std::span<const TreeBox> boxes, KdOrder& kd,
                 const BroadKernels& kernels);
     std::size_t bytes() const;
+
+    // Of what was read from a snapshot: throws Error(invalid_file) unless it is a tree of items below `items`.
+    void check(const char* name, std::size_t items) const;
 
     template <class Archive> void serialize(Archive& archive) {
         archive(items_);

@@ -35,6 +35,15 @@ struct PairSink {
     ~PairSink() = default;
 };
 
+// Is shown all pairs that a snapshot has. Implemented by who knows the contacts; throws if there is none of that
+// number.
+struct PairReader {
+    virtual void pair(std::uint32_t shape_a, std::uint32_t shape_b, std::uint32_t contact) = 0;
+
+  protected:
+    ~PairReader() = default;
+};
+
 // A shape and where it is now (BroadPhase::set_bounds).
 struct NewBounds {
     std::uint32_t shape;
@@ -154,8 +163,16 @@ class BroadPhase {
     // to one such object, and saves or loads it. Load into a BroadPhase with the kernels of any instruction set.
     template <class Archive> void serialize(Archive& archive);
 
-  private:
+    // Of what was read from a snapshot: throws Error(invalid_file) unless all that it names is there. `shapes`: more
+    // than any shape's index. Pairs that no change would end are looked for at the next update. (broad_phase_check.cpp)
+    void check(std::size_t shapes, PairReader& reader);
+
     enum class State : std::uint8_t { none, fixed, plane, awake, sleeping, removed };
+    State state_of(std::uint32_t shape) const { return shape < proxies_.size() ? proxies_[shape].state : State::none; }
+    // Of a shape that sleeps.
+    std::uint32_t sleeping_key(std::uint32_t shape) const { return islands_[proxies_[shape].home].key; }
+
+  private:
     struct Proxy {
         std::uint32_t place = 0; // slot in its tree; index in the list of planes
         std::uint32_t home = 0;  // awake: 0 or 1 (large); sleeping: its island
@@ -258,6 +275,18 @@ class BroadPhase {
     bool is_new(int home, const NewRows::Leaf& rows, const std::uint32_t* keys) const;
     void merge_leaf(int home, const NewRows::Leaf& rows, const std::uint32_t* key);
 
+    // snapshots (broad_phase_check.cpp)
+    struct Noticed;
+    void check_proxies(std::size_t shapes) const;
+    void check_trees() const;
+    void check_islands() const;
+    void check_changes() const;
+    bool ends_or_goes_on(const Noticed& noticed, int home, std::uint32_t slot, std::uint32_t key) const;
+    void check_rows(PairReader& reader);
+    std::uint32_t check_kept(std::uint32_t island, std::uint32_t first, std::vector<std::uint8_t>& seen,
+                             PairReader* reader) const;
+    void check_kept(PairReader& reader) const;
+
     // order and report (broad_phase_update.cpp)
     void sort_if_due();
     void sort_fixed();
@@ -312,7 +341,7 @@ class BroadPhase {
     Counts last_ = {};
 
     // --- scratch: kept between calls for its memory only
-    bool search_all_ = false;
+    bool search_all_ = false, search_all_next_ = false;
     std::uint32_t small_count_ = 0;
     std::vector<std::uint8_t> dirty_[2], kinematic_leaf_[2]; // by leaf; nothing but kinematic shapes in it
     KdOrder kd_;

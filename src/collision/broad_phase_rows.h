@@ -41,6 +41,9 @@ class PairRows {
     void clear();
     std::size_t bytes() const;
 
+    // Of what was read from a snapshot: throws Error(invalid_file) unless they are rows of up to so many leaves.
+    void check(const char* name, std::uint32_t leaves) const;
+
     template <class Archive> void serialize(Archive& archive) { archive(leaves_), archive(pool_), archive(used_); }
 
   private:

@@ -15,6 +15,8 @@ void BroadPhase::update(PairSink& sink, ThreadPool* thread_pool) {
     fixed_.refit(kernels_);
     top_.refit(kernels_);
     collect_returned_pairs();
+    if (search_all_next_) all_dirty_ = 1;
+    search_all_next_ = false;
     if (all_dirty_ || !changes_.empty() || !touched_.empty()) {
         for (int home = 0; home < 2; ++home) {
             awake_[home].refit(kernels_);

@@ -20,12 +20,6 @@ float largest_extent(const Geometry& g) {
                                                                                   : g.bounding_radius;
 }
 
-// Wide kernels know balls, sharp boxes, capsules with equal ends, and surfaces that have ends and one side.
-bool has_wide_kernels(const Geometry& g) {
-    if (g.type == ShapeType::capsule) return g.size.x == g.size.z;
-    return g.type <= ShapeType::rectangle && !(g.rounding > 0) && !g.is_double_sided && !is_strip(g);
-}
-
 // By PairKind.
 struct WideTest {
     ShapeType first, second;
@@ -115,6 +109,11 @@ struct Sink final : PairSink {
 };
 
 } // namespace
+
+bool has_wide_kernels(const Geometry& g) {
+    if (g.type == ShapeType::capsule) return g.size.x == g.size.z;
+    return g.type <= ShapeType::rectangle && !(g.rounding > 0) && !g.is_double_sided && !is_strip(g);
+}
 
 std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& second_shape, bool& swapped) {
     ShapeType a = first_shape.type, b = second_shape.type;

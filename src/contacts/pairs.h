@@ -26,7 +26,10 @@ PairMaterial combined_material(const Material& a, const Material& b);
 // Those of the shapes of a contact, into its record.
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 
-// How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.
+// Wide kernels know balls, sharp boxes, capsules with equal ends, and surfaces that have ends and one side.
+bool has_wide_kernels(const Geometry& geometry);
+// How the two are tested; nothing for two surfaces. By their types, and whether wide kernels know each of them.
+// `swapped`: b is the first shape of the test.
 std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
 CollideKernel wide_kernel(PairKind kind);
 

@@ -38,6 +38,8 @@ template <class T, class F> void for_groups(F&& f) {
 template <class T> constexpr std::size_t words_of_group(std::size_t first) {
     return std::min(sizeof(T) / 4 - first, group);
 }
+// Bytes: the masks alone.
+template <class T> inline constexpr std::size_t min_packed_size = (sizeof(T) / 4 + 7) / 8;
 
 // Fails to compile, as no constant, where T has bytes that belong to no member: what they hold is left to chance.
 template <class T> constexpr bool has_no_gaps() {
@@ -56,19 +58,33 @@ class ArchiveWriter {
     template <class T> void operator()(const std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::has_no_gaps<T>());
         if constexpr (archive_detail::is_packed<T>) {
-            write(v, [&](std::size_t i) -> const T* { return i > 0 ? &v[i - 1] : nullptr; });
+            write(v, element_of(v), [&](std::size_t i) -> const T* { return i > 0 ? &v[i - 1] : nullptr; });
         } else {
             const std::uint64_t size = v.size();
             raw(&size, sizeof size);
             raw(v.data(), v.size() * sizeof(T));
         }
     }
+    // Of elements that hold what nothing asks for any more. `used(i, room)`: element i without it, as it is or in
+    // `room`.
+    template <class T, class F> void used_part(const std::vector<T>& v, const F& used) {
+        static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
+        T rooms[2];
+        const T *before = nullptr, *now = nullptr;
+        write(
+            v,
+            [&](std::size_t i) -> const T& {
+                before = now;
+                return *(now = &used(i, rooms[i % 2]));
+            },
+            [&](std::size_t) { return before; });
+    }
     // `foretell(i)`: what element i will likely be, from what has been written before this vector.
     template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         static_assert(archive_detail::has_no_gaps<T>());
         T expected;
-        write(v, [&](std::size_t i) -> const T* {
+        write(v, element_of(v), [&](std::size_t i) -> const T* {
             expected = foretell(i);
             return &expected;
         });
@@ -88,13 +104,20 @@ class ArchiveWriter {
     std::size_t size() const noexcept { return out_.size(); }
 
   private:
-    template <class T, class Expected> void write(const std::vector<T>& v, Expected&& expected) {
+    template <class T> static auto element_of(const std::vector<T>& v) {
+        return [&v](std::size_t i) -> const T& { return v[i]; };
+    }
+    template <class T, class Element, class Expected>
+    void write(const std::vector<T>& v, Element&& element, Expected&& expected) {
         const std::uint64_t count = v.size();
         raw(&count, sizeof count);
         const std::size_t at = out_.size();
         out_.resize(at + v.size() * archive_detail::max_packed_size<T>);
         std::byte* to = out_.data() + at;
-        for (std::size_t i = 0; i < v.size(); ++i) to = pack(v[i], expected(i), to);
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const T& now = element(i);
+            to = pack(now, expected(i), to);
+        }
         out_.resize(std::size_t(to - out_.data()));
     }
     // `expected`: null for zeros.
@@ -126,15 +149,49 @@ class ArchiveWriter {
     std::vector<std::byte>& out_;
 };
 
-// Bytes of an archive, from front to back. Throws Error(invalid_file) rather than read past the end.
-class ArchiveBytes {
+// Reads an archive from front to back. Throws Error(invalid_file) rather than read past the end.
+class ArchiveReader {
   public:
     static constexpr bool reading = true;
-    std::size_t bytes_left() const noexcept { return left_; }
+    ArchiveReader(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
 
-  protected:
-    ArchiveBytes(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
+    // Throws Error(invalid_file) where anything is left.
+    void end() const {
+        if (left_ > 0) throw_short();
+    }
+    template <class T> void operator()(std::vector<T>& v) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        if constexpr (archive_detail::is_packed<T>) {
+            v.resize(count(archive_detail::min_packed_size<T>));
+            for (std::size_t i = 0; i < v.size(); ++i) unpack(v[i], i > 0 ? &v[i - 1] : nullptr);
+        } else {
+            v.resize(count(sizeof(T)));
+            raw(v.data(), v.size() * sizeof(T));
+        }
+    }
+    template <class T, class F> void used_part(std::vector<T>& v, const F&) { (*this)(v); }
+    template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
+        static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
+        v.resize(count(archive_detail::min_packed_size<T>));
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const T expected = foretell(i);
+            unpack(v[i], &expected);
+        }
+    }
+    void operator()(std::string& s) {
+        s.resize(count(1));
+        raw(s.data(), s.size());
+    }
+    void operator()(bool& value) { // of which not every byte is one
+        std::uint8_t byte = 0;
+        raw(&byte, sizeof byte);
+        value = byte != 0;
+    }
+    template <class T>
+    requires std::is_trivially_copyable_v<T>
+    void operator()(T& value) { raw(&value, sizeof value); }
 
+  private:
     // Of elements that take so many bytes at least.
     std::size_t count(std::size_t element) {
         std::uint64_t n = 0;
@@ -150,11 +207,20 @@ class ArchiveBytes {
         if (left_ < 4 * count && left_ < 4 * std::size_t(std::popcount(mask))) throw_short();
         return mask;
     }
-    const std::byte* next() const { return data_; }
-    void pass(std::size_t size) {
-        if (size > left_) throw_short();
-        data_ += size;
-        left_ -= size;
+    template <class T> void unpack(T& value, const T* expected) {
+        auto* const words = reinterpret_cast<std::byte*>(&value);
+        if (expected)
+            std::memcpy(words, static_cast<const void*>(expected), sizeof value);
+        else
+            std::memset(words, 0, sizeof value);
+        archive_detail::for_groups<T>([&](auto first) {
+            std::uint32_t differ = mask<archive_detail::words_of_group<T>(first)>();
+            const std::byte* from = data_;
+            for (; differ != 0; differ &= differ - 1, from += 4)
+                std::memcpy(words + 4 * (first + std::size_t(std::countr_zero(differ))), from, 4);
+            left_ -= std::size_t(from - data_);
+            data_ = from;
+        });
     }
     void raw(void* out, std::size_t size) {
         if (size > left_) throw_short();
@@ -162,97 +228,11 @@ class ArchiveBytes {
         data_ += size;
         left_ -= size;
     }
-
-  private:
     [[noreturn]] static void throw_short() {
         throw Error(ErrorCode::invalid_file, "Snapshot", "", "is cut off or damaged");
     }
     const std::byte* data_;
     std::size_t left_;
-};
-
-class ArchiveReader : public ArchiveBytes {
-  public:
-    ArchiveReader(const std::byte* data, std::size_t size) : ArchiveBytes(data, size) {}
-
-    template <class T> void operator()(std::vector<T>& v) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        if constexpr (archive_detail::is_packed<T>) {
-            v.resize(count(1));
-            for (std::size_t i = 0; i < v.size(); ++i) unpack(v[i], i > 0 ? &v[i - 1] : nullptr);
-        } else {
-            v.resize(count(sizeof(T)));
-            raw(v.data(), v.size() * sizeof(T));
-        }
-    }
-    template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
-        static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
-        v.resize(count(1));
-        for (std::size_t i = 0; i < v.size(); ++i) {
-            const T expected = foretell(i);
-            unpack(v[i], &expected);
-        }
-    }
-    void operator()(std::string& s) {
-        s.resize(count(1));
-        raw(s.data(), s.size());
-    }
-    template <class T>
-    requires std::is_trivially_copyable_v<T>
-    void operator()(T& value) { raw(&value, sizeof value); }
-
-  private:
-    template <class T> void unpack(T& value, const T* expected) {
-        archive_detail::Words<T> words{};
-        if (expected) std::memcpy(words.data(), static_cast<const void*>(expected), sizeof value);
-        archive_detail::for_groups<T>([&](auto first) {
-            std::uint32_t differ = mask<archive_detail::words_of_group<T>(first)>();
-            const std::byte* from = next();
-            for (; differ != 0; differ &= differ - 1, from += 4)
-                std::memcpy(&words[first + std::size_t(std::countr_zero(differ))], from, 4);
-            pass(std::size_t(from - next()));
-        });
-        std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);
-    }
-};
-
-// Goes through what a reader is to read, and keeps none of it: throws what the reader would throw, and makes room for
-// what the vectors will hold, which stay as they are. What it has been through is then read without a throw.
-class ArchiveChecker : public ArchiveBytes {
-  public:
-    ArchiveChecker(const std::byte* data, std::size_t size) : ArchiveBytes(data, size) {}
-
-    // Returns how many elements there are.
-    template <class T> std::size_t operator()(std::vector<T>& v) {
-        const std::size_t n = count(archive_detail::is_packed<T> ? 1 : sizeof(T));
-        v.reserve(n);
-        if constexpr (archive_detail::is_packed<T>)
-            for (std::size_t i = 0; i < n; ++i) pass_packed<T>();
-        else
-            pass(n * sizeof(T));
-        return n;
-    }
-    template <class T, class F> void foretold(std::vector<T>& v, const F&) { (*this)(v); }
-    template <class T>
-    requires std::is_trivially_copyable_v<T>
-    void operator()(const T&) { pass(sizeof(T)); }
-
-  private:
-    // As in a byte of it, times the size of a word: without an instruction for it a count of bits is a call.
-    static constexpr std::array<std::uint8_t, 256> bits_of = [] {
-        std::array<std::uint8_t, 256> bits{};
-        for (unsigned i = 0; i < 256; ++i) bits[i] = std::uint8_t(4 * std::popcount(i));
-        return bits;
-    }();
-    template <class T> void pass_packed() {
-        archive_detail::for_groups<T>([&](auto first) {
-            const std::uint32_t differ = mask<archive_detail::words_of_group<T>(first)>();
-            std::size_t size = 0;
-            for (std::size_t i = 0; i < archive_detail::mask_size(archive_detail::words_of_group<T>(first)); ++i)
-                size += bits_of[(differ >> (8 * i)) & 255];
-            pass(size);
-        });
-    }
 };
 
 } // namespace cairn

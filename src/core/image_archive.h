@@ -39,6 +39,8 @@ class ImageWriter {
         static_assert(std::is_trivially_copyable_v<T>);
         write(v.data(), v.size() * sizeof(T));
     }
+    // What nothing asks for stays as it is from state to state, and so costs nothing here.
+    template <class T, class F> void used_part(const std::vector<T>& v, const F&) { (*this)(v); }
     // What is as foretold from what came before is 0 in the image, and so the same from state to state.
     template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0);
@@ -83,6 +85,7 @@ class ImageReader {
         v.resize(part.size / sizeof(T));
         if (part.size > 0) std::memcpy(static_cast<void*>(v.data()), part.words.data(), part.size);
     }
+    template <class T, class F> void used_part(std::vector<T>& v, const F&) { (*this)(v); }
     template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
         const StateImage::Part& part = next();
         v.resize(part.size / sizeof(T));

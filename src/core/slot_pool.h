@@ -2,6 +2,8 @@
 // stale, but the index is not given out yet, because something may still refer to it); free.
 #pragma once
 
+#include "core/sound.h"
+
 #include <cairn/handle.h>
 
 #include <cstddef>
@@ -56,12 +58,35 @@ template <class Id> class SlotPool {
     std::size_t size() const noexcept { return generations_.size(); } // live, dead and free
     bool full() const noexcept { return free_.empty() && generations_.size() >= max_slots; }
 
+    // Without the world's number, of which there is one for all pools.
     template <class Archive> void serialize(Archive& archive) {
-        archive(world_);
         archive(generations_);
         archive(live_);
         archive(free_);
         archive(live_count_);
+    }
+
+    // Of what was read from a snapshot: throws Error(invalid_file) unless each slot is in one state. `dead`: those that
+    // are dead, except such as have used up their generations.
+    void check(const char* name, const std::vector<std::uint32_t>& dead) const {
+        require_sound(world_ > 0 && world_ <= 0xffff, {name, 0, "world"}, world_, "must be 1 to 65535");
+        require_count(name, live_.size(), generations_.size());
+        std::vector<std::uint8_t> state(generations_.size());
+        std::size_t live = 0;
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            require_sound(generations_[i] > 0 && generations_[i] <= last_generation, {name, i, "generation"},
+                          generations_[i], "must be 1 to 1048575");
+            require_sound(live_[i] <= 1, {name, i, "live"}, live_[i], "must be 0 or 1");
+            live += state[i] = live_[i];
+        }
+        require_count(name, live_count_, live);
+        for (const auto* list : {&free_, &dead})
+            for (std::size_t k = 0; k < list->size(); ++k) {
+                const std::uint32_t slot = (*list)[k];
+                require_sound(slot < state.size() && !state[slot], {name, k, list == &free_ ? "free" : "dead"}, slot,
+                              "must be a slot that is not live, and not be listed twice");
+                state[slot] = 1;
+            }
     }
 
   private:

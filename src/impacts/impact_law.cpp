@@ -43,8 +43,8 @@ class RowMaker {
   private:
     ImpactRow finished(DVec3 direction, DVec3 arm_a, DVec3 arm_b, double inverse_mass) const {
         const DVec3 turn_a = a_.inverse_inertia * arm_a, turn_b = b_.inverse_inertia * arm_b;
-        return {direction, arm_a,   arm_b,   turn_a, turn_b, inverse_mass + (dot(arm_a, turn_a) + dot(arm_b, turn_b)),
-                0,         0,       pair_.a, pair_.b, index_};
+        return {direction, arm_a, arm_b,   turn_a,  turn_b, inverse_mass + (dot(arm_a, turn_a) + dot(arm_b, turn_b)),
+                0,         0,     pair_.a, pair_.b, index_};
     }
     const ImpactPair& pair_;
     const std::int32_t index_;
@@ -59,8 +59,8 @@ DVec3 any_tangent(DVec3 n) {
 // Rows of a point: the normal, two tangents, and couples about all three.
 constexpr std::size_t rows_per_point = 6;
 
-// `share`: of friction and couples that acts. Gauss-Seidel from the velocities before, to those of `bodies`. Returns the
-// energy that the impulses have added, by their work: half of the velocities before and after.
+// `share`: of friction and couples that acts. Gauss-Seidel from the velocities before, to those of `bodies`. Returns
+// the energy that the impulses have added, by their work: half of the velocities before and after.
 double solve(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs, ImpactBuffer& buffer, double share,
              double scale) {
     std::vector<ImpactRow>& rows = buffer.rows;

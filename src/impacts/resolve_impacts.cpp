@@ -263,7 +263,9 @@ class ImpactQueue {
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
         set_rebounds(pair, first.now, second.now, points);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
-        touching_.push_back({a, b, int(points.size()),
+        touching_.push_back({a,
+                             b,
+                             int(points.size()),
                              {double(material.restitution), double(material.friction), double(material.torsion_radius),
                               double(material.rolling_radius), double(s.settings.restitution_speed)},
                              rests});
@@ -454,7 +456,7 @@ class ImpactQueue {
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
     std::vector<ImpactPoint>& points_ = step.solver.sweep.points;
-    std::vector<Struck> struck_; // by the impact that is looked at
+    std::vector<Struck> struck_;                                 // by the impact that is looked at
     std::vector<ImpactBody>& bodies_ = step.solver.sweep.struck; // likewise
     std::vector<ImpactPair>& touching_ = step.solver.sweep.touching;
     std::vector<std::int32_t> changed_; // movers

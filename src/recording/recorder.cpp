@@ -9,6 +9,7 @@
 
 #include <cairn/error.h>
 #include <cairn/world.h>
+#include <cairn/world_number.h>
 
 #include <bit>
 #include <cmath>
@@ -99,10 +100,11 @@ class Recorder::Listener final : public CommandListener {
         return found->second;
     }
 
-    std::uint64_t number_of(const Snapshot& snapshot) override {
+    std::uint64_t number_of(const Snapshot& given) override {
         const std::uint64_t number = snapshot_count_++;
         if (!file_) return number;
-        const bool has_definitions = snapshot.definitions != last_definitions_;
+        const Snapshot snapshot = without_world(given); // the same run gives the same bytes in any world
+        const bool has_definitions = given.definitions != last_definitions_;
         if (has_definitions) definitions_number_ = number;
         std::string message;
         append_leb128(message, number), append_leb128(message, definitions_number_);
@@ -112,7 +114,7 @@ class Recorder::Listener final : public CommandListener {
             append_leb128(message, snapshot.definitions->bytes.size());
             message += as_text(snapshot.definitions->bytes);
             message += as_text(encode_shapes(snapshot.definitions->shapes, *this));
-            last_definitions_ = snapshot.definitions;
+            last_definitions_ = given.definitions;
         }
         snapshot_chunks_.emplace_back().add(snapshots_, std::uint32_t(number), nanoseconds(), message);
         return number;
@@ -174,12 +176,12 @@ class Recorder::Listener final : public CommandListener {
 
     void add_keyframe(const World& world) {
         end_batch(); // the log goes on behind it with a message of its own, which is how it is found there
-        const Snapshot snapshot = world.save();
+        const Snapshot saved = world.save(), snapshot = without_world(saved);
         std::string state;
         append_leb128(state, snapshot.bytes.size());
         state += as_text(snapshot.bytes);
-        if (snapshot.definitions != kept_definitions_) {
-            kept_definitions_ = snapshot.definitions;
+        if (saved.definitions != kept_definitions_) {
+            kept_definitions_ = saved.definitions;
             shapes_ = encode_shapes(snapshot.definitions->shapes, *this);
         }
         append_leb128(state, snapshot.definitions->bytes.size());

@@ -4,6 +4,7 @@
 
 #include "core/archive.h"
 #include "core/fields.h"
+#include "core/set_aside.h"
 #include "state/state.h"
 #include "world/impl.h"
 
@@ -19,6 +20,14 @@ namespace cairn {
 // What is archived member by member has as many of them as below.
 #define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
     static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
+
+// Handles are kept without the number of their world: the same run gives the same bytes in any world.
+template <class Tag> Handle<Tag> without_world(Handle<Tag> id) {
+    return Handle<Tag>::make(id.index(), id.generation(), 0);
+}
+template <class Tag> void name_world(Handle<Tag>& id, std::uint32_t world) {
+    if (!id.is_null()) id = Handle<Tag>::make(id.index(), id.generation(), world);
+}
 
 // --- Joints.
 
@@ -86,8 +95,13 @@ template <std::size_t I = 0> bool select_joint(Joint& joint, std::uint64_t index
 }
 
 CAIRN_ARCHIVES_MEMBERS(11, JointDef);
-template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def) {
-    archive(def.body_a), archive(def.body_b), archive(def.enable_collision);
+template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def, std::uint32_t world) {
+    for (BodyId* id : {&def.body_a, &def.body_b}) {
+        BodyId kept = without_world(*id);
+        archive(kept);
+        if constexpr (Archive::reading) name_world(*id = kept, world);
+    }
+    archive(def.enable_collision);
     for (Transform* frame : {&def.frame_a, &def.frame_b}) archive(frame->position), archive(frame->rotation);
     archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
     std::uint64_t kind = def.joint.index();
@@ -152,6 +166,12 @@ inline ForceField from_fields(const ForceFieldFields& f) {
     return {f.kind, to_public(f.direction), to_public(f.center), f.strength, f.exponent, f.is_force != 0};
 }
 
+CAIRN_ARCHIVES_MEMBERS(4, ContactEnd);
+inline ContactEnd fields_of(const ContactEnd& e) {
+    return {without_world(e.shape_a), without_world(e.shape_b), without_world(e.body_a), without_world(e.body_b)};
+}
+inline ContactEnd from_fields(const ContactEnd& e) { return e; }
+
 CAIRN_ARCHIVES_MEMBERS(5, TriggerEvent);
 struct TriggerEventFields {
     ShapeId trigger, other;
@@ -159,7 +179,8 @@ struct TriggerEventFields {
     std::uint64_t inside;
 };
 inline TriggerEventFields fields_of(const TriggerEvent& e) {
-    return {e.trigger, e.other, e.trigger_body, e.other_body, e.inside};
+    return {without_world(e.trigger), without_world(e.other), without_world(e.trigger_body),
+            without_world(e.other_body), e.inside};
 }
 inline TriggerEvent from_fields(const TriggerEventFields& f) {
     return {f.trigger, f.other, f.trigger_body, f.other_body, f.inside != 0};
@@ -174,7 +195,13 @@ struct JointEventFields {
     std::uint64_t user_data;
 };
 inline JointEventFields fields_of(const JointEvent& e) {
-    return {e.joint, e.body_a, e.body_b, e.broke, e.force, e.torque, e.user_data};
+    return {without_world(e.joint),
+            without_world(e.body_a),
+            without_world(e.body_b),
+            e.broke,
+            e.force,
+            e.torque,
+            e.user_data};
 }
 inline JointEvent from_fields(const JointEventFields& f) {
     return {f.joint, f.body_a, f.body_b, f.broke != 0, f.force, f.torque, f.user_data};
@@ -185,16 +212,16 @@ struct SleepEventFields {
     BodyId body;
     std::uint64_t asleep;
 };
-inline SleepEventFields fields_of(const SleepEvent& e) { return {e.body, e.asleep}; }
+inline SleepEventFields fields_of(const SleepEvent& e) { return {without_world(e.body), e.asleep}; }
 inline SleepEvent from_fields(const SleepEventFields& f) { return {f.body, f.asleep != 0}; }
 
 template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
-    std::vector<decltype(fields_of(values[0]))> fields;
-    if constexpr (!Archive::reading)
-        for (const T& value : values) fields.push_back(fields_of(value));
-    if constexpr (std::is_same_v<Archive, ArchiveChecker>) {
-        values.reserve(archive(fields));
+    if constexpr (std::is_same_v<Archive, SetAside>) {
+        archive(values);
     } else {
+        std::vector<decltype(fields_of(values[0]))> fields;
+        if constexpr (!Archive::reading)
+            for (const T& value : values) fields.push_back(fields_of(value));
         archive(fields);
         if constexpr (Archive::reading) {
             values.clear();

@@ -3,6 +3,7 @@
 
 #include "commands/generated/calls.h"
 #include "commands/generated/codec.h"
+#include "core/set_aside.h"
 #include "state/state.h"
 #include "state/step_scratch.h"
 
@@ -19,6 +20,9 @@
 #include <vector>
 
 namespace cairn {
+
+class ArchiveReader;
+class ImageReader;
 
 struct World::Impl {
     explicit Impl(const WorldDef& def);
@@ -57,9 +61,13 @@ struct World::Impl {
     // Without any state yet. Throws Error(invalid_file).
     static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
                                             const WorldDef& settings);
-    // Reads a state of the definitions that the world has, in place of its own: that takes no memory anew. What is read
-    // has been checked. Where memory runs out all the same, the world is good for nothing.
-    template <class Reader> void restore_in_place(Reader& reader);
+    // Reads a state of the definitions that the world has, in place of its own. It comes from this process, and is
+    // right. That takes no memory anew; where memory runs out all the same, the world is good for nothing.
+    void restore_in_place(ImageReader& reader);
+    // The same for bytes that anybody may have written: they are checked. What throws leaves the world as it was.
+    // `tell_of_it()`: called when nothing else can go wrong, it sees the world as it was.
+    template <class F> void restore_in_place(ArchiveReader& reader, F&& tell_of_it);
+    SetAside set_aside; // what the state was before the last of these, for its memory
     // What belongs to the world, and not to its state.
     void take_over(Impl& other);
 

@@ -4,14 +4,19 @@
 #include "core/fields.h"
 #include "core/hash.h"
 #include "core/image_archive.h"
+#include "core/set_aside.h"
 #include "world/definition_archive.h"
 #include "world/impl.h"
 #include "world/snapshot_header.h"
 #include "world/state_archive.h"
+#include "world/state_check.h"
 #include "world/validate.h"
+
+#include <cairn/world_number.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <mutex>
 #include <type_traits>
 
@@ -35,12 +40,6 @@ std::uint64_t layout() {
           sizeof(ShapeDef), sizeof(WorldDef), sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
         hash.add(size);
     return hash.value();
-}
-
-std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
-    Hash64 sum;
-    sum.add_bytes(bytes.data(), bytes.size());
-    return sum.value();
 }
 
 // --- what they do not change
@@ -86,6 +85,9 @@ template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) 
 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
+    std::uint32_t world = s.bodies.slots.world();
+    archive(world); // first of all: snapshot_header.h
+    if constexpr (Archive::reading) s.set_world(world);
     serialize_settings(archive, s.settings);
     s.bodies.slots.serialize(archive), s.shapes.slots.serialize(archive);
     s.joints.slots.serialize(archive), s.fields.slots.serialize(archive);
@@ -98,7 +100,7 @@ template <class Archive, class Impl> void serialize_definitions(Archive& archive
     impl.names.resize(s.bodies.slots.size());
     for (std::string& name : impl.names) archive(name);
     impl.joint_defs.resize(s.joints.slots.size());
-    for (JointDef& def : impl.joint_defs) serialize_joint_def(archive, def);
+    for (JointDef& def : impl.joint_defs) serialize_joint_def(archive, def, world);
 }
 
 bool is_same(const Sphere& a, const Sphere& b) { return a.radius == b.radius; }
@@ -131,9 +133,12 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     };
     if (shapes.size() != s.shapes.geometry.size()) throw damaged();
     for (const Shape& shape : shapes) validate(shape);
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (s.shapes.slots.is_live(std::uint32_t(i)) && make_geometry(shapes[i], {}).type != s.shapes.geometry[i].type)
-            throw damaged();
+    if (def_of.size() != shapes.size()) throw damaged();
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (!s.shapes.slots.is_live(std::uint32_t(i))) continue;
+        const Geometry own = make_geometry(shapes[i], {Position(def_of[i].position), def_of[i].rotation});
+        if (std::memcmp(&own, &s.shapes.geometry[i], sizeof own) != 0) throw damaged();
+    }
     shape_of = shapes;
     s.shapes.data.clear();
     for (const Shape& shape : shapes) s.shapes.data.push_back(make_shape_data(shape));
@@ -150,13 +155,47 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
     return fresh;
 }
 
-template <class Reader> void World::Impl::restore_in_place(Reader& reader) {
+void World::Impl::restore_in_place(ImageReader& reader) {
     failed_call = "World::restore"; // in case that memory runs out
     state.statistics = {};
     serialize_state(reader, state, [](StatePart) {});
+    name_world_in_events(state);
     state.events.forget();
     ++state.joints.changes; // what was found out about joints was so in another state
     failed_call = nullptr;
+}
+
+template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&& tell_of_it) {
+    const auto go_through = [&](SetAside::Mode mode) {
+        set_aside.begin(mode);
+        serialize_state(set_aside, state, [](StatePart) {});
+    };
+    const auto exchange = [&] { go_through(SetAside::Mode::exchange); };
+    go_through(SetAside::Mode::make_room);
+    const Statistics before = state.statistics;
+    exchange();
+    try {
+        state.statistics = {};
+        serialize_state(reader, state, [](StatePart) {});
+        name_world_in_events(state);
+        reader.end();
+        check_state(state);
+        state.bodies.pushed.reserve(state.bodies.forces.capacity()); // pushing allocates nothing
+    } catch (...) {
+        exchange();
+        state.statistics = before;
+        throw;
+    }
+    if (listener) {
+        const Statistics found = state.statistics;
+        exchange();
+        state.statistics = before;
+        tell_of_it();
+        exchange();
+        state.statistics = found;
+    }
+    state.events.forget();
+    ++state.joints.changes;
 }
 
 void World::Impl::take_over(Impl& other) {
@@ -241,6 +280,19 @@ SnapshotSizes Snapshot::sizes() const {
     return sizes;
 }
 
+Snapshot without_world(const Snapshot& snapshot) {
+    Snapshot result = snapshot;
+    Header header = read_header(result);
+    if (!snapshot.definitions || snapshot.definitions->bytes.size() < sizeof least_world) throw_damaged();
+    auto renumbered = std::make_shared<SnapshotDefinitions>(*snapshot.definitions);
+    std::memcpy(renumbered->bytes.data(), &least_world, sizeof least_world);
+    header.definitions = hash_of(renumbered->bytes);
+    header.checksum = checksum_of(header, result.bytes);
+    std::memcpy(result.bytes.data(), &header, sizeof header);
+    result.definitions = std::move(renumbered);
+    return result;
+}
+
 void World::restore(const Snapshot& snapshot) {
     impl_->require_idle("World::restore");
     impl_->require_not_telling("World::restore");
@@ -251,21 +303,16 @@ void World::restore(const Snapshot& snapshot) {
     if (!definitions ||
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
-    const std::byte* const state = snapshot.bytes.data() + sizeof header;
-    const std::size_t size = snapshot.bytes.size() - sizeof header;
-    ArchiveReader reader(state, size);
-    if (are_the_same) {
-        // A checksum that fits does not say who made it: what would be refused half way is refused here.
-        ArchiveChecker checker(state, size);
-        serialize_state(checker, impl_->state, [](StatePart) {});
-        if (checker.bytes_left() > 0) throw_damaged();
-        impl_->tell(commands::world_restore, snapshot);
-        return impl_->restore_in_place(reader);
-    }
+    ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
+    const auto tell_of_it = [&] { impl_->tell(commands::world_restore, snapshot); };
+    if (are_the_same) return impl_->restore_in_place(reader, tell_of_it);
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
+    check_definitions(fresh->state, {fresh->names, fresh->user_data, fresh->def_of, fresh->joint_defs});
     serialize_state(reader, fresh->state, [](StatePart) {});
-    if (reader.bytes_left() > 0) throw_damaged();
-    impl_->tell(commands::world_restore, snapshot);
+    name_world_in_events(fresh->state);
+    reader.end();
+    check_state(fresh->state);
+    tell_of_it();
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
 }
@@ -278,6 +325,7 @@ void World::restore_image(const StateImage& image, const std::shared_ptr<const S
     World made;
     made.impl_ = Impl::defined_by(definitions, impl_->state.settings);
     serialize_state(reader, made.impl_->state, [](StatePart) {});
+    name_world_in_events(made.impl_->state);
     if (impl_->listener) return restore(made.save());
     made.impl_->take_over(*impl_);
     impl_ = std::move(made.impl_);

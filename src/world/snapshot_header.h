@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-inline constexpr std::uint64_t snapshot_magic = 0x38306e7269616321ull; // "!cairn08"
+inline constexpr std::uint64_t snapshot_magic = 0x39306e7269616321ull; // "!cairn09"
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;
@@ -19,6 +19,15 @@ struct SnapshotHeader {
     std::uint64_t checksum = 0;                                          // of all that follows
     std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
 };
+
+// Definitions begin with the number of the world, of 4 bytes: nothing else in a snapshot depends on it.
+inline constexpr std::uint32_t least_world = 1;
+
+inline std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
+    Hash64 sum;
+    sum.add_bytes(bytes.data(), bytes.size());
+    return sum.value();
+}
 
 // In four parts, as each word waits for the one before it in its part.
 inline std::uint64_t checksum_of(SnapshotHeader header, const std::vector<std::byte>& snapshot) {

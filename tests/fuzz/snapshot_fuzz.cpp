@@ -1,13 +1,16 @@
 // Fuzzes World::restore: a snapshot of a small world, changed as the bytes say, is refused and leaves the world as it
 // was, or is the snapshot that it was before. The first byte chooses between that, bytes that are a snapshot as they
-// stand, and a change whose checksum was made to fit: that may be taken, but what is refused has changed nothing.
+// stand, and a change whose checksum was made to fit ('f' of the state, in place; 'n' of it, in a new world; 'd' of the
+// definitions): that may be taken, and then the world goes on, but what is refused has changed nothing.
 #include "world/snapshot_header.h"
 
 #include <cairn/cairn.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 namespace {
 
@@ -27,8 +30,45 @@ World small_world() {
         if (i > 0) world.create_joint(world.joint_at(last, body, def.position, {0, 1, 0}, HingeJoint{}));
         last = body;
     }
-    world.step(1.0f / 60);
+    for (int i = 0; i < 2; ++i) { // one that sleeps, one on a mesh
+        def.position = {20.0 * (i + 1), 0.5, 0};
+        if (i == 1) {
+            BodyDef ground;
+            ground.type = BodyType::static_;
+            ground.position = {40, -0.05, 0};
+            const std::vector<Vec3> corners = {{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}};
+            const std::vector<std::uint32_t> triangles = {0, 2, 1, 0, 3, 2};
+            world.add_shape(world.create_body(ground), Mesh(corners, triangles));
+        }
+        world.add_shape(world.create_body(def), Box{});
+    }
+    for (int i = 0; i < 40; ++i) {
+        if (i < 39) world.body(last).set_angular_velocity({0, 0.5f, 0}); // awake
+        world.step(1.0f / 60);
+    }
+    world.destroy_body(world.create_body(def));
     return world;
+}
+
+// Follows what the state says wherever it leads.
+void live_on(World& world) {
+    const std::vector<BodyId> bodies = world.bodies();
+    for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
+    (void)world.contacts();
+    (void)world.cast_ray({0, 10, 0}, {0, -1, 0}, 100);
+    for (const BodyId body : bodies) {
+        if (!world.is_valid(body)) continue;
+        (void)world.joints(body), (void)world.body(body).shapes(), (void)world.body(body).position();
+    }
+    for (const JointId joint : world.joints()) (void)world.joint_state(joint);
+    if (!bodies.empty() && world.body(bodies.back()).type() == BodyType::dynamic) world.body(bodies.back()).wake();
+    if (bodies.size() > 1) world.destroy_body(bodies[1]);
+    BodyDef def;
+    def.position = {0, 3, 0};
+    world.add_shape(world.create_body(def), Capsule{});
+    for (int i = 0; i < 2; ++i) world.step(1.0f / 60);
+    for (const BodyId body : world.bodies()) world.destroy_body(body);
+    world.step(1.0f / 60);
 }
 
 // Three bytes each: where (of 65,536 parts of the whole), and what to change there; or where it ends.
@@ -54,21 +94,29 @@ void fit_checksum(std::vector<std::byte>& bytes) {
     std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-// In place of the state of the same bodies.
-void restore_forged(const Snapshot& saved, const std::uint8_t* data, std::size_t size) {
+void restore_forged(char which, const Snapshot& saved, const std::uint8_t* data, std::size_t size) {
     Snapshot forged = saved;
-    damage(forged.bytes, data, size);
+    if (which == 'd') {
+        auto definitions = std::make_shared<SnapshotDefinitions>(*saved.definitions);
+        damage(definitions->bytes, data, size);
+        const std::uint64_t value = hash_of(definitions->bytes);
+        std::memcpy(forged.bytes.data() + offsetof(SnapshotHeader, definitions), &value, sizeof value);
+        forged.definitions = std::move(definitions);
+    } else {
+        damage(forged.bytes, data, size);
+    }
     if (forged.bytes.size() < sizeof(SnapshotHeader)) return;
     fit_checksum(forged.bytes);
-    static World world = small_world();
-    world.restore(saved);
-    world.step(1.0f / 60);
+    World world;
+    if (which == 'f') world.restore(saved);
     const Snapshot before = world.save();
     try {
         world.restore(forged);
     } catch (const Error&) {
         if (world.save().bytes != before.bytes) fail("a refused snapshot has changed the world");
+        return;
     }
+    live_on(world);
 }
 
 } // namespace
@@ -76,8 +124,8 @@ void restore_forged(const Snapshot& saved, const std::uint8_t* data, std::size_t
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Snapshot saved = small_world().save();
     if (size == 0) return 0;
-    if (data[0] == 'f') {
-        restore_forged(saved, data + 1, size - 1);
+    if (data[0] == 'f' || data[0] == 'n' || data[0] == 'd') {
+        restore_forged(char(data[0]), saved, data + 1, size - 1);
         return 0;
     }
     Snapshot changed = saved;

@@ -76,6 +76,19 @@ TEST(Keyframes, StayWithinTheirBudgetEvenlySpreadOverTheWholeRun) {
     }
 }
 
+// Snapshots had the number of their world, which is another one for each world of a process.
+TEST(Keyframes, OfTheSameRunAreTheSameBytesInAnyWorldOfAProcess) {
+    const RecorderOptions options = with_keyframes(1e-4, 1'000'000);
+    const std::string first = record_balls(600, options), second = record_balls(600, options);
+    EXPECT_GT(Recording::from_memory(first, "run.mcap").info().keyframes.size(), 3u);
+    EXPECT_TRUE(first == second);
+    for (const std::uint32_t seed : {1u, 2u, 3u}) { // with joints, and events that wait for the next step
+        RecordedRun runs[2];
+        for (RecordedRun& run : runs) run = record_changes(seed, 400, options);
+        EXPECT_TRUE(runs[0].bytes == runs[1].bytes) << seed;
+    }
+}
+
 TEST(Keyframes, OfARunThatIsNotClosedAreReadToo) {
     const std::string whole = record_balls(3000, with_keyframes(1e-4, 200'000));
     const std::string cut = record_balls(3000, with_keyframes(1e-4, 200'000), false);

@@ -99,6 +99,26 @@ PYTHON
 fi
 [ "${3:-}" = drops ] || exit 0
 
+# A script's mouse reaches the panels: it clicks a body, which opens its inspector, and a button there. Where they are is
+# read from the reports of the runs before.
+clicks=()
+for place in crate inspector.duplicate counted; do
+    for step in 'wait 0.5' "${clicks[@]}" "report $folder/script.json" quit; do echo "$step"; done >"$folder/script"
+    "$cairn" view "$folder/scene.gltf" --width 800 --height 500 --script "$folder/script" --exit-after 60 ||
+        { echo "FAILED  the viewer whose script clicks"; exit 1; }
+    at=$(python3 - "$folder/script.json" "$place" <<'PYTHON'
+import json, sys
+state, place = json.load(open(sys.argv[1])), sys.argv[2]
+if place == "counted":
+    assert state["dynamic_count"] == 2, state["dynamic_count"]
+else:
+    print(*(state["bodies"][1]["screen"] if place == "crate" else state["places"][place]))
+PYTHON
+    ) || { echo "FAILED  a script's click reaches $place"; exit 1; }
+    clicks+=("cursor $at" 'wait 0.3' 'press left' 'wait 0.2' 'release left' 'wait 1')
+done
+echo "ok      a script clicks a button in a panel"
+
 # Dropped files: one that cannot be opened leaves the scene and a message, one that can replaces it.
 sed 's/One box/Another box/' "$folder/scene.gltf" >"$folder/other.gltf"
 echo '{"asset": 1' >"$folder/broken.gltf"
