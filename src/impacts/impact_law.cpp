@@ -158,7 +158,12 @@ ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> 
             scale += rows[k].impulse * approach;
             given += 0.5 * rows[k].impulse * std::max(rows[k].target - approach, 0.0);
         }
-        if (work <= given + rounding_gain * scale || share == 0) return outcome;
+        if (work <= given + rounding_gain * scale) return outcome;
+        if (share > 0) continue;
+        if (pairs.size() == 1) return outcome;
+        // What bounces off something that is leaving may gain: then that is pushed later.
+        std::copy(buffer.before.begin(), buffer.before.end(), bodies.begin());
+        return collide(bodies, pairs.first(1), points.first(std::size_t(pairs.front().points)), buffer);
     }
 }
 

@@ -24,7 +24,7 @@ struct ImpactOutcome {
     math::DVec3 position, normal; // of the fastest point
 };
 // Changes the velocities of bodies. `points`: of one pair after another. The outcome is that of the first pair; the
-// others are what its bodies lie on, which is pushed at the same time.
+// others are what its bodies lie on, which is pushed at the same time unless energy would grow by that.
 ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
                       std::span<const ImpactPoint> points, ImpactBuffer& buffer);
 
