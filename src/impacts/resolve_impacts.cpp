@@ -129,6 +129,8 @@ class ImpactQueue {
         const std::int32_t b = s.shapes.links[shape].body;
         return s.bodies.is_dynamic(b) && s.bodies.links[b].first_joint != none;
     }
+    // Until something strikes it.
+    bool is_carried(const SweptPair& pair) const { return pair.was_carried && movers_[pair.first].carrier != none; }
     // What would stop at something that moves on goes along with it.
     void carry(std::int32_t k, double time) {
         const std::int32_t i = pairs_[k].first;
@@ -170,7 +172,7 @@ class ImpactQueue {
                 pair.time = never;
                 const bool ends =
                     movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-                if (!ends && !pair.was_carried) asked_.push_back(k);
+                if (!ends && !is_carried(pair)) asked_.push_back(k);
             });
         step.thread_pool->for_chunks(int(asked_.size()), questions_per_chunk, [&](int begin, int end, int) {
             for (int n = begin; n < end; ++n) {
