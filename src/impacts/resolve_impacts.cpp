@@ -242,38 +242,31 @@ class ImpactQueue {
         return true;
     }
 
-    // A body that an impact may push: the first two are those that meet.
-    struct Struck {
-        std::int32_t mover, body;
-        MovingState now;
-        DVec3 belt; // m/s: of its surface
-    };
-    // Its place. What no impact moves has one for each pair, as it has another surface there.
-    std::int32_t add_struck(std::int32_t mover, std::int32_t body, double time) {
+    // Its place among the bodies of the impact. What no impact moves has one for each pair, as it has another surface
+    // there.
+    std::int32_t add_struck(std::int32_t mover, std::int32_t body, const MovingState& now) {
         for (std::size_t i = 0; mover != none && i < struck_.size(); ++i)
             if (struck_[i].mover == mover) return std::int32_t(i);
-        struck_.push_back({mover, body, state_of(mover, body, time), {}});
-        bodies_.push_back(impact_body(mover, body, struck_.back().now));
+        struck_.push_back({mover, body, {}});
+        bodies_.push_back(impact_body(mover, body, now));
         return std::int32_t(struck_.size()) - 1;
     }
     void add_touching(const SweptPair& pair, double time, bool rests) {
-        const std::int32_t a = add_struck(pair.first, s.shapes.links[pair.shape].body, time),
-                           b = add_struck(pair.second, s.shapes.links[pair.other].body, time);
-        Struck &first = struck_[std::size_t(a)], &second = struck_[std::size_t(b)];
+        const std::int32_t body_a = s.shapes.links[pair.shape].body, body_b = s.shapes.links[pair.other].body;
+        const MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         const std::size_t before = points_.size();
-        find_meeting_points(s.bodies, s.shapes, pair.shape, first.now, pair.other, second.now, scratch_, points_);
+        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, scratch_, points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
-        set_rebounds(pair, first.now, second.now, points);
+        set_rebounds(pair, now_a, now_b, points);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
-        touching_.push_back({a,
-                             b,
-                             int(points.size()),
-                             {double(material.restitution), double(material.friction), double(material.torsion_radius),
-                              double(material.rolling_radius), double(s.settings.restitution_speed)},
-                             rests});
-        for (Struck* const body : {&first, &second}) {
-            const DVec3 belt = surface_velocity(body == &first ? pair.shape : pair.other, points);
-            body->belt += belt, bodies_[std::size_t(body == &first ? a : b)].v += belt;
+        const ImpactMaterial law{double(material.restitution), double(material.friction),
+                                 double(material.torsion_radius), double(material.rolling_radius),
+                                 double(s.settings.restitution_speed)};
+        const std::int32_t a = add_struck(pair.first, body_a, now_a), b = add_struck(pair.second, body_b, now_b);
+        touching_.push_back({a, b, int(points.size()), law, rests});
+        for (const auto& [place, shape] : {std::pair(a, pair.shape), std::pair(b, pair.other)}) {
+            const DVec3 belt = surface_velocity(shape, points);
+            struck_[std::size_t(place)].belt += belt, bodies_[std::size_t(place)].v += belt;
         }
     }
     // The two that meet, and what they have met in this step and lie on.
@@ -385,12 +378,13 @@ class ImpactQueue {
 
     // With the velocities after the impact.
     void go_on(std::size_t struck, double time) {
-        const auto [mover, body, before, belt] = struck_[struck];
-        MovingState now = before;
-        now.v = bodies_[struck].v - belt, now.w = bodies_[struck].w;
-        const bool is_of_the_two = struck < 2;
-        if (!is_of_the_two && now.v == before.v && now.w == before.w) return;
+        const auto [mover, body, belt] = struck_[struck];
         if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return;
+        MovingState now = state_of(mover, body, time);
+        const DVec3 v = bodies_[struck].v - belt, w = bodies_[struck].w;
+        const bool is_of_the_two = struck < 2;
+        if (!is_of_the_two && v == now.v && w == now.w) return;
+        now.v = v, now.w = w;
         if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
         if (mover == none) { // asleep, or on joints: those act in the next step
             s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
@@ -458,10 +452,10 @@ class ImpactQueue {
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
     std::vector<ImpactPoint>& points_ = step.solver.sweep.points;
-    std::vector<Struck> struck_;                                 // by the impact that is looked at
-    std::vector<ImpactBody>& bodies_ = step.solver.sweep.struck; // likewise
+    std::vector<StruckBody>& struck_ = step.solver.sweep.struck; // the first two are those that meet
+    std::vector<ImpactBody>& bodies_ = step.solver.sweep.struck_motions;
     std::vector<ImpactPair>& touching_ = step.solver.sweep.touching;
-    std::vector<std::int32_t> changed_; // movers
+    std::vector<std::int32_t>& changed_ = step.solver.sweep.changed;
     ImpactBuffer& buffer_ = step.solver.sweep.impact;
 };
 

@@ -22,6 +22,12 @@ struct ImpactBody {
     math::DSym3 inverse_inertia; // world axes
 };
 
+// Of which body that is: of a mover, or of what does not move by impacts.
+struct StruckBody {
+    std::int32_t mover, body; // `mover`: or none
+    math::DVec3 belt;         // m/s: of its surface
+};
+
 struct ImpactMaterial {
     double restitution, friction;
     double torsion_radius, rolling_radius; // m

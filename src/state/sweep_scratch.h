@@ -120,9 +120,11 @@ struct SweepScratch {
     std::vector<std::uint32_t> near;                   // shapes near a way
     std::vector<std::vector<NearShape>> near_in_chunk; // of bodies that are looked at side by side
     std::vector<ImpactPoint> points;                   // of one impact
-    std::vector<ImpactBody> struck;                    // and all else of it
+    std::vector<StruckBody> struck;                    // and all else of it
+    std::vector<ImpactBody> struck_motions;
     std::vector<ImpactPair> touching;
     ImpactBuffer impact;
+    std::vector<std::int32_t> changed; // movers
 };
 
 } // namespace cairn

@@ -102,11 +102,11 @@ TEST_F(ShapeScene, TheCastleStandsUntilTheBallComes) {
     };
     run(35);
     EXPECT_EQ(moved(0.005, -9, 9), 0);
-    run(565);
+    run(685); // of 16 starts that differ by 1e-4 m/s in one body, one had pieces that fell after 10 s, none after 12
     EXPECT_GE(moved(0.5, -1.9, 1.9), 30); // of the wall
     EXPECT_GE(moved(0.5, -9, -1.9), 60);  // of the left tower
     EXPECT_EQ(moved(0.5, 2.0, 9), 0);     // of the right one
-    expect_slower_than(0.15f);
+    expect_slower_than(0.05f);
     expect_sane(20, 0.05, 0.01);
 }
 
