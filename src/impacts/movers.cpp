@@ -287,15 +287,25 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     } else {
         const MovingState before = state_at(i, time);
         const DVec3 dv = now.v - before.v, dw = now.w - before.w;
-        const DVec3 v = to_double(motion.v) + dv, w = to_double(motion.w) + dw;
-        motion.x += left * dv;
-        motion.q = turned_by(left * dw, motion.q);
-        motion.v = math::to_float(v), motion.w = math::to_float(w);
+        motion.v = math::to_float(to_double(motion.v) + dv), motion.w = math::to_float(to_double(motion.w) + dw);
         motion.v_rest = motion.w_rest = {};
-        keep_in_range(m.body, now, left);
+        push_end(m.body, now, left, dv, dw);
     }
     m.is_led = false;
     m.carrier = none;
+    lead_to_end(m, now, time, until);
+}
+
+// The pose in which something that the solver has moved arrives.
+void Movers::push_end(std::int32_t b, const MovingState& now, double left, DVec3 dv, DVec3 dw) const {
+    BodyMotion& motion = s.bodies.motion[b];
+    motion.x += left * dv;
+    motion.q = turned_by(left * dw, motion.q);
+    keep_in_range(b, now, left);
+}
+
+void Movers::lead_to_end(Mover& m, const MovingState& now, double time, double until) const {
+    const BodyMotion& motion = s.bodies.motion[m.body];
     m.turns_over =
         !is_round(m.body) && double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
     m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
@@ -310,12 +320,9 @@ void Movers::push_way(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_
         return redirect(i, time, now);
     }
     BodyMotion& motion = s.bodies.motion[m.body];
-    const double left = (1 - time) * double(dt_);
-    motion.x += left * dv;
-    if (!m.turns_over) motion.q = turned_by(left * dw, motion.q);
     if (and_velocity) motion.v += math::to_float(dv), motion.w += math::to_float(dw);
-    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, 1);
-    m.is_changed = true;
+    push_end(m.body, now, (1 - time) * double(dt_), dv, dw);
+    lead_to_end(m, now, time, 1);
 }
 
 DVec3 Movers::acceleration_of(std::int32_t i, const MovingState& now, DVec3 point) const {

@@ -78,6 +78,8 @@ class Movers {
     void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
+    void push_end(std::int32_t body, const MovingState& now, double left, math::DVec3 dv, math::DVec3 dw) const;
+    void lead_to_end(Mover& m, const MovingState& now, double time, double until) const;
     void put_back(std::int32_t i);
 
     const MoverContext s;

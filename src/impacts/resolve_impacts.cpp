@@ -129,7 +129,8 @@ class ImpactQueue {
         const std::int32_t b = s.shapes.links[shape].body;
         return s.bodies.is_dynamic(b) && s.bodies.links[b].first_joint != none;
     }
-    // Until something strikes it.
+    // A pair of which the first went along with the other, or with something else since then, until something struck
+    // it.
     bool is_carried(const SweptPair& pair) const { return pair.was_carried && movers_[pair.first].carrier != none; }
     // What would stop at something that moves on goes along with it.
     void carry(std::int32_t k, double time) {
@@ -362,11 +363,11 @@ class ImpactQueue {
     void push(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
         if (i == none || movers_[i].has_stopped()) return;
         movers_.push_way(i, time, dv, dw, and_velocity);
-        expect_renewal(i);
         ++movers_[i].impacts;
         note_changed(i);
     }
     void note_changed(std::int32_t i) {
+        expect_renewal(i);
         if (std::find(changed_.begin(), changed_.end(), i) == changed_.end()) changed_.push_back(i);
     }
 
@@ -392,7 +393,6 @@ class ImpactQueue {
             return;
         }
         movers_.redirect(mover, time, now);
-        expect_renewal(mover);
         if (is_of_the_two) ++movers_[mover].impacts;
         note_changed(mover);
     }
