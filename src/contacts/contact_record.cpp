@@ -143,9 +143,9 @@ bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
     if (g.type == ShapeType::plane) return true;
     if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
     if (g.type != ShapeType::box || g.rounding > 0) return false;
-    for (const int i : {0, 1, 2})
-        if (std::fabs(math::dot(normal, axis_of(pose, i))) > along) return true;
-    return false;
+    const float* q = pose.q;
+    const math::Vec3 n = math::abs(math::rotate(math::Quat{-q[0], -q[1], -q[2], q[3]}, normal));
+    return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
 // Whether a shape touches by the rim of an end, if the other is flat: then the direction in which it rolls, times the
@@ -172,15 +172,19 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, normal, m.points[0][3]);
     if (m.count > 1) return;
-    math::Vec3 rim;
-    if (find_rim(a, *at.pose_a, normal, rim) && is_flat(b, *at.pose_b, normal)) {
-        r.radius_a = rolls_on_rim, r.radius_b = 0;
+    const bool on_a = is_flat(a, *at.pose_a, normal), on_b = !on_a && is_flat(b, *at.pose_b, normal);
+    if (!on_a && !on_b) {
+        if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;
+        return;
+    }
+    float &face = on_a ? r.radius_a : r.radius_b, &other = on_a ? r.radius_b : r.radius_a;
+    const Geometry& g = on_a ? b : a;
+    face = on_face;
+    if (math::Vec3 rim; find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, rim)) {
+        other = rolls_on_rim;
         put(r.more_points[0], rim);
-    } else if (find_rim(b, *at.pose_b, -normal, rim) && is_flat(a, *at.pose_a, normal)) {
-        r.radius_a = 0, r.radius_b = rolls_on_rim;
-        put(r.more_points[0], rim);
-    } else if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) {
-        r.radius_a = rolls_somehow;
+    } else if (g.type == ShapeType::cylinder) {
+        face = 0; // a rounded rim
     }
 }
 

@@ -88,8 +88,7 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
     if (one_gyrates(bodies, c, dt)) return true;
-    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c))) ||
-                           (overlap >= 0 && bodies.settings[c.body_b].type != BodyType::kinematic);
+    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c)));
     return !is_pushed && (lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin);
 }
 

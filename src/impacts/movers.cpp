@@ -162,9 +162,9 @@ void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion&
     m.turned = {0, 0, 0, 1};
 }
 
-void Movers::carry(std::int32_t i, double time, std::int32_t carrier) {
+void Movers::carry(std::int32_t i, double time, std::int32_t carrier, DVec3 axis) {
     Mover& m = (*this)[i];
-    const RigidPath::Pose now = m.path.at(time);
+    const MovingState now = state_at(i, time);
     m.is_led = m.is_changed = true;
     m.carrier = carrier;
     m.lead = path_of(carrier);
@@ -174,11 +174,14 @@ void Movers::carry(std::int32_t i, double time, std::int32_t carrier) {
     const RigidPath::Pose end = m.lead.at(1);
     BodyMotion& motion = s.bodies.motion[m.body];
     const BodyMotion& by = s.bodies.motion[carrier];
-    const DVec3 arm = math::rotate(end.q, m.arm);
+    const DVec3 arm = math::rotate(end.q, m.arm), w = to_double(by.w);
     motion.x = end.x + arm;
     motion.q = math::normalized(end.q * m.turned);
-    motion.v = math::to_float(to_double(by.v) + math::cross(to_double(by.w), arm));
-    motion.w = by.w;
+    DVec3 slide = now.v - to_double(by.v) - math::cross(w, now.x - there.x);
+    if (const double square = dot(axis, axis); square > 0) slide = slide - (dot(slide, axis) / square) * axis;
+    slide = math::rotate(end.q * math::conjugate(there.q), slide);
+    motion.v = math::to_float(to_double(by.v) + math::cross(w, arm) + slide);
+    motion.w = math::to_float(now.w);
     motion.v_rest = motion.w_rest = {};
     lead_on(i, time);
 }

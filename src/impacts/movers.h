@@ -50,8 +50,9 @@ class Movers {
     // It goes by `dv` and `dw` faster on the rest of its way. `and_velocity`: so it does in the end, as what is free
     // does in any case; else it arrives with the velocities that the solver gave it.
     void push_way(std::int32_t i, double time, math::DVec3 dv, math::DVec3 dw, bool and_velocity);
-    // Something kinematic takes it along from a time on.
-    void carry(std::int32_t i, double time, std::int32_t carrier);
+    // Something kinematic takes it along from a time on, and lets go of it in the end: then it slides on as fast as it
+    // did, but for what approached along `axis`, a direction of any length.
+    void carry(std::int32_t i, double time, std::int32_t carrier, math::DVec3 axis);
     // The next part of the path of what is led.
     void lead_on(std::int32_t i, double time);
     // It lies on something in the direction of the unit vector `down`: the forces that press it there do not move it.

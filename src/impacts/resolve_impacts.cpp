@@ -108,13 +108,13 @@ class ImpactQueue {
         const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
         const bool ends = is_worn || is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other);
         if (!ends && collide(k, time)) return;
-        if (is_kinematic(pairs_[k].other)) {
+        if (is_kinematic(pairs_[k].other) && (ends || pairs_[k].has_stayed)) {
             carry(k, time);
         } else if (ends) {
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
         } else {
             // They touch, and nothing approaches: asked again when they go deeper.
-            pairs_[k].touches = true;
+            pairs_[k].touches = pairs_[k].has_stayed = true;
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second})
                 if (i != none) ++movers_[i].impacts;
             pairs_[k].time = pairs_.time_of(pairs_[k], time);
@@ -136,7 +136,7 @@ class ImpactQueue {
     void carry(std::int32_t k, double time) {
         const std::int32_t i = pairs_[k].first;
         if (movers_[i].has_stopped()) return;
-        movers_.carry(i, time, s.shapes.links[pairs_[k].other].body);
+        movers_.carry(i, time, s.shapes.links[pairs_[k].other].body, pairs_[k].axis);
         pairs_[k].was_carried = true;
         expect_renewal(i);
         look_near(i, time);

@@ -91,7 +91,8 @@ template <int N> struct NotStruck<PointRows<N>> {
     static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::square_lever);
 };
 template <> struct NotStruck<PointRows<1>> {
-    static constexpr auto list = std::tuple(&PointRows<1>::separation0, &PointRows<1>::turning, &PointRows<1>::rim);
+    static constexpr auto list =
+        std::tuple(&PointRows<1>::separation0, &PointRows<1>::turning, &PointRows<1>::sliding, &PointRows<1>::rim);
 };
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
     using B = ContactBlock<N>;

@@ -197,7 +197,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
-        const float half_step = substeps_of(s.settings, dt) == 1 ? 0.5f * dt : 0.0f;
+        const float half_step = 0.5f * dt;
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
                       scratch.inertia.data(), scratch.velocity.data(), half_step);

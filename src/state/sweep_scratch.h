@@ -47,7 +47,8 @@ struct SweptPair {
     std::uint32_t shape, other;
     std::int32_t contact = none; // of the pair, if it is known
     bool is_known = false;       // the solver has moved the two by this contact
-    bool touches = false;        // they touch, and nothing approached
+    bool touches = false;        // they have met in this step
+    bool has_stayed = false;     // they met, and nothing approached
     bool rests = false;          // they lie on each other: forces that press them together do not move them
     bool has_begun = false;      // to touch, in this step
     bool was_carried = false;    // the first went along with the other: what is between two that move is crushed

@@ -88,12 +88,16 @@ class Wall {
         id_ = add_body(world, shape, def, surface(0.6f, float(cell.restitution)));
     }
 
-    // Where something is as seen from the wall.
-    Position seen(World& world, const Position& point) const {
+    struct Pose {
+        Position position;
+        glm::dquat rotation;
+        // Where something is as seen from the wall.
+        Position seen(const Position& point) const { return glm::conjugate(rotation) * (point - position); }
+    };
+    Pose pose(World& world) const {
         const Body body = world.body(id_);
-        return glm::conjugate(glm::dquat(body.rotation())) * (point - body.position());
+        return {body.position(), glm::dquat(body.rotation())};
     }
-    Quat rotation(World& world) const { return world.body(id_).rotation(); }
 
     // A center that goes from one place to another, as seen from the wall, within a step.
     bool is_passed(const Position& from, const Position& to) const {
@@ -128,21 +132,39 @@ class Wall {
 
 enum class Fate : std::uint8_t { held, core_in, through };
 
+// Whether a center passed the wall in a step, as both go straight and the wall turns evenly: what leaves a plate past
+// its edge may be behind it before the step is over.
+bool passes(const Wall& wall, const Wall::Pose& first, const Position& from, const Wall::Pose& last,
+            const Position& to) {
+    constexpr int looks = 256;
+    Position before = first.seen(from);
+    for (int i = 1; i <= looks; ++i) {
+        const double part = double(i) / looks;
+        const Wall::Pose pose{glm::mix(first.position, last.position, part),
+                              glm::slerp(first.rotation, last.rotation, part)};
+        const Position now = pose.seen(glm::mix(from, to, part));
+        if (wall.is_passed(before, now)) return true;
+        before = now;
+    }
+    return false;
+}
+
 Fate follow(World& world, const Wall& wall, const Body& body, double core, int steps) {
     Fate fate = Fate::held;
-    Position before = wall.seen(world, body.center_of_mass());
-    Quat turned = wall.rotation(world);
+    Position from = body.center_of_mass();
+    Wall::Pose first = wall.pose(world);
     for (int i = 0; i < steps; ++i) {
         world.step(frame);
-        const Position now = wall.seen(world, body.center_of_mass());
-        const Quat rotation = wall.rotation(world);
-        const double turn = 2 * std::acos(std::min(1.0, double(std::fabs(glm::dot(rotation, turned)))));
-        if (turn > greatest_turn) return fate;
-        if (wall.is_passed(before, now)) return Fate::through;
+        const Position to = body.center_of_mass();
+        const Wall::Pose last = wall.pose(world);
+        const double cosine = std::fabs(glm::dot(first.rotation, last.rotation));
+        if (2 * std::acos(std::min(1.0, cosine)) > greatest_turn) return fate;
+        if (passes(wall, first, from, last, to)) return Fate::through;
+        const Position now = last.seen(to);
         if (now.y < 0) return fate; // past the wall's edge
         if (wall.has_in(now, core)) fate = Fate::core_in;
-        before = now;
-        turned = rotation;
+        from = to;
+        first = last;
     }
     return fate;
 }

@@ -126,9 +126,19 @@ TEST(Rocking, EulersDiskKeepsItsEnergy) {
 
 // So near to the ground that its place of touch goes round by a third of a radian and more in a step of 1/60 s.
 TEST(KnownLimits, EulersDiskLosesEnergyNearTheGround) {
-    EXPECT_NEAR(change_of_disk(10, 0, 60), -0.074, 0.03);
-    EXPECT_NEAR(change_of_disk(5, 0, 60), -0.30, 0.1);
-    EXPECT_NEAR(change_of_disk(10, 0, 240), -0.004, 0.003);
+    EXPECT_NEAR(change_of_disk(10, 0, 60), -0.025, 0.015);
+    EXPECT_NEAR(change_of_disk(5, 0, 60), -0.18, 0.05);
+    EXPECT_NEAR(change_of_disk(5, 0, 120), -0.015, 0.01);
+}
+
+// 7, 1.7 and 0.3 % were lost at 60, 120 and 240 Hz, as places of touch that are found where a step begins stood still.
+TEST(Rocking, EulersDiskKeepsItsEnergyNearTheGround) {
+    Starts starts(11);
+    for (const auto& [hertz, bar] : {std::pair(120, 0.01), std::pair(240, 0.002)})
+        for (int i = 0; i < 8; ++i) {
+            const double lean = starts.between(8, 20), direction = starts.between(0, 6);
+            EXPECT_NEAR(change_of_disk(lean, direction, hertz), 0, bar) << hertz << " " << lean << " " << direction;
+        }
 }
 
 // Where the edge of its upper face comes within the margin of contacts, it has two points, which do not move in a step.

@@ -71,7 +71,7 @@ CAIRN_BLOCK_IS_LISTED(0, PointRows<4>);
 template <> struct BlockFields<PointRows<1>> {
     using B = PointRows<1>;
     static constexpr auto list = std::tuple(&B::separation0, &B::total_impulse, &B::effective_mass, &B::impulse,
-                                            &B::separation, &B::turning, &B::rim);
+                                            &B::separation, &B::turning, &B::sliding, &B::rim);
 };
 CAIRN_BLOCK_IS_LISTED(0, PointRows<1>);
 

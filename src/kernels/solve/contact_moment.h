@@ -36,26 +36,43 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
-// How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity, it is
-// w_B x (p' - v_B) - w_A x (p' - v_A). A corner of either body moves with it, and of both, in the mean, what touches by
-// edges. On a rim, with the radius of curvature R along t, a corner would go on by R t (t.(w_A - w_B) x n) farther than
-// the place of touch does. That is true of small turns, up to the time `until`: of lanes that turn farther, or by
-// nothing that could be seen, and where it is 0, nothing moves.
-CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 is_corner, mask8 rolls_on_a, mask8 rolls_on_b,
-                                  f32x8 until, const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
-    constexpr float tiny = 1e-4f, small = 0.25f; // rad
-    const f32x8 turn = until * until * max(dot(a.w, a.w), dot(b.w, b.w));
-    const mask8 moves = (is_corner | rolls_on_a | rolls_on_b) & (until > zero()) & (turn > splat(tiny * tiny)) &
-                        (turn < splat(small * small));
+// Whether a body turns what it has at the point by less than a quarter of a radian up to a time: of what is round
+// there, the center of curvature, which has another arm than the point; the center of a ball stays where it is.
+CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 arm_of_center) {
+    constexpr float small = 0.25f; // rad
+    const f32x8 square = dot(arm, arm), moved = min(dot(arm_of_center, arm_of_center), square);
+    return square_time * dot(w, w) * moved <= splat(small * small) * square;
+}
+
+// How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity as seen from A, they
+// change by (w_B - w_A) x p', as rows keep B's arm up to where A is. A corner moves with its body; what is round, with
+// the radius of curvature R, stays behind a corner by R (w_A - w_B) x n as it rolls over a face, and a rim by the part
+// of that along its t. The face turns the normal: velocities change along that by w x n times themselves as well, and
+// what slides over it, the corner or the center of what is round, parts from it by w x n times its way and the time.
+// Where neither is a face, two edges meet: the point moves with both, in the mean. That is true of small turns, up to
+// the time `until`: of lanes that turn farther, or change by nothing that could be seen, nothing moves.
+CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
+                                  const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
+    constexpr float unseen = 1e-6f; // m
+    const Vec3x8 r = load3(block.center), rim = load3(block.rim), apart = b.v - a.v;
+    const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d), rolling = cross(a.w - b.w, normal);
+    const Vec3x8 rolled =
+        select(face_a, load(block.radius_b), load(block.radius_a)) * rolling + dot(rim, rolling) * rim;
+    const Vec3x8 from_a =
+        select(face_b, with_a - rolled, select(face_a, with_b - rolled, splat(0.5f) * (with_a + with_b)));
+    const Vec3x8 turned = cross(select(face_b, b.w, select(face_a, a.w, zero3())), normal);
+    const Vec3x8 turning = cross(b.w - a.w, from_a) + dot(turned, with_b - with_a) * normal;
+    const f32x8 square = until * until;
+    const mask8 moves = (is_edge | face_a | face_b) & turns_little(square, a.w, r, r - load(block.radius_a) * normal) &
+                        turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal) &
+                        (square * square * dot(turning, turning) > splat(unseen * unseen));
     block.turns = any(moves);
     if (!block.turns) return;
-    const Vec3x8 r = load3(block.center), rim = load3(block.rim), apart = b.v - a.v;
-    const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d);
-    const Vec3x8 rolled = dot(rim, cross(a.w - b.w, normal)) * rim;
-    const Vec3x8 from_a =
-        select(rolls_on_a, with_a - rolled, select(rolls_on_b, with_b - rolled, splat(0.5f) * (with_a + with_b)));
-    const Vec3x8 turning = cross(b.w, from_a - apart) - cross(a.w, from_a);
+    const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled),
+                found = load(block.found);
     store3(block.turning, select(moves, turning, zero3()));
+    store(block.sliding, select(moves, sliding, zero()));
+    store(block.separation0[0], load(block.separation0[0]) + select(moves, found * found * sliding, zero()));
 }
 
 } // namespace cairn::CAIRN_ISA

@@ -268,7 +268,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     block.turns = block.rims = 0;
 
     Before start = {zero3(), zero3(), zero()};
-    const bool is_of_later = half_step > 0 || any(found > zero());
+    const bool is_of_later = any(found > zero());
     Velocityx8 at_a, at_b;
     mask8 on_a, on_b;
     if constexpr (N == 1) {
@@ -281,8 +281,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
             store3(block.rim, select(on_a | on_b, rim, zero3()));
         }
     }
+    if (N == 1 || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
     if (is_of_later) {
-        at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
         start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
         if constexpr (N == 1) {
             const f32x8 along = dot(load3(block.rim), start.difference);
@@ -296,9 +296,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
     if constexpr (N == 1)
-        if (is_of_later)
-            prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), on_a, on_b,
-                            max(found, splat(half_step)), at_a, at_b, normal, d);
+        prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), radius_a == splat(on_face),
+                        radius_b == splat(on_face), max(found, splat(half_step)), at_a, at_b, normal, d);
 }
 
 } // namespace

@@ -68,6 +68,11 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
             const f32x8 along = dot(load3(block.rim), difference);
             common -= splat(0.5f) * bend * along * along;
         }
+    if constexpr (N == 1)
+        if (block.turns) {
+            const float elapsed = 1 / inverse_elapsed;
+            common += splat(elapsed * elapsed) * bend * load(block.sliding);
+        }
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);

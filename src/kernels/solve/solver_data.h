@@ -62,7 +62,7 @@ struct alignas(64) ContactRecord {
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
     float first_total;         // normal impulse of the first point, likewise
     float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones, for corners
-                               // and edges; of contacts with one point also rolls_on_rim, rolls_somehow
+                               // and edges; of contacts with one point also what is below
     std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
                                // two convex shapes that no wide kernel tests: a ContactMemory
     float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
@@ -73,9 +73,9 @@ struct alignas(64) ContactRecord {
     float more_padding;
 };
 
-// How the only point of a contact moves over the surfaces, in place of a radius of A or B: on the rim of that one, over
-// a flat surface of the other; or in a way that nobody knows, as A's radius.
-inline constexpr float rolls_on_rim = -1, rolls_somehow = -2;
+// How the only point of a contact moves over the surfaces, in place of a radius of A or B: over a face of that one; on
+// the rim of that one, over a face of the other; or in a way that nobody knows, as A's radius.
+inline constexpr float rolls_on_rim = -1, rolls_somehow = -2, on_face = -3;
 
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct PointRows {
@@ -95,6 +95,7 @@ template <> struct PointRows<1> {
     float separation0[1][8], total_impulse[1][8];
     float effective_mass[1][8], impulse[1][8], separation[1][8];
     float turning[3][8]; // m/s^2: see slip_of_turning; where the block turns
+    float sliding[8];    // m/s^2: likewise, how fast the points part as they slide over a face that turns
     float rim[3][8];     // of what rolls on a rim, as in the record; where the block has any
 };
 
@@ -213,7 +214,7 @@ struct HalfLimits;
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
-        // `half_step`: of a step of one substep, of which the start is the middle, in s; of others 0.
+        // `half_step`: half of the step, s.
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
                         const SolverInertia* inertia, const SolverVelocity* velocity, float half_step);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
