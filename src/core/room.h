@@ -1,7 +1,6 @@
 // How much room lists have. Left to themselves, vectors double as they grow, and keep for ever what they once had.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -36,7 +35,8 @@ template <class T> void push(std::vector<T>& list, const T& value) {
     }
 }
 
-// Bytes: a list keeps that much, so that small worlds allocate nothing, however their steps go up and down.
+// Bytes: a list with no more than that keeps it, so that small worlds allocate nothing, however their steps go up and
+// down.
 inline constexpr std::size_t kept_room = std::size_t(1) << 16;
 
 // Of a list that each step writes anew: what it holds is all that the last step needed. If that is less than a quarter
@@ -45,7 +45,7 @@ template <class T> void give_back_room(std::vector<T>& list) {
     const std::size_t room = list.capacity();
     if (room * sizeof(T) <= kept_room || list.size() >= room / 4) return;
     std::vector<T> less;
-    reserve_room(less, std::max(list.size(), kept_room / sizeof(T)));
+    reserve_room(less, list.size());
     less.assign(std::move_iterator(list.begin()), std::move_iterator(list.end()));
     list.swap(less);
 }

@@ -22,8 +22,8 @@ struct HullFace {
     std::uint32_t first_side = 0; // of a large face, in HullData::sides: the blocks of its sides
 };
 
-// The sides of larger faces are kept; those of others are made when they are asked for, which takes less time than to
-// get them from memory, and they would be two fifths of a hull.
+// The sides of larger faces are kept; those of others are made when they are asked for: in a pile that takes no longer
+// than to get them from memory, where they would be half of a hull.
 inline constexpr std::size_t made_blocks = 2, max_made_sides = made_blocks * SideBlock::width;
 
 // A face in its own plane: about its first corner, with x along e1, a unit vector in the plane.
