@@ -1,4 +1,5 @@
 #include "bvh/slot_tree.h"
+#include "core/room.h"
 
 namespace cairn {
 
@@ -78,9 +79,9 @@ void SlotTree::grow_ancestors(std::uint32_t slot, const TreeBox& box) {
 
 std::uint32_t SlotTree::append(std::uint32_t item, const TreeBox& box) {
     const std::uint32_t slot = slot_count();
-    items_.push_back(item);
+    push(items_, item);
     if (slot % 8 == 0) {
-        levels_[0].push_back(empty_node());
+        push(levels_[0], empty_node());
         grow_levels();
     }
     ++alive_;

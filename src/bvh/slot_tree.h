@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bvh/tree.h"
+#include "core/room.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,10 @@ TreeBox bounds_of(const Node8& node);
 class KdOrder {
   public:
     std::span<const std::uint32_t> order(std::span<const TreeBox> boxes);
+    void give_back() { // its room
+        for (std::vector<Item>* part : {&items_, &low_, &middle_, &high_}) give_back_all(*part);
+        give_back_all(order_);
+    }
     std::size_t bytes() const;
 
   private:

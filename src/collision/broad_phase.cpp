@@ -2,6 +2,7 @@
 #include "collision/broad_phase.h"
 
 #include "core/order.h"
+#include "core/room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,8 +130,8 @@ void BroadPhase::choose_first_origin(const DBounds& bounds) {
 
 BroadPhase::Proxy& BroadPhase::make_proxy(std::uint32_t shape) {
     if (shape >= proxies_.size()) {
-        proxies_.resize(shape + 1);
-        fat_.resize(shape + 1);
+        set_size(proxies_, shape + 1);
+        set_size(fat_, shape + 1);
     }
     ++shape_count_;
     return proxies_[shape] = Proxy{};
@@ -140,7 +141,7 @@ void BroadPhase::note_change(std::uint32_t shape, const TreeBox& before) {
     Proxy& proxy = proxies_[shape];
     if (proxy.moved) return; // since the last update; what it was then is known
     proxy.moved = 1;
-    changes_.push_back({before, shape, proxy.place, proxy.home});
+    push(changes_, {before, shape, proxy.place, proxy.home});
 }
 
 void BroadPhase::place_awake(std::uint32_t shape) {

@@ -1,4 +1,5 @@
 #include "collision/broad_phase_rows.h"
+#include "core/room.h"
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ std::uint32_t PairRows::replace(std::uint32_t leaf, const std::uint32_t (&count)
         rows.base = std::uint32_t(pool_.size());
         rows.capacity = roomy(total);
         used_ += rows.capacity;
-        pool_.resize(pool_.size() + rows.capacity, PairEntry{});
+        set_size(pool_, pool_.size() + rows.capacity);
     }
     std::copy(entries, entries + total, pool_.begin() + rows.base);
     return rows.base;

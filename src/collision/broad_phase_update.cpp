@@ -1,5 +1,6 @@
 // The step of the broad phase: sort if due, search, report.
 #include "collision/broad_phase.h"
+#include "core/room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,8 @@ void BroadPhase::update(PairSink& sink, ThreadPool* thread_pool) {
     for (const Change& change : changes_) proxies_[change.shape].moved = 0;
     for (const std::uint32_t shape : refiltered_) proxies_[shape].refilter = 0;
     for (const std::uint32_t shape : removed_) proxies_[shape] = Proxy{};
+    give_back_room(changes_), give_back_room(ended_), give_back_room(found_);
+    for (NewRows& rows : new_rows_) give_back_room(rows.leaves), give_back_room(rows.keys);
     changes_.clear();
     touched_.clear();
     refiltered_.clear();
@@ -88,6 +91,9 @@ void BroadPhase::sort_awake() {
         }
     }
     unflatten_rows();
+    give_back_all(flat_), give_back_all(merged_), give_back_all(order_), give_back_all(sizes_);
+    give_back_all(items_), give_back_all(boxes_);
+    kd_.give_back();
     all_dirty_ = 1;
     steps_since_sort_ = 0;
     moved_since_sort_ = 0;
@@ -198,7 +204,7 @@ void BroadPhase::unflatten_rows() {
         ++order_[pair.shape_a + 1];
     }
     for (std::size_t i = 1; i < order_.size(); ++i) order_[i] += order_[i - 1];
-    merged_.resize(flat_.size());
+    set_size_anew(merged_, flat_.size());
     for (const EndedPair& pair : flat_) merged_[order_[pair.shape_a]++] = {pair.shape_b, pair.contact};
     // order_[i] is now where row i ends.
     std::uint32_t begin = 0, index = 0;

@@ -182,10 +182,12 @@ class DiscPoints {
         if (!leans) x = corners_[1].x - corners_[0].x, y = corners_[1].y - corners_[0].y;
         const double length = std::sqrt(x * x + y * y);
         x = length > 0 ? x / length : 1, y = length > 0 ? y / length : 0;
-        Polygon polygon; // counterclockwise as the disc sees it
-        for (std::size_t i = corners_.size(); i-- > 0;) polygon.add(corners_[i]);
+        Buffer<double, 16 + SideBlock::width> xs, ys; // counterclockwise as the disc sees it
+        for (std::size_t i = corners_.size(); i-- > 0;) xs.add(corners_[i].x), ys.add(corners_[i].y);
+        for (std::size_t k = 0; k < SideBlock::width; ++k) xs.add_unset(), ys.add_unset();
         Buffer<SideBlock, 4> sides;
-        make_sides(polygon, [&](const SideBlock& block) { sides.add(block); });
+        for (std::size_t k = 0; k < blocks_of(corners_.size()); ++k) sides.add_unset();
+        make_sides(xs.data(), ys.data(), corners_.size(), sides.data());
         const auto is_within = [&](const Point3& p) {
             double inside[SideBlock::width];
             for (const SideBlock& block : sides)

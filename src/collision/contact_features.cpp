@@ -51,7 +51,7 @@ int face_of_hull(const Convex& c, const DVec3& n, int vertex) {
     double most = -2;
     for (std::uint32_t i = hull.neighbor_start[v]; i < hull.neighbor_start[v + 1]; ++i) {
         const std::uint32_t face = hull.faces_at[i];
-        const double along = dot(hull.unit_normals[face], d);
+        const double along = dot(hull.unit_normal(face), d);
         best = along > most ? static_cast<int>(face) : best;
         most = along > most ? along : most;
     }

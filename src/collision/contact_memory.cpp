@@ -18,19 +18,18 @@ constexpr std::uint32_t max_corners = 1u << corner_bits;
 // No other corner is farther along the axis than an edge by more than this part of the extent.
 constexpr double farther = 1e-6;
 
-const std::vector<math::Vec3>& corners_of(const Core& core) {
-    return core.is_inset ? core.shape->hull->core : core.shape->hull->vertices;
+const Columns& corners_of(const Core& core) {
+    return core.is_inset ? core.shape->hull->core : core.shape->hull->vertex_columns;
 }
 
 DVec3 nearly_farthest(const Core& core, DVec3 unit) {
-    const HullData& hull = *core.shape->hull;
-    const Columns& columns = core.is_inset ? hull.core_columns : hull.vertex_columns;
-    return hull_point(*core.shape, corners_of(core)[columns.nearly_farthest(to_local(*core.shape, unit))]);
+    const Columns& corners = corners_of(core);
+    return hull_point(*core.shape, corners[corners.nearly_farthest(to_local(*core.shape, unit))]);
 }
 
 // The number of the corner that is there; max_corners where it has none.
 std::uint32_t corner_at(const Core& core, DVec3 p) {
-    const std::vector<math::Vec3>& corners = corners_of(core);
+    const Columns& corners = corners_of(core);
     for (std::uint32_t i = 0; i < corners.size() && i < max_corners; ++i)
         if (hull_point(*core.shape, corners[i]) == p) return i;
     return max_corners;
@@ -52,7 +51,7 @@ struct Edge {
 // From two numbers.
 bool edge_of(const Core& core, std::uint32_t numbers, Edge& edge) {
     const std::uint32_t i = numbers % max_corners, k = numbers / max_corners % max_corners;
-    const std::vector<math::Vec3>& corners = corners_of(core);
+    const Columns& corners = corners_of(core);
     if (i == k || i >= corners.size() || k >= corners.size()) return false;
     edge.from = hull_point(*core.shape, corners[i]);
     edge.to = hull_point(*core.shape, corners[k]);

@@ -10,9 +10,8 @@ void FaceOutline::find(const Convex& c, int face, const DVec3& normal, const DVe
     if (c.kind == Convex::Kind::hull) {
         const HullData& hull = *c.hull;
         const auto f = static_cast<std::size_t>(face);
-        const HullOutline& outline = hull.outlines[f];
-        corner_count = hull.faces[f].count, size = outline.size;
-        sides = {&hull.sides[outline.first_side], (corner_count + SideBlock::width - 1) / SideBlock::width};
+        const HullOutline outline = outline_of(hull, f, made_);
+        corner_count = hull.faces[f].count, size = outline.size, sides = outline.sides;
         frame.normal = normal, frame.e1 = c.axes * outline.e1;
         frame.e2 = math::cross(frame.normal, frame.e1);
         frame.origin = on_face;
@@ -25,15 +24,14 @@ void FaceOutline::find(const Convex& c, int face, const DVec3& normal, const DVe
     frame.normal = polygon.normal, frame.e1 = direction_in_plane(p[1] - p[0], frame.normal);
     frame.e2 = math::cross(frame.normal, frame.e1);
     frame.origin = p[0];
-    Buffer<FlatCorner, 16> corners;
+    double x[max_made_sides + 1], y[max_made_sides + 1]; // a box's face or a polygon: four corners at most
     for (std::size_t i = 0; i < corner_count; ++i) {
         const DVec3 q = frame.to_frame(p[i]);
-        corners.add({q.x, q.y});
+        x[i] = q.x, y[i] = q.y;
         size = std::max(size, std::max(std::fabs(q.x), std::fabs(q.y)));
     }
-    own_.clear();
-    make_sides(corners, [&](const SideBlock& block) { own_.add(block); });
-    sides = {own_.data(), own_.size()};
+    make_sides(x, y, corner_count, made_);
+    sides = {made_, blocks_of(corner_count)};
 }
 
 bool FaceOutline::holds(const DVec3& p, double distance) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collision/contact_features.h"
-#include "shapes/sides.h"
+#include "shapes/hull.h"
 
 #include <span>
 
@@ -22,7 +22,7 @@ struct FaceOutline {
     bool holds(const math::DVec3& p, double distance) const;
 
   private:
-    Buffer<SideBlock, 2> own_; // of what has none at hand
+    SideBlock made_[made_blocks]; // of what has none at hand
 };
 
 } // namespace cairn

@@ -5,6 +5,7 @@
 #include "contacts/contact_record.h"
 #include "contacts/patches.h"
 #include "core/cache.h"
+#include "core/room.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
 #include "islands/substep_policy.h"
@@ -269,7 +270,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
     float deepest = 0; // raised by all threads
     const std::vector<SortedContact>& solved = solver.of_batches;
     std::vector<std::uint8_t>& changes = narrow.changes;
-    changes.resize(solved.size());
+    set_size_anew(changes, solved.size());
     const float gain = load_gain(dt);
     thread_pool.for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
         // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.

@@ -1,4 +1,5 @@
 #include "contacts/midway.h"
+#include "core/room.h"
 
 namespace cairn {
 
@@ -21,8 +22,8 @@ math::Quat turn_by(math::Vec3 rotation) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time) {
     if (!(time > 0)) return;
-    narrow.midway_poses.resize(shapes.poses.size());
-    narrow.midway_arms.resize(shapes.poses.size());
+    set_size(narrow.midway_poses, shapes.poses.size());
+    set_size(narrow.midway_arms, shapes.poses.size());
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const std::int32_t b = narrow.moving[std::size_t(k)];

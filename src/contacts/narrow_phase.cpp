@@ -13,6 +13,7 @@
 #include "contacts/prefetch.h"
 #include "contacts/touch.h"
 #include "core/cache.h"
+#include "core/room.h"
 #include "jobs/ordered_list.h"
 #include "state/substeps.h"
 
@@ -277,7 +278,7 @@ std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts,
         }
     std::size_t count = 0;
     for (std::size_t kind = 0; kind < tested_kinds; ++kind) {
-        narrow.lists[kind].resize(all[kind]);
+        set_size_anew(narrow.lists[kind], all[kind]);
         count += all[kind];
     }
     if (count == 0) return 0;
@@ -299,7 +300,7 @@ std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& 
                        NarrowScratch& narrow, ThreadPool& thread_pool) {
     broad_phase.list_contacts(narrow.candidates, narrow.parts, thread_pool);
     list_open_pairs(bodies, contacts, narrow, thread_pool);
-    narrow.outcomes.resize(narrow.candidates.size());
+    set_size_anew(narrow.outcomes, narrow.candidates.size());
     const int open = int(narrow.open.size());
     narrow.kinds_in_chunk.assign(std::size_t(open / pairs_per_chunk + 1), {});
     std::atomic<bool> any_groups = false;

@@ -3,6 +3,7 @@
 
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
+#include "core/room.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
 #include "state/joint_links.h"
@@ -138,9 +139,7 @@ std::uint32_t new_contact(Contacts& contacts) {
     std::uint32_t id;
     if (contacts.free.empty()) {
         id = std::uint32_t(contacts.info.size());
-        contacts.info.emplace_back();
-        contacts.records.emplace_back();
-        contacts.answers.emplace_back();
+        set_size(contacts.info, id + 1), set_size(contacts.records, id + 1), set_size(contacts.answers, id + 1);
     } else {
         id = contacts.free.back();
         contacts.free.pop_back();

@@ -1,6 +1,7 @@
 #include "islands/islands.h"
 
 #include "bodies/bodies.h"
+#include "core/room.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -15,7 +16,7 @@ std::int32_t new_island(Islands& islands) {
     std::int32_t i;
     if (islands.free.empty()) {
         i = std::int32_t(islands.all.size());
-        islands.all.emplace_back();
+        push(islands.all, {});
     } else {
         i = islands.free.back();
         islands.free.pop_back();
@@ -24,7 +25,7 @@ std::int32_t new_island(Islands& islands) {
     Island& island = islands.all[i];
     island.in_use = 1;
     island.position = std::int32_t(islands.awake.size());
-    islands.awake.push_back(i);
+    push(islands.awake, i);
     return i;
 }
 
@@ -41,7 +42,7 @@ void leave_awake_list(Islands& islands, std::int32_t i) {
 void free_island(Islands& islands, std::int32_t i) {
     if (islands.all[i].position != none) leave_awake_list(islands, i);
     islands.all[i] = {};
-    islands.free.push_back(i);
+    push(islands.free, i);
 }
 
 void append_body(Bodies& bodies, Islands& islands, std::int32_t i, std::int32_t body) {

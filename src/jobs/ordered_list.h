@@ -1,6 +1,7 @@
 // Lists that several threads write together, in the order of what they look at.
 #pragma once
 
+#include "core/room.h"
 #include "jobs/thread_pool.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>
         parts.push_back({size, 0});
         size += room(begin, std::min(begin + grain, count));
     }
-    list.resize(size);
+    set_size_anew(list, size);
     T* const first = list.data();
     for_chunks(thread_pool, count, grain, [&](int begin, int end, int) {
         ListPart& part = parts[std::size_t(begin / grain)];

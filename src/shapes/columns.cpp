@@ -1,5 +1,6 @@
 #include "shapes/columns.h"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -18,12 +19,15 @@ constexpr std::size_t round_up(std::size_t count, std::size_t width) { return (c
 } // namespace
 
 Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
-    for (std::vector<float>* column : {&x_, &y_, &z_}) column->reserve(round_up(size_, block));
-    for (const math::Vec3& p : points) {
-        x_.push_back(p.x), y_.push_back(p.y), z_.push_back(p.z);
-        for (int i = 0; i < 3; ++i) largest_ = std::fabs(p[i]) > largest_ ? std::fabs(p[i]) : largest_;
+    room_ = round_up(size_, block);
+    all_.resize(3 * room_);
+    for (std::size_t k = 0; k < room_; ++k) {
+        const math::Vec3& p = points[std::min(k, size_ - 1)];
+        for (std::size_t i = 0; i < 3; ++i) {
+            all_[i * room_ + k] = p[int(i)];
+            largest_ = std::fabs(p[int(i)]) > largest_ ? std::fabs(p[int(i)]) : largest_;
+        }
     }
-    while (x_.size() % block != 0) x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
 }
 
 // First in floats: the greatest product, and all that may be it, as floats are only so exact. If these are several,
@@ -34,9 +38,10 @@ std::size_t Columns::farthest(const DVec3& d) const {
     if (!(greatest > 0)) return 0;
     const double scale = 1 / greatest;
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
+    const float *const x = column(0), *const y = column(1), *const z = column(2);
     F4 kept[2 * max_kept]; // of the first blocks: most hulls have no more
-    const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
-    const std::size_t blocks = x_.size() / block, in_kept = blocks < max_kept ? blocks : max_kept;
+    const auto along = [&](std::size_t i) { return load(x + i) * dx + load(y + i) * dy + load(z + i) * dz; };
+    const std::size_t blocks = room_ / block, in_kept = blocks < max_kept ? blocks : max_kept;
     F4 most = splat(-std::numeric_limits<float>::infinity()), more = most;
     for (std::size_t i = 0; i < in_kept; ++i) {
         kept[2 * i] = along(block * i), kept[2 * i + 1] = along(block * i + 4);
@@ -59,17 +64,18 @@ std::size_t Columns::farthest(const DVec3& d) const {
 }
 
 std::size_t Columns::nearly_farthest(const DVec3& d) const {
+    const float *const x = column(0), *const y = column(1), *const z = column(2);
     constexpr std::size_t at_once = 8;
     const F4 dx = splat(float(d.x)), dy = splat(float(d.y)), dz = splat(float(d.z));
     F4 products[at_once];
     float farthest = -std::numeric_limits<float>::infinity();
     std::size_t best = 0;
-    for (std::size_t first = 0; first < x_.size(); first += 4 * at_once) {
-        const std::size_t left = (x_.size() - first) / 4, count = left < at_once ? left : at_once;
+    for (std::size_t first = 0; first < room_; first += 4 * at_once) {
+        const std::size_t left = (room_ - first) / 4, count = left < at_once ? left : at_once;
         F4 most = splat(farthest);
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t i = first + 4 * k;
-            products[k] = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz;
+            products[k] = load(x + i) * dx + load(y + i) * dy + load(z + i) * dz;
             most = greater(products[k], most);
         }
         most = spread_greatest(most);
@@ -83,11 +89,12 @@ std::size_t Columns::nearly_farthest(const DVec3& d) const {
 }
 
 Columns::Range Columns::range(const math::Vec3& d) const {
+    const float *const x = column(0), *const y = column(1), *const z = column(2);
     const F4 dx = splat(d.x), dy = splat(d.y), dz = splat(d.z);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     F4 most = splat(-infinity), least = splat(infinity);
-    for (std::size_t i = 0; i < x_.size(); i += 4) {
-        const F4 along = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz;
+    for (std::size_t i = 0; i < room_; i += 4) {
+        const F4 along = load(x + i) * dx + load(y + i) * dy + load(z + i) * dz;
         most = greater(along, most), least = lesser(along, least);
     }
     return {-greatest_of(-least), greatest_of(most)};
@@ -95,15 +102,16 @@ Columns::Range Columns::range(const math::Vec3& d) const {
 
 // Of those that are at least so far along scale x d, in floats.
 std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) const {
+    const float *const x = column(0), *const y = column(1), *const z = column(2);
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
     double best_along = -std::numeric_limits<double>::infinity();
     std::size_t best = 0;
-    for (std::size_t i = 0; i < x_.size(); i += 4) {
-        const I4 may_be = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz >= splat(least);
+    for (std::size_t i = 0; i < room_; i += 4) {
+        const I4 may_be = load(x + i) * dx + load(y + i) * dy + load(z + i) * dz >= splat(least);
         if (!any(may_be)) continue;
         for (std::size_t k = i; k < i + 4 && k < size_; ++k) {
             if (may_be[k - i] == 0) continue;
-            const double exact = math::dot(DVec3{x_[k], y_[k], z_[k]}, d);
+            const double exact = math::dot(DVec3{x[k], y[k], z[k]}, d);
             if (exact > best_along) best_along = exact, best = k;
         }
     }
@@ -111,13 +119,12 @@ std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) cons
 }
 
 PlaneColumns::PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets)
-    : size_(normals.size()) {
-    for (std::vector<float>* column : {&x_, &y_, &z_, &offset_}) column->reserve(round_up(size_, width));
-    offset_.assign(offsets.begin(), offsets.end());
-    for (const math::Vec3& n : normals) x_.push_back(n.x), y_.push_back(n.y), z_.push_back(n.z);
-    while (x_.size() % width != 0) {
-        x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
-        offset_.push_back(std::numeric_limits<float>::infinity());
+    : size_(normals.size()), room_(round_up(size_, width)) {
+    all_.resize(4 * room_);
+    for (std::size_t k = 0; k < room_; ++k) {
+        const std::size_t from = std::min(k, size_ - 1);
+        for (std::size_t i = 0; i < 3; ++i) all_[i * room_ + k] = normals[from][int(i)];
+        all_[3 * room_ + k] = k < size_ ? offsets[k] : std::numeric_limits<float>::infinity();
     }
 }
 

@@ -54,6 +54,8 @@ class Columns {
     explicit Columns(std::span<const math::Vec3> points);
 
     std::size_t size() const { return size_; }
+    math::Vec3 operator[](std::size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
+    bool operator==(const Columns&) const = default;
     // Directions come by reference: a copy of one that was just computed stalls the processor.
     // The point farthest along d, which may have any length: exactly that of dot products in double, of equal ones the
     // first.
@@ -70,9 +72,11 @@ class Columns {
   private:
     std::size_t farthest_of(const math::DVec3& d, double scale, float least) const;
 
-    std::size_t size_ = 0;
-    float largest_ = 0;            // of all coordinates
-    std::vector<float> x_, y_, z_; // padded to blocks by repeating the last point
+    const float* column(std::size_t i) const { return all_.data() + i * room_; }
+
+    std::size_t size_ = 0, room_ = 0; // room: padded to blocks by repeating the last point
+    float largest_ = 0;               // of all coordinates
+    std::vector<float> all_;          // x of each, then y, then z
 };
 
 // Planes n . x = offset, likewise.
@@ -88,12 +92,14 @@ class PlaneColumns {
     // adds up to 1e-6 of the sizes.
     columns::F4 above(std::size_t i, math::Vec3 p) const {
         using namespace columns;
-        return splat(p.x) * load(&x_[i]) + splat(p.y) * load(&y_[i]) + splat(p.z) * load(&z_[i]) - load(&offset_[i]);
+        const float* const x = all_.data() + i;
+        return splat(p.x) * load(x) + splat(p.y) * load(x + room_) + splat(p.z) * load(x + 2 * room_) -
+               load(x + 3 * room_);
     }
 
   private:
-    std::size_t size_ = 0;
-    std::vector<float> x_, y_, z_, offset_; // padded to `width`
+    std::size_t size_ = 0, room_ = 0; // room: padded to `width`
+    std::vector<float> all_;          // x of each normal, then y, then z, then the offsets
 };
 
 } // namespace cairn

@@ -91,10 +91,10 @@ inline math::DVec3 polygon_support(const Convex& c, math::DVec3 d) {
 }
 inline math::DVec3 hull_support(const Core& core, math::DVec3 d) {
     const HullData& hull = *core.shape->hull;
-    const Columns& columns = core.is_inset ? hull.core_columns : hull.vertex_columns;
+    const Columns& columns = core.is_inset ? hull.core : hull.vertex_columns;
     const math::DVec3 along = to_local(*core.shape, d);
     const std::size_t i = core.is_quick ? columns.nearly_farthest(along) : columns.farthest(along);
-    return hull_point(*core.shape, (core.is_inset ? hull.core : hull.vertices)[i]);
+    return hull_point(*core.shape, columns[i]);
 }
 math::DVec3 round_support(const Core& core, math::DVec3 d); // of balls, capsules and cylinders
 
@@ -135,7 +135,7 @@ math::DVec3 middle(const Convex& c);
 int face_count(const Convex& c);
 bool has_face(const Convex& c, int face); // the tip of a cone is none
 inline math::DVec3 face_normal(const Convex& c, int face) {
-    if (c.kind == Convex::Kind::hull) return c.axes * c.hull->unit_normals[static_cast<std::size_t>(face)];
+    if (c.kind == Convex::Kind::hull) return c.axes * c.hull->unit_normal(static_cast<std::size_t>(face));
     if (c.kind == Convex::Kind::box) return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
     return face == 0 ? c.axes.c1 : -c.axes.c1;
 }

@@ -19,13 +19,18 @@ struct HullFace {
     math::Vec3 normal;
     float offset = 0;
     std::uint32_t first = 0, count = 0;
+    std::uint32_t first_side = 0; // of a large face, in HullData::sides: the blocks of its sides
 };
+
+// The sides of larger faces are kept; those of others are made when they are asked for: in a pile that takes no longer
+// than to get them from memory, where they would be half of a hull.
+inline constexpr std::size_t made_blocks = 2, max_made_sides = made_blocks * SideBlock::width;
 
 // A face in its own plane: about its first corner, with x along e1, a unit vector in the plane.
 struct HullOutline {
     math::DVec3 e1;
-    double size = 0;              // the largest coordinate of a corner
-    std::uint32_t first_side = 0; // in HullData::sides: the blocks of its sides
+    double size = 0; // the largest coordinate of a corner
+    std::span<const SideBlock> sides;
 };
 
 struct HullData {
@@ -39,7 +44,7 @@ struct HullData {
 
     // The polyhedron with every face moved inward by `inset`, m (> 0; a small part of its width): its corners, in no
     // particular relation to `vertices`. Two hulls that touch are found apart by their cores.
-    std::vector<math::Vec3> core;
+    Columns core;
     float inset = 0;
 
     // How exact it is, m: the points that it was made of lie at most this far above the plane of any face, and the
@@ -47,20 +52,24 @@ struct HullData {
     float tolerance = 0;
 
     // The same, arranged for searches (see arrange).
-    Columns vertex_columns, core_columns;
+    Columns vertex_columns;
     PlaneColumns plane_columns;
-    std::vector<math::DVec3> unit_normals; // of the faces
-    std::vector<HullOutline> outlines;     // likewise
-    std::vector<SideBlock> sides;
+    std::vector<double> unit_factors; // of the faces: what makes their normals unit vectors in double
+    std::vector<SideBlock> sides;     // of large faces
 
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds
     float bounding_radius = 0; // about the origin of the shape's frame
     float width = 0;           // least distance of two parallel planes that hold it between them (by its faces)
+
+    math::DVec3 unit_normal(std::size_t face) const { return unit_factors[face] * math::to_double(faces[face].normal); }
 };
 
-// Fills the columns, unit normals and outlines of a hull that is otherwise complete.
+// Fills the columns, unit factors and sides of a hull that is otherwise complete.
 void arrange(HullData& hull);
+
+// `made`: room for the sides of a face that is not large.
+HullOutline outline_of(const HullData& hull, std::size_t face, SideBlock (&made)[made_blocks]);
 
 // The convex hull of the points. Throws Error(invalid_value) with field "Hull points" (see Hull in shape.h); also when
 // the points are all within 1e-6 m of each other, and when they are thinner than 1e-6 of the largest coordinate (planes

@@ -295,7 +295,7 @@ void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> po
         const Face& face = body.faces[f];
         const DVec3 top = math::to_double(hull.vertices[body.tops[f]]);
         hull.faces.push_back(
-            {math::to_float(face.normal), float(math::dot(float_normal(face), top)), face.first, face.count});
+            {math::to_float(face.normal), float(math::dot(float_normal(face), top)), face.first, face.count, 0});
     }
     hull.loops = body.loops;
     fill_adjacency(hull);
@@ -356,39 +356,63 @@ HullData build_hull(std::span<const Vec3> points) {
 
 namespace {
 
-// The face in its plane.
-void outline(HullData& hull, const HullFace& face, DVec3 normal) {
-    const auto corner = [&](std::uint32_t i) { return math::to_double(hull.vertices[hull.loops[face.first + i]]); };
-    HullOutline r;
-    r.e1 = direction_in_plane(corner(1) - corner(0), normal);
-    r.first_side = std::uint32_t(hull.sides.size());
-    const DVec3 e2 = math::cross(normal, r.e1);
-    std::vector<FlatCorner> flat;
+// The corners of a face in its plane, of which e2 is the normal x e1.
+inline void lay_flat(const HullData& hull, const HullFace& face, const DVec3& e1, const DVec3& e2, double* x,
+                     double* y) {
+    const std::uint32_t* const loop = &hull.loops[face.first];
+    const DVec3 first = math::to_double(hull.vertices[loop[0]]);
     for (std::uint32_t i = 0; i < face.count; ++i) {
-        const DVec3 d = corner(i) - corner(0);
-        flat.push_back({math::dot(d, r.e1), math::dot(d, e2)});
-        r.size = std::max(r.size, std::max(std::fabs(flat.back().x), std::fabs(flat.back().y)));
+        const DVec3 d = math::to_double(hull.vertices[loop[i]]) - first;
+        x[i] = math::dot(d, e1), y[i] = math::dot(d, e2);
     }
-    make_sides(flat, [&](const SideBlock& block) { hull.sides.push_back(block); });
-    hull.outlines.push_back(r);
+}
+
+inline DVec3 first_axis(const HullData& hull, const HullFace& face, const DVec3& normal) {
+    const std::uint32_t* const loop = &hull.loops[face.first];
+    return direction_in_plane(math::to_double(hull.vertices[loop[1]]) - math::to_double(hull.vertices[loop[0]]),
+                              normal);
 }
 
 } // namespace
 
+HullOutline outline_of(const HullData& hull, std::size_t index, SideBlock (&made)[made_blocks]) {
+    const HullFace& face = hull.faces[index];
+    const DVec3 normal = hull.unit_normal(index);
+    HullOutline r;
+    r.e1 = first_axis(hull, face, normal);
+    const auto grow = [&](double x, double y) { r.size = std::max(r.size, std::max(std::fabs(x), std::fabs(y))); };
+    if (face.count > max_made_sides) {
+        r.sides = {&hull.sides[face.first_side], blocks_of(face.count)};
+        for (const SideBlock& block : r.sides)
+            for (std::size_t k = 0; k < SideBlock::width; ++k) grow(block.x[k], block.y[k]);
+        return r;
+    }
+    double x[max_made_sides + 1], y[max_made_sides + 1];
+    lay_flat(hull, face, r.e1, math::cross(normal, r.e1), x, y);
+    for (std::uint32_t i = 0; i < face.count; ++i) grow(x[i], y[i]);
+    make_sides(x, y, face.count, made);
+    r.sides = {made, blocks_of(face.count)};
+    return r;
+}
+
 void arrange(HullData& hull) {
     hull.vertex_columns = Columns(hull.vertices);
-    hull.core_columns = Columns(hull.core);
-    hull.unit_normals.clear(), hull.outlines.clear(), hull.sides.clear();
+    hull.unit_factors.clear(), hull.sides.clear();
     std::size_t blocks = 0;
-    for (const HullFace& face : hull.faces) blocks += (face.count + SideBlock::width - 1) / SideBlock::width;
-    hull.unit_normals.reserve(hull.faces.size()), hull.outlines.reserve(hull.faces.size()), hull.sides.reserve(blocks);
+    for (HullFace& face : hull.faces)
+        if (face.count > max_made_sides) face.first_side = std::uint32_t(blocks), blocks += blocks_of(face.count);
+    hull.unit_factors.reserve(hull.faces.size()), hull.sides.resize(blocks);
     std::vector<Vec3> normals;
     std::vector<float> offsets;
     for (const HullFace& face : hull.faces) {
-        hull.unit_normals.push_back(math::normalized(math::to_double(face.normal)));
-        outline(hull, face, hull.unit_normals.back());
+        hull.unit_factors.push_back(1.0 / math::length(math::to_double(face.normal)));
         normals.push_back(face.normal);
         offsets.push_back(face.offset);
+        if (face.count <= max_made_sides) continue;
+        const DVec3 normal = hull.unit_normal(hull.unit_factors.size() - 1), e1 = first_axis(hull, face, normal);
+        std::vector<double> x(face.count + SideBlock::width), y = x;
+        lay_flat(hull, face, e1, math::cross(normal, e1), x.data(), y.data());
+        make_sides(x.data(), y.data(), face.count, &hull.sides[face.first_side]);
     }
     hull.plane_columns = PlaneColumns(normals, offsets);
 }

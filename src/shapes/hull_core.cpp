@@ -147,7 +147,7 @@ void inset_core(HullData& hull) {
         for (int i = 0; i < 3; ++i) corner += (rounding.sizes[i] * normal[i] / offset) * rounding.axes[i];
         corners.push_back(corner);
     }
-    hull.core = weld(corners, triangulation.triangles, 1e-3 * inset);
+    hull.core = Columns(weld(corners, triangulation.triangles, 1e-3 * inset));
 }
 
 } // namespace cairn::hull

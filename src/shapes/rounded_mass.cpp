@@ -179,7 +179,7 @@ class RoundedHull {
     // normals: what is left is the solid angle of the ball's sector there (Descartes).
     void add_face(std::uint32_t index) {
         const HullFace& face = hull_.faces[index];
-        const DVec3 n = hull_.unit_normals[index];
+        const DVec3 n = hull_.unit_normal(index);
         const auto at = [&](std::uint32_t i) { return corner(hull_.loops[face.first + i % face.count]); };
         const DVec3 a = at(0);
         for (std::uint32_t i = 1; i + 1 < face.count; ++i) {
@@ -202,7 +202,7 @@ class RoundedHull {
     // A sector of a cylinder between the normals of both faces; and what the arc between them, as the border of the
     // spherical polygons at both ends, gives to those.
     void add_edge(const HalfEdge& edge, std::uint32_t other_face) {
-        const DVec3 m1 = hull_.unit_normals[edge.face], m2 = hull_.unit_normals[other_face];
+        const DVec3 m1 = hull_.unit_normal(edge.face), m2 = hull_.unit_normal(other_face);
         const DVec3 p = corner(edge.low), q = corner(edge.high), along = q - p;
         const double length = math::length(along), cosine = math::dot(m1, m2);
         const double angle = angle_of(cosine, math::length(math::cross(m1, m2)));

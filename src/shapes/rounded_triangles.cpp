@@ -73,7 +73,7 @@ Solid solid_of(const Box& box) {
 Solid solid_of(const HullData& hull) {
     Solid s;
     for (const math::Vec3& v : hull.vertices) s.corners.push_back(math::to_double(v));
-    s.normals = hull.unit_normals;
+    for (std::size_t f = 0; f < hull.faces.size(); ++f) s.normals.push_back(hull.unit_normal(f));
     for (const HullFace& f : hull.faces) {
         const auto first = hull.loops.begin() + std::ptrdiff_t(f.first);
         s.faces.emplace_back(first, first + std::ptrdiff_t(f.count));

@@ -3,6 +3,7 @@
 
 #include "math/vec.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -23,6 +24,16 @@ inline D2 load(const double* p) {
 }
 inline void store(double* p, D2 v) { std::memcpy(p, &v, sizeof v); }
 inline D2 splat(double s) { return D2{s, s}; }
+inline D2 square_root(D2 v) {
+#if defined(__SSE2__)
+    return reinterpret_cast<D2>(_mm_sqrt_pd(reinterpret_cast<__m128d>(v)));
+#else
+    return D2{std::sqrt(v[0]), std::sqrt(v[1])};
+#endif
+}
+inline D2 choose(I2 which, D2 yes, D2 no) {
+    return reinterpret_cast<D2>((which & reinterpret_cast<I2>(yes)) | (~which & reinterpret_cast<I2>(no)));
+}
 // A bit for each of the two that is less than 0.
 inline unsigned negative(D2 v) {
     const I2 is = v < splat(0);
@@ -35,12 +46,9 @@ inline unsigned negative(D2 v) {
 
 } // namespace sides
 
-struct FlatCorner {
-    double x, y;
-};
-
 // Four corners of a counterclockwise polygon, and the side from each to the next: a point is nx x + ny y + offset
-// inside of it, m. Beyond the last corner, which is repeated, and where sides have no length, they hold everything.
+// inside of it, m. Beyond the last corner, where the first is repeated, and where sides have no length, they hold
+// everything.
 struct SideBlock {
     static constexpr std::size_t width = 4;
 
@@ -59,21 +67,24 @@ struct SideBlock {
     }
 };
 
-// Calls add(block) for all sides of a polygon of at least one corner, which has x and y.
-template <class Corners, class Add> void make_sides(const Corners& corners, Add&& add) {
-    const std::size_t n = corners.size(), width = SideBlock::width;
-    for (std::size_t first = 0; first < n; first += width) {
-        SideBlock block;
-        for (std::size_t k = 0; k < width; ++k) {
-            const std::size_t i = first + k < n ? first + k : n - 1;
-            const auto &a = corners[i], &b = corners[i + 1 < n ? i + 1 : 0];
-            const double dx = b.x - a.x, dy = b.y - a.y, square = first + k < n ? dx * dx + dy * dy : 0;
-            const double s = square > 0 ? 1 / std::sqrt(square) : 0;
-            block.x[k] = a.x, block.y[k] = a.y;
-            block.nx[k] = -s * dy, block.ny[k] = s * dx;
-            block.offset[k] = s > 0 ? s * (dy * a.x - dx * a.y) : 1e300;
-        }
-        add(block);
+// Of the sides of a polygon of that many corners.
+constexpr std::size_t blocks_of(std::size_t corners) { return (corners + SideBlock::width - 1) / SideBlock::width; }
+
+// Writes these blocks. Behind the n corners there is room for one more than fill the last block.
+inline void make_sides(double* corner_x, double* corner_y, std::size_t n, SideBlock* out) {
+    using namespace sides;
+    constexpr std::size_t width = SideBlock::width;
+    const std::size_t room = width * blocks_of(n);
+    for (std::size_t i = n; i <= room; ++i) corner_x[i] = corner_x[0], corner_y[i] = corner_y[0];
+    for (std::size_t i = 0; i < room; i += 2) {
+        SideBlock& block = out[i / width];
+        const std::size_t k = i % width;
+        const D2 x = load(corner_x + i), y = load(corner_y + i);
+        const D2 dx = load(corner_x + i + 1) - x, dy = load(corner_y + i + 1) - y, square = dx * dx + dy * dy;
+        const D2 s = choose(square > splat(0), splat(1) / square_root(square), splat(0));
+        store(block.x + k, x), store(block.y + k, y);
+        store(block.nx + k, -s * dy), store(block.ny + k, s * dx);
+        store(block.offset + k, choose(s > splat(0), s * (dy * x - dx * y), splat(1e300)));
     }
 }
 

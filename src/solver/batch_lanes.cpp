@@ -1,5 +1,6 @@
 #include "solver/batch_lanes.h"
 
+#include "core/room.h"
 #include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
 #include "solver/rank_border.h"
@@ -54,10 +55,11 @@ class LaneFiller {
     LaneLists& lanes_of(std::uint32_t key) { return has_one_point(key) ? scratch_.one_lanes : scratch_.four_lanes; }
     std::int32_t row_of(std::int32_t body) const { return body == none ? fixed_row : scratch_.row_of_body[body]; }
     template <class Block> static void make_room(std::vector<Block>& blocks, const LaneLists& lanes) {
-        if (blocks.size() * 8 < lanes.record.size()) blocks.resize(lanes.record.size() / 8);
+        if (blocks.size() * 8 < lanes.record.size()) set_size_anew(blocks, lanes.record.size() / 8);
     }
     static void resize(LaneLists& lanes, std::size_t size) {
-        lanes.record.resize(size, -1), lanes.row_a.resize(size, fixed_row), lanes.row_b.resize(size, fixed_row);
+        set_size(lanes.record, size, -1), set_size(lanes.row_a, size, fixed_row),
+            set_size(lanes.row_b, size, fixed_row);
     }
 
     // Whole blocks of so many lanes behind those that are there; the last of them are empty.

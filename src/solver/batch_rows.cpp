@@ -7,6 +7,7 @@
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "core/order.h"
+#include "core/room.h"
 #include "jobs/ordered_list.h"
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
@@ -149,11 +150,11 @@ void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, c
     while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
     const std::size_t rows = scratch.row_count();
     const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
-    scratch.velocity.resize(all);
-    scratch.reference.resize(all);
-    scratch.rounding.resize(all);
-    scratch.pose.resize(all);
-    scratch.inertia.resize(all);
+    set_size_anew(scratch.velocity, all);
+    set_size_anew(scratch.reference, all);
+    set_size_anew(scratch.rounding, all);
+    set_size_anew(scratch.pose, all);
+    set_size_anew(scratch.inertia, all);
     scratch.row_traits.resize(rows);
     std::atomic<std::uint64_t> clamped_speeds = 0;
     for_chunks(thread_pool, int(all), rows_per_chunk, [&](int begin, int end, int) {

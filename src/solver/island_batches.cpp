@@ -3,6 +3,7 @@
 
 #include "contacts/contact_update.h"
 #include "core/cache.h"
+#include "core/room.h"
 #include "islands/substep_policy.h"
 #include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
@@ -54,8 +55,8 @@ void count_contacts(const SortedContact* begin, const SortedContact* end, Solver
 void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
                       const std::vector<std::uint32_t>& solved, SolverScratch& scratch, ThreadPool& thread_pool,
                       float dt) {
-    std::vector<SortedContact>& unsorted = scratch.unsorted;
-    unsorted.resize(solved.size());
+    std::vector<SortedContact>& unsorted = scratch.sorted; // until they are
+    set_size_anew(unsorted, solved.size());
     thread_pool.for_chunks(int(solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         ContactInfo* const info = contacts.info.data();
         const BodyLinks* const links = bodies.links.data();
@@ -81,16 +82,17 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
 
 // In the order of the batches, each in its own: a counting sort by chunks, stable.
 void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
-    const int count = int(scratch.unsorted.size());
+    const std::vector<SortedContact>& unsorted = scratch.sorted;
+    const int count = int(unsorted.size());
     const std::size_t batches = scratch.batches.size();
-    scratch.of_batches.resize(scratch.unsorted.size());
-    if (batches <= 1) return scratch.of_batches.swap(scratch.unsorted);
+    if (batches <= 1) return scratch.of_batches.swap(scratch.sorted);
+    set_size_anew(scratch.of_batches, unsorted.size());
     // Few chunks: each counts for every batch.
     const int size = std::max(contacts_per_chunk, count / max_chunks + 1);
     sort_in_order(
         &thread_pool, count, size, batches, 0, nullptr, scratch.batch_counts,
-        [&](int k) { return std::size_t(scratch.batch_of_island[scratch.unsorted[std::size_t(k)].island]); },
-        [&](int k, std::uint32_t place) { scratch.of_batches[place] = scratch.unsorted[std::size_t(k)]; });
+        [&](int k) { return std::size_t(scratch.batch_of_island[unsorted[std::size_t(k)].island]); },
+        [&](int k, std::uint32_t place) { scratch.of_batches[place] = unsorted[std::size_t(k)]; });
 }
 
 } // namespace
@@ -144,7 +146,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         scratch.batch_islands[batch.first_island + batch.island_count++] = i;
     }
     sort_by_batch(scratch, *step.thread_pool);
-    scratch.sorted.resize(std::size_t(contact_count));
+    set_size_anew(scratch.sorted, std::size_t(contact_count));
     scratch.key_ends.resize(scratch.batches.size() * std::size_t(keys_per_batch));
 }
 

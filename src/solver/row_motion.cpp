@@ -3,6 +3,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
+#include "core/room.h"
 
 #include <algorithm>
 
@@ -81,7 +82,7 @@ void fill_spin_lane(const Bodies& bodies, std::size_t b, std::int32_t row, SpinB
 
 void fill_spin_blocks(const Bodies& bodies, BatchScratch& scratch, ThreadPool* thread_pool) {
     const int blocks = spin_block_count(scratch);
-    if (scratch.spin_blocks.size() < std::size_t(blocks)) scratch.spin_blocks.resize(std::size_t(blocks));
+    if (scratch.spin_blocks.size() < std::size_t(blocks)) set_size_anew(scratch.spin_blocks, std::size_t(blocks));
     for_chunks(thread_pool, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             SpinBlock& block = scratch.spin_blocks[k] = {};

@@ -4,6 +4,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
+#include "core/room.h"
 #include "islands/substep_policy.h"
 #include "joints/direct_joints.h"
 #include "joints/direct_sets.h"
@@ -316,7 +317,7 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     SolverScratch& scratch = step.solver;
     update_direct_sets(bodies, joints, step.direct);
     ThreadPool* const thread_pool = step.thread_pool.get();
-    scratch.reports.resize(contacts.records.size());
+    set_size(scratch.reports, contacts.records.size());
     scratch.at_work.resize(std::size_t(thread_pool->threads()));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {

@@ -4,6 +4,7 @@
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
 #include "core/key_tree.h"
+#include "core/room.h"
 #include "jobs/ordered_list.h"
 #include "state/contact_state.h"
 #include "state/touch.h"
@@ -44,7 +45,10 @@ struct FlightPairs {
     std::vector<FlightPair> pairs;
     std::vector<Manifold> hits;
 
-    void clear() { pairs.clear(), hits.clear(); }
+    void clear() {
+        give_back_room(pairs), give_back_room(hits);
+        pairs.clear(), hits.clear();
+    }
     void add(std::uint32_t place, const Manifold* first, std::size_t count) {
         pairs.push_back({place, false, std::uint32_t(hits.size()), std::uint32_t(count)});
         hits.insert(hits.end(), first, first + count);

@@ -204,14 +204,14 @@ struct SolverScratch {
     std::vector<IslandBatch> batches;
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
-    std::vector<std::uint8_t> island_bounces;                // 1: one of its contacts does
-    std::vector<std::uint32_t> batch_counts;                 // by chunk of contacts and batch
-    std::vector<SortedContact> unsorted, of_batches, sorted; // as found; by batch; by batch and key
-    std::vector<std::uint32_t> key_ends;     // by batch and key: where its contacts end among the sorted
-    std::vector<ContactReport> reports;      // by contact, of those that were solved
-    std::vector<JointLayout> joint_layouts;  // by batch
-    std::vector<std::int32_t> shared, alone; // batches that all threads solve together, and those that one does
-    std::vector<BatchScratch> at_work;       // one per thread
+    std::vector<std::uint8_t> island_bounces;      // 1: one of its contacts does
+    std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
+    std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key
+    std::vector<std::uint32_t> key_ends;           // by batch and key: where its contacts end among the sorted
+    std::vector<ContactReport> reports;            // by contact, of those that were solved
+    std::vector<JointLayout> joint_layouts;        // by batch
+    std::vector<std::int32_t> shared, alone;       // batches that all threads solve together, and those that one does
+    std::vector<BatchScratch> at_work;             // one per thread
     std::vector<NewBounds> escaped;
     std::vector<std::int32_t> fast;           // of all threads, in ascending order
     std::vector<std::int32_t> strayed;        // likewise

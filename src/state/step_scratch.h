@@ -1,6 +1,7 @@
 // What a step works with and leaves nothing in that a later one depends on: no part of the state, nor of snapshots.
 #pragma once
 
+#include "core/room.h"
 #include "jobs/thread_pool.h"
 #include "state/direct_sets.h"
 #include "state/narrow_scratch.h"
@@ -18,6 +19,17 @@ struct StepScratch {
     SolverScratch solver;
     DirectSets direct;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
+
+    // After a step: of what bodies in flight and leaving their boxes have needed, and these ones now do not.
+    void give_back_room() {
+        const auto give_back = [](auto&... lists) { (cairn::give_back_room(lists), ...); };
+        give_back(solver.escaped, solver.fast, solver.strayed);
+        for (BatchScratch& own : solver.at_work)
+            give_back(own.finalized.escaped, own.finalized.fast, own.finalized.strayed);
+        SweepScratch& sweep = solver.sweep;
+        give_back(sweep.bodies, sweep.passing, sweep.movers, sweep.pairs, sweep.bounds_of_ways, sweep.strayed,
+                  sweep.redirected, sweep.meetings, sweep.known);
+    }
 
     // Before a step of another state: the memory is good for any, but what was laid out for joints holds for the
     // changes of one world alone.

@@ -3,6 +3,7 @@
 
 #include "commands/generated/calls.h"
 #include "commands/generated/codec.h"
+#include "core/room.h"
 #include "core/set_aside.h"
 #include "state/state.h"
 #include "state/step_scratch.h"
@@ -143,7 +144,7 @@ void World::Impl::tell([[maybe_unused]] Command command, [[maybe_unused]] const 
 }
 
 template <class T> void make_room(std::vector<T>& v, std::size_t index) {
-    if (v.size() <= index) v.resize(index + 1);
+    if (v.size() <= index) set_size(v, index + 1);
 }
 
 template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what) {

@@ -104,6 +104,7 @@ void World::Impl::make_step(float dt) {
     for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // they act for one step
     state.bodies.pushed.clear();
     state.events.publish();
+    step.give_back_room();
     times.total = clock.total();
 
     ++state.steps;

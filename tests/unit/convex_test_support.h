@@ -67,6 +67,7 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
     hull->hi = cairn::math::to_float(hi);
     const auto vertex = [&](std::size_t i) { return cairn::math::to_double(hull->vertices[i]); };
     std::vector<DVec3> normals;
+    std::vector<cairn::math::Vec3> core;
     double width = 1e300;
     for (const auto& loop : faces) {
         DVec3 n;
@@ -105,10 +106,11 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
         const double m = hull->inset;
         const DVec3 d{dot(n0, p) - m, dot(n1, p) - m, dot(n2, p) - m};
         const double det = dot(n0, cross(n1, n2));
-        hull->core.push_back(
+        core.push_back(
             cairn::math::to_float((1 / det) * (d.x * cross(n1, n2) + d.y * cross(n2, n0) + d.z * cross(n0, n1))));
     }
     hull->neighbor_start.push_back(static_cast<std::uint32_t>(hull->neighbors.size()));
+    hull->core = cairn::Columns(core);
     cairn::arrange(*hull);
     return hull;
 }

@@ -148,11 +148,12 @@ class HullChecker {
         const double near = 1e-9 * extent_ + rounding_;
         for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
             const HullFace& face = hull_.faces[f];
-            const HullOutline& outline = hull_.outlines.at(f);
-            const math::DVec3 e1 = outline.e1, e2 = math::cross(hull_.unit_normals.at(f), e1);
+            SideBlock made[made_blocks];
+            const HullOutline outline = outline_of(hull_, f, made);
+            const math::DVec3 e1 = outline.e1, e2 = math::cross(hull_.unit_normal(f), e1);
             double size = 0;
             for (std::uint32_t i = 0; i < face.count; ++i) {
-                const SideBlock& own = hull_.sides.at(outline.first_side + i / SideBlock::width);
+                const SideBlock& own = outline.sides[i / SideBlock::width];
                 const double x = own.x[i % SideBlock::width], y = own.y[i % SideBlock::width];
                 const math::DVec3 d = vertex(hull_.loops[face.first + i]) - vertex(hull_.loops[face.first]);
                 if (std::fabs(math::dot(d, e1) - x) > near || std::fabs(math::dot(d, e2) - y) > near)
@@ -161,7 +162,7 @@ class HullChecker {
                 const unsigned count = (face.count + SideBlock::width - 1) / SideBlock::width;
                 for (unsigned k = 0; k < count * SideBlock::width; ++k) {
                     double inside[SideBlock::width];
-                    hull_.sides.at(outline.first_side + k / SideBlock::width).inside(x, y, 0, inside);
+                    outline.sides[k / SideBlock::width].inside(x, y, 0, inside);
                     const double distance = inside[k % SideBlock::width];
                     const bool on_side = k == i || (k + 1) % face.count == i;
                     if (k < face.count && on_side ? std::fabs(distance) > near : distance < -allowed_turn(face, k))
@@ -233,7 +234,8 @@ class HullChecker {
         const double inset = hull_.inset, slack = 1e-3 * inset + rounding_;
         if (!(inset > 0 && inset <= 0.0401 * double(hull_.width))) wrong("inset ", inset);
         if (hull_.core.size() < 4 && rounding_ < 0.1 * inset) wrong("the core has ", hull_.core.size(), " corners");
-        for (const math::Vec3 c : hull_.core) {
+        for (std::size_t i = 0; i < hull_.core.size(); ++i) {
+            const math::Vec3 c = hull_.core[i];
             int tight = 0;
             for (const HullFace& face : hull_.faces) {
                 const double below = -above(face, math::to_double(c));

@@ -266,7 +266,8 @@ TEST(Hull, CoreOfABoxIsTheSmallerBox) {
     const HullData hull = build_checked(box_corners({1, 2, 3}));
     EXPECT_NEAR(double(hull.inset), 0.08, 1e-6);
     ASSERT_EQ(hull.core.size(), 8u);
-    for (const Vec3 c : hull.core) {
+    for (std::size_t i = 0; i < hull.core.size(); ++i) {
+        const Vec3 c = hull.core[i];
         EXPECT_NEAR(double(std::fabs(c.x)), 0.92, 1e-6);
         EXPECT_NEAR(double(std::fabs(c.y)), 1.92, 1e-6);
         EXPECT_NEAR(double(std::fabs(c.z)), 2.92, 1e-6);
@@ -282,8 +283,8 @@ TEST(Hull, CoreReachesTheInsetBelowLargeFaces) {
         double largest = 0, reach_of_largest = 0;
         for (const HullFace& face : hull.faces) {
             double reach = -1e30;
-            for (const Vec3 c : hull.core)
-                reach = std::max(reach, math::dot(math::to_double(face.normal), math::to_double(c)));
+            for (std::size_t i = 0; i < hull.core.size(); ++i)
+                reach = std::max(reach, math::dot(math::to_double(face.normal), math::to_double(hull.core[i])));
             DVec3 area;
             const auto corner = [&](std::uint32_t i) {
                 return math::to_double(hull.vertices[hull.loops[face.first + i]]);
@@ -360,8 +361,7 @@ TEST(Hull, KeepsNoRoomToGrow) {
         const HullData hull = build_checked(make_points(count, [&](int) { return random.on_sphere(); }));
         EXPECT_EQ(hull.vertices.capacity(), hull.vertices.size()) << count;
         EXPECT_EQ(hull.faces.capacity(), hull.faces.size()) << count;
-        EXPECT_EQ(hull.unit_normals.capacity(), hull.unit_normals.size()) << count;
-        EXPECT_EQ(hull.outlines.capacity(), hull.outlines.size()) << count;
+        EXPECT_EQ(hull.unit_factors.capacity(), hull.unit_factors.size()) << count;
         EXPECT_EQ(hull.sides.capacity(), hull.sides.size()) << count;
     }
 }
