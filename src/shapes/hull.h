@@ -52,6 +52,7 @@ struct HullData {
     std::vector<math::DVec3> unit_normals; // of the faces
     std::vector<HullOutline> outlines;     // likewise
     std::vector<SideBlock> sides;
+    double inner_radius = 0; // of a ball about the middle of the bounds that lies within
 
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds
