@@ -100,12 +100,12 @@ std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& st
     const double tolerance = sweep_tolerance * extent_of(moving, still);
     if (is_ball_and_formula(moving, still) || is_ball_and_formula(still, moving))
         return sweep_ball_and(moving, way, still, start.fraction, limit, tolerance);
-    if (start.fraction == 0 && overlap_by_balls(moving, still, tolerance)) return ConvexHit{0, {}, {}};
     if (is_sharp_box(moving) && is_sharp_box(still)) {
         const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
         if (boxes.state == BoxSweep::State::missed) return std::nullopt;
         if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
     }
+    if (start.fraction == 0 && overlap_by_balls(moving, still, tolerance)) return ConvexHit{0, {}, {}};
     const CorePair pair{exact_core(moving), exact_core(still)};
     const GjkCast c = gjk_cast(pair, way, limit, tolerance, start.toward);
     switch (c.state) {
@@ -220,11 +220,6 @@ std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Conv
 }
 
 ConvexHit overlap_hit(const Convex& moving, const Convex& still) {
-    if (is_sharp_box(moving) && is_sharp_box(still)) {
-        const BoxSweep boxes = sweep_boxes(moving, {}, still, 0, sweep_tolerance * extent_of(moving, still));
-        if (boxes.state == BoxSweep::State::overlapping && !(boxes.normal == DVec3{}))
-            return {0, boxes.point, boxes.normal};
-    }
     const ClosestPoints c = closest_points(moving, still);
     return {0, c.on_b, -c.normal};
 }
