@@ -72,7 +72,7 @@ double inner_radius(const Convex& c) {
     return has_nearest(c) ? c.extent : 0;
 }
 
-// Whether the ball within one overlaps the other by more than a depth: of most that overlap it is so.
+// Whether the ball within one overlaps the other by more than a depth: then they do, and GJK need not say so.
 bool holds_ball(const Convex& c, const Convex& other, double depth) {
     if (!has_nearest(c)) return false;
     const DVec3 p = to_local(c, middle(other) - c.center), off = p - *nearest_in_core(c, p);
