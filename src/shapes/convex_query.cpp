@@ -1,5 +1,6 @@
 #include "shapes/convex_query.h"
 
+#include "shapes/ball_sweep.h"
 #include "shapes/box_sweep.h"
 #include "shapes/epa.h"
 
@@ -65,17 +66,48 @@ bool is_deeper(const Simplex& s, double depth) {
     return true;
 }
 
+// The radius of a ball around the middle that lies within; 0 where none is known.
+double inner_radius(const Convex& c) {
+    if (c.kind == Convex::Kind::hull) return c.hull->inner_radius + outer_radius(c);
+    return has_nearest(c) ? c.extent : 0;
+}
+
+// Whether the ball within one overlaps the other by more than a depth: then they do, and GJK need not say so.
+bool holds_ball(const Convex& c, const Convex& other, double depth) {
+    if (!has_nearest(c)) return false;
+    const DVec3 p = to_local(c, middle(other) - c.center), off = p - *nearest_in_core(c, p);
+    const double reach = inner_radius(other) + outer_radius(c) - depth;
+    return reach > 0 && dot(off, off) < reach * reach;
+}
+bool overlap_by_balls(const Convex& a, const Convex& b, double depth) {
+    return holds_ball(a, b, depth) || holds_ball(b, a, depth);
+}
+
 bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
 
-std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
+// Of a ball with a shape whose nearest point a formula tells, whichever of them moves.
+std::optional<ConvexHit> sweep_ball_and(const Convex& moving, DVec3 way, const Convex& still, double from, double limit,
+                                        double tolerance) {
+    const bool is_moving = is_ball_and_formula(moving, still);
+    const BallSweep s = is_moving ? sweep_ball(moving, way, still, from, limit, tolerance)
+                                  : sweep_ball(still, -way, moving, from, limit, tolerance);
+    if (s.state == BallSweep::State::missed) return std::nullopt;
+    if (is_moving) return ConvexHit{s.fraction, s.nearest, s.normal};
+    return ConvexHit{s.fraction, still.center - still.radius * s.normal, -s.normal};
+}
+
+std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, Approach start) {
     const double tolerance = sweep_tolerance * extent_of(moving, still);
+    if (is_ball_and_formula(moving, still) || is_ball_and_formula(still, moving))
+        return sweep_ball_and(moving, way, still, start.fraction, limit, tolerance);
     if (is_sharp_box(moving) && is_sharp_box(still)) {
         const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
         if (boxes.state == BoxSweep::State::missed) return std::nullopt;
         if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
     }
+    if (start.fraction == 0 && overlap_by_balls(moving, still, tolerance)) return ConvexHit{0, {}, {}};
     const CorePair pair{exact_core(moving), exact_core(still)};
-    const GjkCast c = gjk_cast(pair, way, limit, tolerance, guess);
+    const GjkCast c = gjk_cast(pair, way, limit, tolerance, start.toward);
     switch (c.state) {
     case GjkCast::State::missed:
         return std::nullopt;
@@ -93,6 +125,11 @@ std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& st
 }
 
 } // namespace
+
+bool has_nearest(const Convex& c) {
+    if (c.kind == Convex::Kind::capsule || c.kind == Convex::Kind::cylinder) return c.size.x == c.size.z;
+    return c.kind == Convex::Kind::ball || c.kind == Convex::Kind::box;
+}
 
 std::optional<DVec3> nearest_in_core(const Convex& c, DVec3 p) {
     const auto within = [](double x, double most) { return x < -most ? -most : x > most ? most : x; };
@@ -151,6 +188,9 @@ std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_dis
 }
 
 bool overlap(const Convex& a, const Convex& b) {
+    if (is_ball_and_formula(a, b)) return ball_overlaps(a, b);
+    if (is_ball_and_formula(b, a)) return ball_overlaps(b, a);
+    if (overlap_by_balls(a, b, 0)) return true;
     if (is_sharp_box(a) && is_sharp_box(b)) {
         const BoxSweep boxes = sweep_boxes(a, {}, b, 0, sweep_tolerance * extent_of(a, b));
         if (boxes.state != BoxSweep::State::unsettled) return boxes.state == BoxSweep::State::overlapping;
@@ -174,8 +214,9 @@ std::optional<ConvexHit> cast_ray(const Convex& c, DVec3 origin, DVec3 way) {
     return sweep(make_point(origin), way, c, 1, {});
 }
 
-std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
-    return sweep(moving, way, still, limit, guess);
+std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit,
+                                     Approach start) {
+    return sweep(moving, way, still, limit, start);
 }
 
 ConvexHit overlap_hit(const Convex& moving, const Convex& still) {

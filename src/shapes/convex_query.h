@@ -24,6 +24,7 @@ std::optional<NearPoint> nearest_point(const Convex& c, math::DVec3 to, double m
 // The point of an exact core that is nearest to one, both in the frame of its center and axes, where a formula tells
 // it.
 std::optional<math::DVec3> nearest_in_core(const Convex& c, math::DVec3 to);
+bool has_nearest(const Convex& c); // whether one does
 
 // Whether they have a point in common; touching counts.
 bool overlap(const Convex& a, const Convex& b);
@@ -40,13 +41,18 @@ struct ConvexHit {
 // Where a ray from `origin` over `way` meets the shape. Not met from within.
 std::optional<ConvexHit> cast_ray(const Convex& c, math::DVec3 origin, math::DVec3 way);
 
+// What may be known of a sweep before it.
+struct Approach {
+    math::DVec3 toward;  // from one to the other where they may touch, of any length; 0: unknown
+    double fraction = 0; // before which they do not meet
+};
+
 // When a shape that moves by `way` without turning first touches another: within a millionth of the size of the smaller
 // one. Shapes that overlap from the start meet at 0; those that only touch meet at 0 unless they move apart. Hits
 // beyond the fraction `limit` do not count. Of shapes that overlap deep only the fraction is told, as the rest takes
-// longest: the normal is 0 then, and `overlap_hit` tells point and normal, those of the least way apart. `guess`: a
-// direction from one to the other where they may touch, of any length.
+// longest: the normal is 0 then, and `overlap_hit` tells point and normal, those of the least way apart.
 std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still, double limit = 1,
-                                     math::DVec3 guess = {});
+                                     Approach start = {});
 ConvexHit overlap_hit(const Convex& moving, const Convex& still);
 
 } // namespace cairn

@@ -415,6 +415,12 @@ void arrange(HullData& hull) {
         make_sides(x.data(), y.data(), face.count, &hull.sides[face.first_side]);
     }
     hull.plane_columns = PlaneColumns(normals, offsets);
+    const math::DVec3 middle = 0.5 * (math::to_double(hull.lo) + math::to_double(hull.hi));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < hull.faces.size(); ++i)
+        nearest =
+            std::min(nearest, double(hull.faces[i].offset) - math::dot(math::to_double(hull.faces[i].normal), middle));
+    hull.inner_radius = std::max(0.0, nearest - 2 * double(hull.tolerance)); // corners of faces are so far off them
 }
 
 } // namespace cairn

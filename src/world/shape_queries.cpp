@@ -39,9 +39,9 @@ class ShapeCast {
         }
         if (still.geometry.type == ShapeType::rectangle)
             return cast_convex(moving_.convex, translation_, convex(still), limit);
-        const auto toward = where_balls_meet(still, limit);
-        if (!toward) return std::nullopt;
-        return cast_convex(moving_.convex, translation_, convex(still), limit, *toward);
+        const auto start = where_balls_meet(still, limit);
+        if (!start) return std::nullopt;
+        return cast_convex(moving_.convex, translation_, convex(still), limit, *start);
     }
     // Of a convex shape that it overlaps at the start.
     ConvexHit from_within(const PosedInQuery& still) const { return overlap_hit(moving_.convex, convex(still)); }
@@ -52,13 +52,13 @@ class ShapeCast {
         return still.convex(center_ + 0.5 * translation_, reach);
     }
 
-    // Where the balls around both meet first, if they do: the direction from one center to the other.
-    std::optional<DVec3> where_balls_meet(const PosedInQuery& still, double limit) const {
+    // Where the balls around both meet first, if they do.
+    std::optional<Approach> where_balls_meet(const PosedInQuery& still, double limit) const {
         constexpr double rounding = 1e-5; // of their radii, which are floats
         const DVec3 to = still.middle() - center_;
         const double radii = moving_.radius + double(still.geometry.bounding_radius),
                      square = radii * radii * (1 + rounding);
-        if (math::dot(to, to) <= square) return to; // from the start
+        if (math::dot(to, to) <= square) return Approach{to}; // from the start
         const double along = math::dot(to, translation_);
         if (!(along > 0)) return std::nullopt;
         const DVec3 off = to - (along / square_) * translation_; // where they are nearest
@@ -66,7 +66,7 @@ class ShapeCast {
         if (!(inside >= 0)) return std::nullopt;
         const double at = along / square_ - std::sqrt(inside / square_);
         if (at > limit) return std::nullopt;
-        return to - at * translation_;
+        return Approach{to - at * translation_, std::max(at, 0.0)};
     }
     // The part of the way, as fractions of it up to `limit`, on which the bounds of both meet.
     std::optional<std::array<double, 2>> where_bounds_meet(const DBounds& still, double limit) const {
