@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x29a1f8be15a591de;
-inline constexpr std::uint64_t pyramid = 0xc42794979fa7c2ee;
-inline constexpr std::uint64_t dominoes = 0x2721529906af45aa;
-inline constexpr std::uint64_t materials = 0xfa834f1b2491629c;
-inline constexpr std::uint64_t tumbler = 0xbac0f9945c67aeea;
-inline constexpr std::uint64_t sleep_and_wake = 0x45e968ef148d337e;
-inline constexpr std::uint64_t compounds = 0x06b5cf2e4c84e076;
-inline constexpr std::uint64_t free_tops = 0xc4fbd81687eeba94;
-inline constexpr std::uint64_t explicit_euler = 0xa8eff6a4eb508a1d;
-inline constexpr std::uint64_t whirl = 0xe0dc3c6aade8bba5;
-inline constexpr std::uint64_t changes = 0x9a5a526dd4213d75;
-inline constexpr std::uint64_t all_shapes = 0x00b53c99afb42830;
-inline constexpr std::uint64_t rounded_shapes = 0xcfbd22c9ac2f727c;
-inline constexpr std::uint64_t surfaces = 0x0bc312f35232a332;
-inline constexpr std::uint64_t all_joints = 0xb4c1e042b90e929c;
-inline constexpr std::uint64_t chains = 0xff89c14a77e00e13;
+inline constexpr std::uint64_t mixed_pile = 0x8b9afffab986181a;
+inline constexpr std::uint64_t pyramid = 0x212cd0354f9feed4;
+inline constexpr std::uint64_t dominoes = 0xbf2318c71f473665;
+inline constexpr std::uint64_t materials = 0xcba17b511fc67238;
+inline constexpr std::uint64_t tumbler = 0x34ca3a1c3533ed82;
+inline constexpr std::uint64_t sleep_and_wake = 0x28c34369aba92137;
+inline constexpr std::uint64_t compounds = 0xf0c3dfe8b1ca854a;
+inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
+inline constexpr std::uint64_t explicit_euler = 0xbbee5ccaf8b08d3c;
+inline constexpr std::uint64_t whirl = 0xd394efa824ed758e;
+inline constexpr std::uint64_t changes = 0x15b04782be71ed98;
+inline constexpr std::uint64_t all_shapes = 0x9aedd4b38923d2b0;
+inline constexpr std::uint64_t rounded_shapes = 0x925f5a64cf882228;
+inline constexpr std::uint64_t surfaces = 0xff30db062b9c857d;
+inline constexpr std::uint64_t all_joints = 0x7d83c8cb93e7abb3;
+inline constexpr std::uint64_t chains = 0x8cff5d821c98bde6;
 
 } // namespace cairn_test::golden
