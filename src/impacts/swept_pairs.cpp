@@ -210,8 +210,13 @@ void SweptPairs::find_near_strayed() {
             });
         }
     });
+    std::int32_t last = none;
     for (int begin = 0; begin < count; begin += bodies_per_chunk)
-        for (const NearShape& near : found[std::size_t(begin / bodies_per_chunk)]) add_near(near.mover, near.shape);
+        for (const NearShape& near : found[std::size_t(begin / bodies_per_chunk)]) {
+            if (near.mover != last) list_pairs_of(near.mover);
+            last = near.mover;
+            add_near(near.mover, near.shape);
+        }
 }
 
 // By which the solver has moved the two bodies, or none.
@@ -312,17 +317,52 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
     std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
+    list_pairs_of(mover);
     for (const std::uint32_t other : near) add_near(mover, other);
     note_way({bounds.lo.x, mover, bounds});
 }
 
+namespace {
+
+std::uint64_t key_of(std::uint32_t shape, std::uint32_t other) { return std::uint64_t(shape) << 32 | other; }
+
+} // namespace
+
+void SweptPairs::list_pairs_of(std::int32_t mover) {
+    std::vector<std::uint64_t>& listed = scratch_.listed;
+    listed.clear();
+    for_each_of(mover, [&](std::int32_t k) {
+        const SweptPair& pair = (*this)[k];
+        listed.push_back(pair.first == mover ? key_of(pair.shape, pair.other) : key_of(pair.other, pair.shape));
+    });
+    std::sort(listed.begin(), listed.end());
+}
+
+// Each shape once, after list_pairs_of.
 void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
+    const std::vector<std::uint64_t>& listed = scratch_.listed;
     const std::int32_t body = movers_[mover].body;
     for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
-        if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
+        if (!may_collide(shape, other) || std::binary_search(listed.begin(), listed.end(), key_of(shape, other)))
+            return;
         if (are_joined(body, in.shapes.links[other].body)) return;
         add(mover, shape, other, known_contact(shape, other));
     });
+}
+
+// Whether balls around the two bodies stay apart on their ways, which their centers of mass go straight: cheap, and so
+// of a third of all pairs.
+bool SweptPairs::stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const {
+    const Geometry& other = in.shapes.geometry[pair.other];
+    if (other.type == ShapeType::plane || is_strip(other)) return false; // without an end
+    const double end = std::min(a.until, b.until);
+    const DVec3 start = b.start - a.start, speed = b.translation - a.translation;
+    const double square = math::dot(speed, speed);
+    const double time = square > 0 ? std::clamp(-math::dot(start, speed) / square, from, std::max(from, end)) : from;
+    const DVec3 nearest = start + time * speed;
+    const double reach = double(in.bodies.links[in.shapes.links[pair.shape].body].radius) +
+                         double(in.bodies.links[in.shapes.links[pair.other].body].radius);
+    return math::dot(nearest, nearest) > reach * reach;
 }
 
 double SweptPairs::time_of(SweptPair& pair, double from) const {
@@ -342,6 +382,7 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     const Mover* const second = pair.second != none ? &movers_[pair.second] : nullptr;
     const RigidPath path_b = seen(second ? second->path : movers_.path_of(in.shapes.links[pair.other].body));
     const double until_b = second ? second->until : 1;
+    if (first.until >= 1 && until_b >= 1 && stay_far_apart(pair, path_a, path_b, from)) return never;
     const bool turns = first.turns_over || (second && second->turns_over);
     Geometry ball_a, ball_b;
     if (first.turns_over) ball_a = inner_ball(in.bodies, first.body);

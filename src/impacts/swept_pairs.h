@@ -54,6 +54,7 @@ class SweptPairs {
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
+    bool stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const;
     bool may_collide(std::uint32_t a, std::uint32_t b) const;
     bool are_joined(std::int32_t a, std::int32_t b);
     void find_struck(std::int32_t kinematic);
@@ -63,6 +64,7 @@ class SweptPairs {
     void list_ways();
     void note_way(const SweptBounds& way); // of what was redirected
     void find_near_strayed();
+    void list_pairs_of(std::int32_t mover);
     void add_near(std::int32_t mover, std::uint32_t other);
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) const;
 

@@ -119,6 +119,7 @@ struct SweepScratch {
     std::vector<std::int32_t> members;
     std::vector<Assembly> assemblies;
     std::vector<std::uint32_t> near;                   // shapes near a way
+    std::vector<std::uint64_t> listed;                 // pairs of one mover, by both shapes, its own first; sorted
     std::vector<std::vector<NearShape>> near_in_chunk; // of bodies that are looked at side by side
     std::vector<ImpactPoint> points;                   // of one impact
     std::vector<StruckBody> struck;                    // and all else of it
