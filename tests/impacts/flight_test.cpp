@@ -112,7 +112,24 @@ TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
             cell.shots = 100, cell.seed = seed;
             through += shoot(cell).through;
         }
-    EXPECT_LE(through, 12);
+    EXPECT_LE(through, 4);
+}
+
+// Boxes and cones that fly at each other at 10 and 30 m/s and spin at 100 rad/s. After they have met they overlap by a
+// rounding and turn on: the solver had them then, and turned them into each other, 50 of these 6,400 by more than a
+// core.
+TEST(Flight, WhatTurnsOnAfterItMetStaysOutOfEachOther) {
+    int nearer = 0;
+    for (const Kind kind : {Kind::box, Kind::cone})
+        for (const double size : {0.05, 0.2})
+            for (const double speed : {10.0, 30.0})
+                for (const unsigned seed : {1u, 2u}) {
+                    Shooting cell{.kind = kind, .target = Target::bullet, .size = size, .speed = speed, .spin = 100};
+                    cell.shots = 400;
+                    cell.seed = seed;
+                    nearer += shoot(cell).through;
+                }
+    EXPECT_LE(nearer, 20); // seen: 13
 }
 
 // What meets obliquely and does not bounce rolls on the other for the rest of the step, and gets a little into it, as
