@@ -78,8 +78,8 @@ bool one_gyrates(const Bodies& bodies, const ContactInfo& c, float dt) {
 }
 
 // Whether one of the two turns so far that their contact cannot stay as it is in a step: however deep they are in each
-// other if it does so by itself, or under the other. That is not asked of two that overlap, unless it is something
-// kinematic, and not by more than a core: then the solver pushes them apart, and flight would keep them as they are.
+// other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
+// apart, and flight would keep them as they are.
 bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
                 float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;

@@ -1,20 +1,11 @@
 // What rocks and rolls without losses keeps its energy: the place of touch moves over both bodies within each step.
+#include "starts.h"
 #include "support.h"
 
 #include <algorithm>
-#include <random>
 
 namespace cairn_test {
 namespace {
-
-class Starts {
-  public:
-    explicit Starts(unsigned seed) : random_(seed) {}
-    double between(double a, double b) { return a + (b - a) * (double(random_()) / 4294967295.0); }
-
-  private:
-    std::mt19937 random_;
-};
 
 World world_with_ball(double radius) {
     World world(without_sleep());

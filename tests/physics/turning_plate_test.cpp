@@ -1,24 +1,11 @@
 // Balls on a plate that turns: its face turns the normal within each step, and the place of touch moves over it.
+#include "starts.h"
 #include "support.h"
 
 #include <algorithm>
-#include <random>
 
 namespace cairn_test {
 namespace {
-
-class Starts {
-  public:
-    explicit Starts(unsigned seed) : random_(seed) {}
-    double between(double a, double b) { return a + (b - a) * (double(random_()) / 4294967295.0); }
-    glm::dquat rotation() {
-        const double w = between(-1, 1), x = between(-1, 1), y = between(-1, 1), z = between(-1, 1);
-        return glm::normalize(glm::dquat(w, x, y, z));
-    }
-
-  private:
-    std::mt19937 random_;
-};
 
 struct Ride {
     double radius = 0.2, rate = 3, speed = 5, spin = 0; // m; rad/s of the plate; m/s along it; rad/s of the ball

@@ -1,18 +1,12 @@
 // Sweeps and overlaps of balls with shapes whose nearest point a formula tells, and balls within shapes, against
 // distances by GJK and depths by EPA.
-#include "convex_test_support.h"
-#include "shapes/convex_query.h"
+#include "cast_test_support.h"
 
 #include <gtest/gtest.h>
-
-#include <optional>
 
 namespace {
 
 using namespace convex_test;
-using cairn::ConvexHit;
-
-constexpr double tolerance = 1e-6; // of sweeps, as part of the smaller shape
 
 Solid any_with_formula(Random& random, double size) {
     const auto u = [&] { return size * random.uniform(0.05, 1); };
@@ -21,14 +15,6 @@ Solid any_with_formula(Random& random, double size) {
     return kind % 2 == 1 && random.below(3) == 0 ? rounded(solids[kind], 0.2 * size) : solids[kind];
 }
 
-struct Cast {
-    Solid moving, still;
-    DVec3 from, way;
-    DQuat turn_moving, turn_still;
-    Convex a(double fraction = 0) const { return moving.at(from + fraction * way, turn_moving); }
-    Convex b() const { return still.at({}, turn_still); }
-    double tolerance() const { return ::tolerance * std::min(a().extent, b().extent); }
-};
 Cast any_cast(Random& random, int k) {
     const double size = random.below(3) == 0 ? random.uniform(2, 8) : random.uniform(0.2, 1);
     Cast c{ball(size * random.uniform(0.05, 1)),
@@ -41,21 +27,6 @@ Cast any_cast(Random& random, int k) {
     c.from = 2 * size * random.uniform(0, 2) * random.direction();
     c.way = -1.5 * c.from + random.uniform(0, 6) * size * random.direction();
     return c;
-}
-
-// Newton's method on the distance, which is a convex function of the fraction.
-std::optional<ConvexHit> advance(const Cast& cast) {
-    double fraction = 0;
-    for (int round = 0; round < 1000; ++round) {
-        const auto c = closest_points(cast.a(fraction), cast.b());
-        const double speed = dot(cast.way, c.normal);
-        if (fraction == 0 && c.distance < -cast.tolerance()) return ConvexHit{0, {}, {}};
-        if (!(speed > 0)) return std::nullopt;
-        if (c.distance <= cast.tolerance()) return ConvexHit{fraction, c.on_b, -c.normal};
-        fraction += (c.distance - 0.5 * cast.tolerance()) / speed;
-        if (fraction > 1) return std::nullopt;
-    }
-    return std::nullopt;
 }
 
 TEST(BallSweeps, AreThoseOfConservativeAdvancement) {

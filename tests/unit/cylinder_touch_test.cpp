@@ -1,18 +1,12 @@
 // Sweeps of corners and cylinders past each other, against conservative advancement by distances alone.
-#include "convex_test_support.h"
-#include "shapes/convex_query.h"
+#include "cast_test_support.h"
 #include "shapes/gjk.h"
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 namespace {
 
 using namespace convex_test;
-using cairn::ConvexHit;
-
-constexpr double tolerance = 1e-6; // of sweeps, as part of the smaller shape
 
 Solid any_polytope(Random& random, double size) {
     switch (random.below(5)) {
@@ -42,14 +36,6 @@ DQuat any_turn(Random& random, int kind) {
     return about(axes[random.below(3)], 0.5 * 3.14159265358979 * random.below(4) + off);
 }
 
-struct Cast {
-    Solid moving, still;
-    DVec3 from, way;
-    DQuat turn_moving, turn_still;
-    Convex a(double fraction = 0) const { return moving.at(from + fraction * way, turn_moving); }
-    Convex b() const { return still.at({}, turn_still); }
-    double tolerance() const { return ::tolerance * std::min(a().extent, b().extent); }
-};
 Cast any_cast(Random& random, int k) {
     const double size = random.below(3) == 0 ? random.uniform(2, 8) : random.uniform(0.2, 1);
     Cast c{any_polytope(random, size), any_cylinder(random, random.uniform(0.2, 1)), {}, {}, any_turn(random, k % 3),
@@ -58,21 +44,6 @@ Cast any_cast(Random& random, int k) {
     c.from = (size + 1) * random.uniform(0, 2) * random.direction();
     c.way = -1.5 * c.from + random.uniform(0, 3) * (size + 1) * random.direction();
     return c;
-}
-
-// Newton's method on the distance, which is a convex function of the fraction.
-std::optional<ConvexHit> advance(const Cast& cast) {
-    double fraction = 0;
-    for (int round = 0; round < 1000; ++round) {
-        const auto c = closest_points(cast.a(fraction), cast.b());
-        const double speed = dot(cast.way, c.normal);
-        if (fraction == 0 && c.distance < -cast.tolerance()) return ConvexHit{0, {}, {}};
-        if (!(speed > 0)) return std::nullopt;
-        if (c.distance <= cast.tolerance()) return ConvexHit{fraction, c.on_b, -c.normal};
-        fraction += (c.distance - 0.5 * cast.tolerance()) / speed;
-        if (fraction > 1) return std::nullopt;
-    }
-    return std::nullopt;
 }
 
 TEST(CylinderSweeps, AreThoseOfConservativeAdvancement) {

@@ -63,16 +63,16 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
                  delta_b = turned_back_difference(b.dq, normal, bend);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
-    if constexpr (N == 1)
+    if constexpr (N == 1) {
         if (block.rims) {
             const f32x8 along = dot(load3(block.rim), difference);
             common -= splat(0.5f) * bend * along * along;
         }
-    if constexpr (N == 1)
         if (block.turns) {
             const float elapsed = 1 / inverse_elapsed;
             common += splat(elapsed * elapsed) * bend * load(block.sliding);
         }
+    }
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
