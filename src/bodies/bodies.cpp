@@ -94,7 +94,7 @@ void place_shapes(Bodies& bodies, Shapes& shapes, std::int32_t body) {
         const Geometry& geometry = shapes.geometry[s];
         const math::Vec3 in_body = math::rotate(geometry.rotation, geometry.middle);
         const math::Vec3 middle = shapes.links[s].arm + math::rotate(q, in_body);
-        size_shape(shapes.poses[s], geometry);
+        size_shape(shapes.poses[s], geometry, std::size_t(s));
         inner_radius = std::min(inner_radius, 0.5f * smallest_extent(geometry, shapes.data[s]));
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });

@@ -26,7 +26,8 @@ inline void pose_shape(ShapePose& pose, const Geometry& geometry, math::DVec3 po
     const math::Quat r = geometry.is_turned ? q * geometry.rotation : q;
     pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
 }
-inline void size_shape(ShapePose& pose, const Geometry& geometry) {
+inline void size_shape(ShapePose& pose, const Geometry& geometry, std::size_t number) {
+    pose.low[3] = float(number);
     pose.size[0] = geometry.size.x, pose.size[1] = geometry.size.y, pose.size[2] = geometry.size.z;
     pose.size[3] = geometry.bounding_radius;
 }

@@ -12,7 +12,7 @@ namespace cairn {
 // float of the size of that difference, however far from the origin both are.
 struct alignas(64) ShapePose {
     float high[4]; // x y z, [3] unused (0)
-    float low[4];  // x y z, [3] unused (0)
+    float low[4];  // x y z, [3]: the number of the shape, see one_place.h
     float q[4];    // rotation x y z w, unit
     float size[4]; // sphere: {radius, 0, 0, radius}; box: {half extents, bounding radius}; rectangle: {half x, 0, half
                    // z, ..}; infinite plane: {0, 0, 0, 0}; capsule: {lower radius, half height, upper radius, ..}.

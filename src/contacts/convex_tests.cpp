@@ -2,6 +2,7 @@
 #include "contacts/convex_tests.h"
 
 #include "collision/convex_contact.h"
+#include "collision/one_place.h"
 #include "collision/surface_contact.h"
 #include "contacts/pairs.h"
 
@@ -17,6 +18,14 @@ namespace {
 DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
     return (to_double(to_vec(b.high)) - to_double(to_vec(a.high))) +
            (to_double(to_vec(b.low)) - to_double(to_vec(a.low)));
+}
+// The same for shapes that are pushed out any way: never zero.
+DVec3 offset_between_middles(const ShapePose& a, const ShapePose& b) {
+    const DVec3 offset = offset_between(a, b);
+    if (!(offset == DVec3{})) return offset;
+    float apart[3];
+    offset_in_one_place(a.low[3], b.low[3], a.size[3] + b.size[3], apart);
+    return {double(apart[0]), double(apart[1]), double(apart[2])};
 }
 math::DQuat rotation_of(const ShapePose& pose) {
     return math::normalized(math::DQuat{pose.q[0], pose.q[1], pose.q[2], pose.q[3]});
@@ -45,13 +54,14 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
 
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
                           ContactMemory& memory) {
-    const DVec3 offset = offset_between(a.pose, b.pose);
     const Convex first = convex_of(a, {});
     Manifold out;
     if (kind == PairKind::convex_convex) {
+        const DVec3 offset = offset_between_middles(a.pose, b.pose);
         collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), memory, out);
         return out;
     }
+    const DVec3 offset = offset_between(a.pose, b.pose);
     if (kind == PairKind::convex_plane) {
         const DVec3 up = facing_normal(a, b, offset);
         collide_plane(first, up, -math::dot(up, offset), double(margin), out);

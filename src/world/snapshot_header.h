@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-inline constexpr std::uint64_t snapshot_magic = 0x39306e7269616321ull; // "!cairn09"
+inline constexpr std::uint64_t snapshot_magic = 0x30316e7269616321ull; // "!cairn10"
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;

@@ -31,7 +31,7 @@ inline ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::
     const Geometry& g = shapes.geometry[shape];
     const BodyMotion& motion = bodies.motion[body];
     pose_shape(pose, g, motion.x + math::to_double(shapes.links[shape].arm), math::to_float(motion.q));
-    size_shape(pose, g);
+    size_shape(pose, g, shape);
     return pose;
 }
 

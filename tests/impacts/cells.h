@@ -185,10 +185,11 @@ double least_friction_of_cards(double degrees);
 double energy_of_disk(double degrees, double seconds);                       // over that of the start, less 1
 double slide_on_slope(double friction, double degrees_more, double seconds); // m
 struct Apart {
-    double speed = 0;  // m/s, the greatest
+    double speed = 0;  // m/s, the greatest upwards or sideways: what falls is not pushed
     double height = 0; // m, above where they began
 };
-Apart made_in_one_place(int balls, double radius);
+// On the ground. `half`: of their height. `before`: how many bodies there are already, elsewhere.
+Apart made_in_one_place(const Shape& shape, int bodies, double half, int before);
 double height_left_of_stack(int cubes, double edge, double seconds); // over that at the start
 
 } // namespace cairn_test

@@ -129,21 +129,24 @@ double slide_on_slope(double friction, double degrees_more, double seconds) {
     return glm::dot(box.position() - start, slope.downhill());
 }
 
-Apart made_in_one_place(int balls, double radius) {
+Apart made_in_one_place(const Shape& shape, int bodies, double half, int before) {
     World world;
     add_ground(world);
-    std::vector<BodyId> ids;
-    const double start = radius + 0.01;
-    for (int i = 0; i < balls; ++i) {
-        BodyDef def;
-        def.position = {0, start, 0};
-        ids.push_back(add_body(world, Sphere{float(radius)}, def));
+    BodyDef def;
+    for (int i = 0; i < before; ++i) {
+        def.position = {10 + 4 * half * i, half, 0};
+        add_body(world, shape, def);
     }
+    std::vector<BodyId> ids;
+    const double start = half + 0.01;
+    def.position = {0, start, 0};
+    for (int i = 0; i < bodies; ++i) ids.push_back(add_body(world, shape, def));
     Apart apart;
     for (int i = 0; i < 120; ++i) {
         world.step(frame);
         for (const BodyId id : ids) {
-            apart.speed = std::max(apart.speed, double(glm::length(world.body(id).linear_velocity())));
+            const Vec3 v = world.body(id).linear_velocity();
+            apart.speed = std::max({apart.speed, double(v.y), std::hypot(double(v.x), double(v.z))});
             apart.height = std::max(apart.height, world.body(id).position().y - start);
         }
     }

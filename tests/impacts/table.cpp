@@ -340,9 +340,13 @@ Rows slope(int) {
 }
 
 Rows one_place(int) {
-    const Apart apart = made_in_one_place(10, 0.5);
-    return {at_most("10 balls: greatest speed, m/s", apart.speed, 3.1),
-            {"10 balls: greatest height, m", step_seconds, 1.5, apart.height, 2, Bar::at_most}};
+    Apart apart;
+    for (int before = 0; before < 20; ++before) {
+        const Apart one = made_in_one_place(Sphere{0.5f}, 10, 0.5, before);
+        apart = {std::max(apart.speed, one.speed), std::max(apart.height, one.height)};
+    }
+    return {at_most("10 balls, the fastest of 20 starts, m/s", apart.speed, 3.1),
+            {"10 balls, the highest, m", step_seconds, 1.5, apart.height, 2, Bar::at_most}};
 }
 
 Rows small_stack(int) {

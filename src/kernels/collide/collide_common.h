@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/manifold.h"
+#include "collision/one_place.h"
 #include "collision/shape_pose.h"
 #include "simd/wide_math.h"
 
@@ -14,7 +15,7 @@ struct ShapePosex8 {
     Vec3x8 high, low;
     Quatx8 q;
     Vec3x8 size;
-    f32x8 radius;
+    f32x8 radius, number;
 };
 
 CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose* poses, const std::uint32_t* index) {
@@ -24,7 +25,7 @@ CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose* poses, const std::uint32
     for (int i = 0; i < 8; ++i) row[i] = poses[index[i]].high;
     gather4(row, r.high.x, r.high.y, r.high.z, unused);
     for (int i = 0; i < 8; ++i) row[i] = poses[index[i]].low;
-    gather4(row, r.low.x, r.low.y, r.low.z, unused);
+    gather4(row, r.low.x, r.low.y, r.low.z, r.number);
     for (int i = 0; i < 8; ++i) row[i] = poses[index[i]].q;
     gather4(row, r.q.v.x, r.q.v.y, r.q.v.z, r.q.w);
     for (int i = 0; i < 8; ++i) row[i] = poses[index[i]].size;
@@ -35,6 +36,31 @@ CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose* poses, const std::uint32
 // From the center of a to the center of b. In this order of operations nothing is lost far from the origin.
 CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8& a, const ShapePosex8& b) {
     return (b.high - a.high) + (b.low - a.low);
+}
+
+// Squared lengths in m^2 below which a direction is taken as undefined: two centers, or a center and a surface,
+// coincide.
+constexpr float no_direction = 1e-30f;
+
+inline void part_middles(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& offset) {
+    const int lanes = bits(dot(offset, offset) <= splat(no_direction));
+    alignas(32) float x[8], y[8], z[8], number_a[8], number_b[8], size[8];
+    store(x, offset.x), store(y, offset.y), store(z, offset.z);
+    store(number_a, a.number), store(number_b, b.number), store(size, a.radius + b.radius);
+    for (int i = 0; i < 8; ++i) {
+        if ((lanes >> i & 1) == 0) continue;
+        float apart[3];
+        offset_in_one_place(number_a[i], number_b[i], size[i], apart);
+        x[i] = apart[0], y[i] = apart[1], z[i] = apart[2];
+    }
+    offset = {load(x), load(y), load(z)};
+}
+
+// The same for shapes that are pushed out any way: never zero.
+CAIRN_INLINE Vec3x8 offset_between_middles(const ShapePosex8& a, const ShapePosex8& b) {
+    Vec3x8 offset = offset_between(a, b);
+    if (any(dot(offset, offset) <= splat(no_direction))) part_middles(a, b, offset);
+    return offset;
 }
 
 CAIRN_INLINE Vec3x8 up() { return {zero(), one(), zero()}; }
