@@ -461,7 +461,7 @@ Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DV
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
     const Course course = course_of(first, second, {0, to}, {within, 0, axis});
-    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, {}, {}};
+    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }
 

@@ -97,7 +97,8 @@ inline double impact_tolerance(double half_width) { return 0.01 * touch_toleranc
 // or overlap from the start, m; infinite if that is more than `within`, m.
 struct Nearness {
     double time, distance;
-    math::DVec3 normal, on_a; // if they do not touch: the direction to the other, and the nearest point of `a`
+    math::DVec3 normal; // the direction to the other; where they touch, nearly
+    math::DVec3 on_a;   // if they do not touch: the nearest point of `a`
 };
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, math::DVec3 axis);
 

@@ -72,7 +72,7 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
     return out;
 }
 
-Manifold test_posed_pair(PairKind kind, const PosedShape& a, const PosedShape& b, float margin) {
+Manifold test_posed_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin) {
     if (int(kind) < wide_kinds) {
         const ShapePose poses[2] = {a.pose, b.pose};
         std::uint32_t first[8], second[8], features[8];
@@ -83,7 +83,7 @@ Manifold test_posed_pair(PairKind kind, const PosedShape& a, const PosedShape& b
         return manifolds[0];
     }
     ContactMemory memory = nothing_met;
-    return test_convex_pair(kind, a, b, {}, margin, memory);
+    return test_convex_pair(kind, a, b, guess, margin, memory);
 }
 
 float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,

@@ -17,9 +17,10 @@ struct PosedShape {
 };
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
                           ContactMemory& memory);
-// Of any pair but groups, in the order of its test, by a wide kernel or one at a time; nothing of an earlier step is
-// used.
-Manifold test_posed_pair(PairKind kind, const PosedShape& first, const PosedShape& second, float margin);
+// Of any pair but groups, in the order of its test, by a wide kernel or one at a time. `guess`: a direction from the
+// first to the second along which they are thought to be nearest, or zero.
+Manifold test_posed_pair(PairKind kind, const PosedShape& first, const PosedShape& second, math::Vec3 guess,
+                         float margin);
 // All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
 // Where there are none, returns how far apart they are at least; nothing farther than `reach` is looked at.
 float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,

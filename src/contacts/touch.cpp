@@ -60,12 +60,13 @@ PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t sha
     return p;
 }
 
-// With all points that may come to touch in the rest of the step: `margin`.
+// With all points that may come to touch in the rest of the step: `margin`. `normal`: from A to B, where they touch.
 Manifold manifold_at(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
-                     float margin) {
+                     DVec3 normal, float margin) {
     const PosedShape a{shapes.geometry[c.shape_a], shapes.data[c.shape_a], at_a.pose, at_a.arm};
     const PosedShape b{shapes.geometry[c.shape_b], shapes.data[c.shape_b], at_b.pose, at_b.arm};
-    return c.flipped ? test_posed_pair(c.kind, b, a, margin) : test_posed_pair(c.kind, a, b, margin);
+    const math::Vec3 n = math::to_float(normal);
+    return c.flipped ? test_posed_pair(c.kind, b, a, -n, margin) : test_posed_pair(c.kind, a, b, n, margin);
 }
 
 // Where two are nearest on their way, nothing approaches along the normal. It was found to a part of their distance,
@@ -151,7 +152,7 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, flo
     if (touch.is_beside)
         touch.manifold = manifold_beside(in.bodies, c, at_a, at_b, found);
     else if (!is_group(c))
-        touch.manifold = manifold_at(in.shapes, c, at_a, at_b, margin);
+        touch.manifold = manifold_at(in.shapes, c, at_a, at_b, found.normal, margin);
     return Approach::later;
 }
 

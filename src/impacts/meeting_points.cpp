@@ -32,7 +32,7 @@ Placed placed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape
 } // namespace
 
 void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape_a, const MovingState& a,
-                         std::uint32_t shape_b, const MovingState& b, NarrowBatch& scratch,
+                         std::uint32_t shape_b, const MovingState& b, DVec3 axis, NarrowBatch& scratch,
                          std::vector<ImpactPoint>& points) {
     bool swapped = false;
     const std::optional<PairKind> kind = pair_kind(shapes.geometry[shape_a], shapes.geometry[shape_b], swapped);
@@ -43,7 +43,7 @@ void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32
     const DVec3 origin = a.x;
     Placed first = placed_at(bodies, shapes, shape_a, a, origin),
            second = placed_at(bodies, shapes, shape_b, b, origin);
-    if (swapped) std::swap(first, second);
+    if (swapped) std::swap(first, second), axis = -axis;
     scratch.hits.clear();
     const auto posed = [&](const Placed& p) {
         return PosedShape{shapes.geometry[p.shape], shapes.data[p.shape], p.pose, p.arm};
@@ -51,7 +51,7 @@ void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32
     if (*kind == PairKind::group)
         find_patches(posed(first), posed(second), margin, margin, scratch.surface, scratch.hits);
     else
-        scratch.hits.push_back(test_posed_pair(*kind, posed(first), posed(second), margin));
+        scratch.hits.push_back(test_posed_pair(*kind, posed(first), posed(second), math::to_float(axis), margin));
     const DVec3 center = origin + shape_position(first.pose);
     for (const Manifold& hit : scratch.hits)
         for (int i = 0; i < hit.count; ++i) {

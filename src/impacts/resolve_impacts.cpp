@@ -256,7 +256,7 @@ class ImpactQueue {
         const std::int32_t body_a = s.shapes.links[pair.shape].body, body_b = s.shapes.links[pair.other].body;
         const MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         const std::size_t before = points_.size();
-        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, scratch_, points_);
+        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.axis, scratch_, points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
         set_rebounds(pair, now_a, now_b, points);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
