@@ -179,9 +179,10 @@ BilliardsResult play_billiards(const BilliardsCell& cell);
 double rebound_of_stack(int boxes, double height); // m/s: at which a dropped stack's center of mass rises, at most
 // Degrees by which a box whose center of mass is beside its middle (m) has turned after it slid for 14 m.
 double turn_of_sliding_box(double offset);
-// Two cards that lean on each other, so many degrees from the vertical: whether they still do after 5 s.
-bool do_cards_stand(double degrees, double friction);
-double least_friction_of_cards(double degrees);
+// Two cards of 1 m by 2 cm that lean on each other, so many degrees from the vertical: whether they still do after 5 s.
+// `heading`: of both, rad.
+bool do_cards_stand(double degrees, double friction, double heading);
+double least_friction_of_cards(double degrees, double heading);
 double energy_of_disk(double degrees, double seconds);                       // over that of the start, less 1
 double slide_on_slope(double friction, double degrees_more, double seconds); // m
 struct Apart {

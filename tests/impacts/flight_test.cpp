@@ -357,6 +357,17 @@ TEST(Flight, BallsTurnOnAsTheyBounce) {
     }
 }
 
+// Theory: half of the tangent of their lean, a little less for what is as thick as these. Where the normal was that of
+// one of the faces that meet at the top, they needed the tangent itself.
+TEST(Cards, ThatLeanOnEachOtherStandWhereTheirFrictionHolds) {
+    Random random(seed);
+    for (int i = 0; i < 12; ++i) {
+        const double lean = random.between(10, 42), heading = random.between(0, 6), tangent = std::tan(lean * pi / 180);
+        EXPECT_TRUE(do_cards_stand(lean, 0.55 * tangent, heading)) << lean << " degrees, " << heading;
+        EXPECT_FALSE(do_cards_stand(lean, 0.4 * tangent, heading)) << lean << " degrees, " << heading;
+    }
+}
+
 // Balls, cubes and capsules, whatever numbers they have. When all were pushed out by the same direction, ten flew apart
 // at 8 to 16 m/s, and 20 balls at 32.
 TEST(OnePlace, WhatIsMadeThereFliesApartAboutAsFastAsOverlapsArePushedOut) {

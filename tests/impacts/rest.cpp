@@ -66,7 +66,7 @@ double turn_of_sliding_box(double offset) {
     return std::fabs(turned) / radians(1);
 }
 
-bool do_cards_stand(double degrees, double friction) {
+bool do_cards_stand(double degrees, double friction, double heading) {
     constexpr double length = 1, thickness = 0.02, width = 0.7; // m
     const double lean = radians(degrees);
     World world;
@@ -78,8 +78,9 @@ bool do_cards_stand(double degrees, double friction) {
         const double x = length / 2 * std::sin(lean) + thickness / 2 * std::cos(lean);
         const double y = length / 2 * std::cos(lean) + thickness / 2 * std::sin(lean);
         BodyDef def;
-        def.position = {sign * x, y, 0};
-        def.rotation = glm::angleAxis(float(sign * lean), Vec3(0, 0, 1));
+        def.position = {sign * x * std::cos(heading), y, -sign * x * std::sin(heading)};
+        def.rotation =
+            Quat(glm::angleAxis(heading, Position(0, 1, 0)) * glm::angleAxis(sign * lean, Position(0, 0, 1)));
         const Box card{{float(thickness / 2), float(length / 2), float(width / 2)}};
         cards.push_back(add_body(world, card, def, surface(float(friction))));
     }
@@ -88,9 +89,9 @@ bool do_cards_stand(double degrees, double friction) {
     return mean_height(world, cards) > 0.95 * before;
 }
 
-double least_friction_of_cards(double degrees) {
+double least_friction_of_cards(double degrees, double heading) {
     // From above: what stands is looked for below 1.
-    return -last_where(-1.0, -0.05, 0.002, [degrees](double less) { return do_cards_stand(degrees, -less); });
+    return -last_where(-1.0, -0.05, 0.002, [=](double less) { return do_cards_stand(degrees, -less, heading); });
 }
 
 double energy_of_disk(double degrees, double seconds) {

@@ -322,9 +322,15 @@ Rows sliding_box(int) {
 }
 
 Rows cards(int) {
-    return {{"30 degrees: stand from friction", step_seconds, 0.2887, least_friction_of_cards(30), 0.31, Bar::at_most},
-            {"30 degrees: stand at 3 % below theory", step_seconds, 0, double(do_cards_stand(30, 0.97 * 0.2787)), 0,
-             Bar::at_most}};
+    double least = 0;
+    int below = 0;
+    for (int i = 0; i < 20; ++i) {
+        const double heading = 0.3 * i;
+        least = std::max(least, least_friction_of_cards(30, heading));
+        below += do_cards_stand(30, 0.97 * 0.2787, heading);
+    }
+    return {{"30 degrees: stand from friction, of 20 headings", step_seconds, 0.2887, least, 0.31, Bar::at_most},
+            {"30 degrees: stand at 3 % below theory", step_seconds, 0, double(below), 0, Bar::at_most}};
 }
 
 Rows disk(int) {

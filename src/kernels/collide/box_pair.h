@@ -12,7 +12,8 @@ namespace cairn::CAIRN_ISA {
 constexpr int batch_pairs = 512;
 
 // An edge contact replaces a face contact only where it is less deep by this part of the smallest half extent:
-// a face gives up to four points, which stacks need.
+// a face gives up to four points, which stacks need. Faces that are nearly as good, by as much, have their share in the
+// normal where corners meet.
 constexpr float edge_tolerance = 5e-2f;
 // The second shape's faces are the reference only where they are less deep by this part of it.
 constexpr float second_face_tolerance = 1e-4f;
@@ -33,6 +34,7 @@ struct BoxContact {
     float edge;         // 3 i + j: the cross product of axis i of the first and axis j of the second
     float separation;   // the greatest over all axes: the true one
     bool edge_is_best;  // an edge axis, not a face axis, has that separation
+    float normal[3];    // where corners meet
 };
 
 struct BoxContactList {
@@ -122,8 +124,12 @@ CAIRN_INLINE void append(BoxContactList& faces, BoxContactList& edges, int base,
     for (int i = 0; i < 8; ++i) {
         if ((touch >> i & 1) == 0) continue;
         BoxContactList& list = (by_edge_bits >> i & 1) != 0 ? edges : faces;
-        list.contacts[list.count++] = {static_cast<std::uint32_t>(base + i), face_lane[i], edge_lane[i],
-                                       separation_lane[i], (best >> i & 1) != 0};
+        list.contacts[list.count++] = {static_cast<std::uint32_t>(base + i),
+                                       face_lane[i],
+                                       edge_lane[i],
+                                       separation_lane[i],
+                                       (best >> i & 1) != 0,
+                                       {}};
     }
 }
 

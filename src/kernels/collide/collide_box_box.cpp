@@ -1,5 +1,6 @@
 // Box against box, 8 pairs at a time: the separating axis test over 15 axes (Gottschalk, Lin, Manocha, "OBBTree",
 // 1996), then face clipping or the closest points of two edges (see box_pair.h).
+#include "kernels/collide/box_corner.h"
 #include "kernels/collide/box_pair.h"
 #include "kernels/collide/collide.h"
 
@@ -26,21 +27,23 @@ struct FaceChoicex8 {
     }
 };
 
-void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxContactList& edges) {
+void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxContactList& edges,
+               BoxContactList& corners) {
     for (int k = 0; k < count; k += 8) {
         const BoxPairx8 p = gather_boxes<false>(batch.poses, batch.first + k, batch.second + k);
         const RelativeBoxx8 q = relate(p);
         const f32x8 margin = load_unaligned(batch.margin + k);
 
+        f32x8 separation[6];
         FaceChoicex8 choice = {kept_faces(batch, k), splat(kept_face) * p.smallest};
         for (int i = 0; i < 3; ++i) {
             const f32x8 radius = p.hb[0] * q.absolute[i][0] + p.hb[1] * q.absolute[i][1] + p.hb[2] * q.absolute[i][2];
-            choice.add(i, abs(q.ta[i]) - (p.ha[i] + radius));
+            choice.add(i, separation[i] = abs(q.ta[i]) - (p.ha[i] + radius));
         }
         choice.preferred = choice.preferred + (splat(second_face_tolerance) * p.smallest + p.error);
         for (int j = 0; j < 3; ++j) {
             const f32x8 radius = p.ha[0] * q.absolute[0][j] + p.ha[1] * q.absolute[1][j] + p.ha[2] * q.absolute[2][j];
-            choice.add(3 + j, abs(q.tb[j]) - (p.hb[j] + radius));
+            choice.add(3 + j, separation[3 + j] = abs(q.tb[j]) - (p.hb[j] + radius));
         }
         const f32x8 greatest = choice.greatest;
         mask8 touching = greatest <= margin;
@@ -60,6 +63,11 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
         touching = touching & (edge_separation <= margin);
         clear_manifolds(batch.out + k, touching, max(greatest, edge_separation));
         const mask8 by_edge = edge_separation > greatest + (splat(edge_tolerance) * p.smallest + p.error);
+        const CornerNormalx8 corner = corner_normal(p, q, separation, greatest);
+        if (const mask8 meet = and_not(touching & corner.holds, by_edge); any(meet)) {
+            append_corners(corners, k, bits(meet), max(greatest, edge_separation), corner.normal);
+            touching = and_not(touching, meet);
+        }
         append(faces, edges, k, touching, by_edge, choice.face, edge, max(greatest, edge_separation),
                edge_separation > greatest);
     }
@@ -71,10 +79,11 @@ void box_box(CAIRN_COLLIDE_PARAMETERS) {
     for (int start = 0; start < count; start += batch_pairs) {
         const std::uint32_t* const batch_kept = kept != nullptr ? kept + start : nullptr;
         const BoxBatch batch = {poses, first + start, second + start, margin + start, batch_kept, out + start};
-        BoxContactList faces, edges;
-        test_axes(batch, count - start < batch_pairs ? count - start : batch_pairs, faces, edges);
+        BoxContactList faces, edges, corners;
+        test_axes(batch, count - start < batch_pairs ? count - start : batch_pairs, faces, edges, corners);
         face_manifolds<false>(batch, faces, edges);
         edge_manifolds<false>(batch, edges);
+        corner_manifolds(batch, corners);
     }
 }
 
