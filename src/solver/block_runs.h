@@ -29,12 +29,19 @@ inline int blocks_per_chunk(const ThreadPool* thread_pool, int count) {
 // each color after(its place among the colors).
 template <class F, class After>
 void for_colors(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel, After&& after) {
-    auto work = [&](const BlockRun& run, int begin, int end) {
-        const BlockRun part{run.four_points, run.first + begin, end - begin};
-        if (part.count > 0) kernel(kernels_for(part), part);
+    const auto call = [&](const BlockRun& run) {
+        if (run.count > 0) kernel(kernels_for(run), run);
+    };
+    const auto work = [&](const BlockRun& run, int begin, int end) {
+        call({run.four_points, run.first + begin, end - begin});
     };
     for (std::size_t k = 0; k < scratch.colors.size(); ++k) {
         const ColorRun& color = scratch.colors[k];
+        if (!thread_pool) { // in small batches, cutting runs would take as long as much of what is in them
+            call(color.four_points), call(color.one_point);
+            after(k);
+            continue;
+        }
         const int fours = color.four_points.count, all = fours + color.one_point.count;
         for_chunks(thread_pool, all, blocks_per_chunk(thread_pool, all), [&](int begin, int end, int) {
             work(color.four_points, std::min(begin, fours), std::min(end, fours));
@@ -50,6 +57,10 @@ template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_poo
 // Calls f(run) for every run of joint rows, or for chunks of them.
 template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
     for (const JointRun& run : scratch.joint_layout->runs) {
+        if (!thread_pool) {
+            f(run);
+            continue;
+        }
         const int count = int(run.count);
         for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
             JointRun part = run;
