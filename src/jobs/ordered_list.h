@@ -65,7 +65,7 @@ template <class KeyOf, class Put>
 void sort_in_order(ThreadPool* thread_pool, int count, int grain, std::size_t keys, std::uint32_t begin,
                    std::uint32_t* ends, std::vector<std::uint32_t>& counts, const KeyOf& key_of, const Put& put) {
     if (!thread_pool) grain = std::max(count, 1);
-    counts.assign(std::size_t((count + grain - 1) / grain) * keys, 0);
+    counts.assign(std::size_t(std::max((count + grain - 1) / grain, 1)) * keys, 0);
     const auto counts_of = [&](int first) { return counts.data() + std::size_t(first / grain) * keys; };
     for_chunks(thread_pool, count, grain, [&](int from, int to, int) {
         std::uint32_t* const own = counts_of(from);
