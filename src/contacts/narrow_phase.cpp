@@ -278,7 +278,7 @@ std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts,
         }
     std::size_t count = 0;
     for (std::size_t kind = 0; kind < tested_kinds; ++kind) {
-        set_size_anew(narrow.lists[kind], all[kind]);
+        if (narrow.lists[kind].size() != all[kind]) set_size_anew(narrow.lists[kind], all[kind]);
         count += all[kind];
     }
     if (count == 0) return 0;

@@ -51,22 +51,39 @@ void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>
     list_in_order(thread_pool, count, grain, list, parts, room, write);
 }
 
+// Of most lists, most keys have no item: so many are looked at together, and left out.
+inline constexpr std::size_t keys_at_once = 16;
+inline bool are_zero(const std::uint32_t* counts) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < keys_at_once; ++i) bits |= counts[i];
+    return bits == 0;
+}
+
 // A stable counting sort: put(k, place) for each of the items 0..count, in the order of key_of(k) < `keys`, the first
 // of them at place `begin`. `ends`, if not null, gets the place behind the last of each key. `counts`: working memory.
 template <class KeyOf, class Put>
 void sort_in_order(ThreadPool* thread_pool, int count, int grain, std::size_t keys, std::uint32_t begin,
                    std::uint32_t* ends, std::vector<std::uint32_t>& counts, const KeyOf& key_of, const Put& put) {
     if (!thread_pool) grain = std::max(count, 1);
-    counts.assign(std::size_t((count + grain - 1) / grain) * keys, 0);
+    counts.assign(std::size_t(std::max((count + grain - 1) / grain, 1)) * keys, 0);
     const auto counts_of = [&](int first) { return counts.data() + std::size_t(first / grain) * keys; };
     for_chunks(thread_pool, count, grain, [&](int from, int to, int) {
         std::uint32_t* const own = counts_of(from);
         for (int k = from; k < to; ++k) ++own[key_of(k)];
     });
     std::uint32_t place = begin;
-    for (std::size_t key = 0; key < keys; ++key) {
-        for (std::size_t at = key; at < counts.size(); at += keys) place += std::exchange(counts[at], place);
-        if (ends) ends[key] = place;
+    const bool is_one_chunk = counts.size() == keys;
+    for (std::size_t key = 0; key < keys;) {
+        if (is_one_chunk && keys - key >= keys_at_once && are_zero(counts.data() + key)) {
+            if (ends) std::fill_n(ends + key, keys_at_once, place);
+            key += keys_at_once;
+            continue;
+        }
+        const std::size_t end = std::min(key + keys_at_once, keys);
+        for (; key < end; ++key) {
+            for (std::size_t at = key; at < counts.size(); at += keys) place += std::exchange(counts[at], place);
+            if (ends) ends[key] = place;
+        }
     }
     for_chunks(thread_pool, count, grain, [&](int from, int to, int) {
         std::uint32_t* const next = counts_of(from);

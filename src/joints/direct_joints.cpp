@@ -389,6 +389,7 @@ void release_set(const SetView& v, BatchScratch& scratch) {
 
 template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
+    if (w.sets.empty()) return; // as most batches have it: nothing need be ready for threads
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = w.sets[k];

@@ -90,37 +90,48 @@ void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
     blocks += count;
 }
 
-// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most batches have
-// few keys of the many that there are.
-void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
-    std::vector<JointRow>& rows = layout.rows;
-    layout.runs.clear();
-    layout.blocks = {};
+// Of the many keys that there could be, those that occur, ascending. Rows get the numbers of theirs among them.
+void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
+    layout.keys.clear();
     std::uint32_t least = ~0u, most = 0;
-    for (const JointRow& row : rows) {
-        if (row.idle) continue;
+    for (const JointRow& row : layout.rows) {
         least = std::min(least, std::uint32_t(row.key));
         most = std::max(most, std::uint32_t(row.key));
     }
     if (least > most) return;
-    lanes.assign(most - least + 1, 0);
-    for (const JointRow& row : rows)
-        if (!row.idle) ++lanes[row.key - least];
+    numbers.assign(most - least + 1, 0);
+    for (const JointRow& row : layout.rows) numbers[row.key - least] = 1;
     for (std::uint32_t key = least; key <= most; ++key) {
-        std::uint32_t& count = lanes[key - least];
+        std::uint32_t& number = numbers[key - least];
+        if (number == 0) continue;
+        number = std::uint32_t(layout.keys.size());
+        layout.keys.push_back(std::uint16_t(key));
+    }
+    for (JointRow& row : layout.rows) row.key = std::uint16_t(numbers[row.key - least]);
+}
+
+// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. That is done
+// whenever a limit comes within reach or leaves it, so it must not cost more than the rows do.
+void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
+    layout.runs.clear();
+    layout.blocks = {};
+    lanes.assign(layout.keys.size(), 0);
+    for (const JointRow& row : layout.rows)
+        if (!row.idle) ++lanes[row.key];
+    for (std::size_t number = 0; number < lanes.size(); ++number) {
+        const std::uint32_t key = layout.keys[number], count = lanes[number];
         if (count == 0) continue;
-        const std::uint32_t first = 8 * layout.blocks[std::size_t(type_of(key))];
-        if (stands_alone(key)) // they may share bodies
+        lanes[number] = 8 * layout.blocks[std::size_t(type_of(key))]; // from now on: the next free lane
+        if (stands_alone(key))                                        // they may share bodies
             for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, 1);
         else
             add_run(layout, key, count);
-        count = first; // from now on: the next free lane
     }
-    for (JointRow& row : rows) {
+    for (JointRow& row : layout.rows) {
         if (row.idle) continue;
-        std::uint32_t& lane = lanes[row.key - least];
+        std::uint32_t& lane = lanes[row.key];
         row.lane = lane;
-        lane += stands_alone(row.key) ? 8 : 1;
+        lane += stands_alone(layout.keys[row.key]) ? 8 : 1;
     }
 }
 
@@ -141,6 +152,7 @@ void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solve
         layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
         layout.may_idle = false, layout.only_points = true;
         collect_rows(bodies, joints, direct, layout);
+        number_keys(layout, scratch.joint_key_counts);
         layout.valid_for = joints.changes;
         is_new = true;
     }

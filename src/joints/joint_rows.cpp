@@ -182,8 +182,18 @@ void fill_rows_of(const Bodies& bodies, const Joints& joints, BatchScratch& scra
     }
 }
 
-// Before their lanes are filled: what a block says of all of its lanes, and lanes that stay empty. What is not filled
-// in, the warm start sets.
+// Before their lanes are filled: what a block says of all of its lanes, and for lanes that stay empty, what fill_lane
+// fills in. All else is set before it is read.
+template <class... Members> void clear(Members&... members) { (std::memset(members, 0, sizeof(members)), ...); }
+void clear_lanes(PointBlock& b) { clear(b.arm_a0, b.arm_b0, b.gap0, b.impulse, b.axis0); }
+void clear_lanes(TurnBlock& b) { clear(b.turn0, b.impulse, b.axis_a0, b.axis_b0); }
+void clear_lanes(AxisBlock& b) {
+    clear(b.lower, b.upper, b.equation, b.rigid_limit, b.limit_stiffness, b.limit_damping, b.limit_relative);
+    clear(b.lower_impulse, b.upper_impulse, b.drive_impulse, b.max_friction, b.friction_impulse);
+    clear(b.drive_stiffness, b.drive_damping, b.target_position, b.target_velocity, b.rigid_drive, b.drive_relative,
+          b.max_drive);
+    clear(b.arm_a0, b.arm_b0, b.gap0, b.turn0, b.axis_a0, b.axis_b0, b.ratio_a, b.ratio_b, b.position, b.position0);
+}
 void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
 void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
 void open_block(AxisBlock& b, std::uint32_t form) {
@@ -194,7 +204,7 @@ template <class Block> void open_run(const JointRun& run, std::vector<Block>& bl
     for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
         Block& b = blocks[k];
         const bool is_full = k + 1 < run.first + run.count || run.empty_lanes == 0;
-        if (!is_full) b = {};
+        if (!is_full) clear_lanes(b);
         const std::uint32_t discard = (first_discard + k) * row_bytes;
         for (std::size_t lane = is_full ? 8 : 8 - run.empty_lanes; lane < 8; ++lane)
             b.a[lane] = b.b[lane] = b.rest.write_a[lane] = b.rest.write_b[lane] = discard;

@@ -20,6 +20,12 @@ struct mask8 {
 CAIRN_INLINE f32x8 splat(float s) { return {_mm256_set1_ps(s)}; }
 CAIRN_INLINE f32x8 load(const float* p) { return {_mm256_load_ps(p)}; }
 CAIRN_INLINE f32x8 load_unaligned(const float* p) { return {_mm256_loadu_ps(p)}; }
+// Of what may just have been stored by halves: a processor cannot hand two stores that are under way on to one load.
+CAIRN_INLINE f32x8 load_halves(const float* p) {
+    __m128 low = _mm_load_ps(p), high = _mm_load_ps(p + 4);
+    __asm__("" : "+x"(low)); // else the compiler makes one load of them
+    return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
+}
 CAIRN_INLINE void store(float* p, f32x8 a) { _mm256_store_ps(p, a.v); }
 CAIRN_INLINE f32x8 operator+(f32x8 a, f32x8 b) { return {_mm256_add_ps(a.v, b.v)}; }
 CAIRN_INLINE f32x8 operator-(f32x8 a, f32x8 b) { return {_mm256_sub_ps(a.v, b.v)}; }

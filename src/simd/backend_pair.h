@@ -51,6 +51,7 @@ CAIRN_INLINE f32x8 splat(float s) {
     return {t, t};
 }
 CAIRN_INLINE f32x8 load(const float* p) { return {*(const f32x4*)p, *(const f32x4*)(p + 4)}; }
+CAIRN_INLINE f32x8 load_halves(const float* p) { return load(p); }
 CAIRN_INLINE f32x8 load_unaligned(const float* p) {
     f32x8 r;
     std::memcpy(&r.a, p, 16);

@@ -29,6 +29,7 @@ CAIRN_INLINE f32x8 splat(float s) {
 CAIRN_INLINE f32x8 load(const float* p) {
     return map_lanes([=](int i) { return p[i]; });
 }
+CAIRN_INLINE f32x8 load_halves(const float* p) { return load(p); }
 CAIRN_INLINE f32x8 load_unaligned(const float* p) { return load(p); }
 CAIRN_INLINE void store(float* p, f32x8 a) { std::memcpy(p, a.v, sizeof a.v); }
 CAIRN_INLINE f32x8 operator+(f32x8 a, f32x8 b) {

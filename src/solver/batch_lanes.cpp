@@ -38,15 +38,16 @@ class LaneFiller {
           own_begin_(own_begin) {}
 
     void run() {
-        scratch_.one_lanes.clear();
-        scratch_.four_lanes.clear();
         scratch_.colors.clear();
         scratch_.conveyor_rows.clear();
-        add_overflow();
         const std::uint32_t begin = own_begin_;
+        lay_out_overflow();
+        const std::uint32_t first = own_begin_; // that has a color
         lay_out_colors();
-        fill(begin, own_.ends[keys_per_batch - 1]);
-        if (has_late_rows_) add_late_rows(begin, own_.ends[keys_per_batch - 1]);
+        for (const bool four_points : {false, true}) open_lanes(four_points);
+        fill_overflow(begin, first);
+        fill(first, own_.ends[keys_per_batch - 1]);
+        if (has_late_rows_) add_late_rows(first, own_.ends[keys_per_batch - 1]);
         make_room(scratch_.one_blocks, scratch_.one_lanes);
         make_room(scratch_.four_blocks, scratch_.four_lanes);
     }
@@ -57,35 +58,47 @@ class LaneFiller {
     template <class Block> static void make_room(std::vector<Block>& blocks, const LaneLists& lanes) {
         if (blocks.size() * 8 < lanes.record.size()) set_size_anew(blocks, lanes.record.size() / 8);
     }
-    static void resize(LaneLists& lanes, std::size_t size) {
-        set_size(lanes.record, size, -1), set_size(lanes.row_a, size, fixed_row),
-            set_size(lanes.row_b, size, fixed_row);
-    }
 
     // Whole blocks of so many lanes behind those that are there; the last of them are empty.
     BlockRun add_run(bool four_points, std::size_t count) {
+        std::size_t& lanes = lane_count_[four_points];
+        const std::size_t first = lanes;
+        lanes = (first + count + 7) & ~std::size_t(7);
+        return {four_points, std::int32_t(first / 8), std::int32_t((lanes - first) / 8)};
+    }
+
+    // All of them empty, when it is known how many there are.
+    void open_lanes(bool four_points) {
         LaneLists& lanes = four_points ? scratch_.four_lanes : scratch_.one_lanes;
-        const std::size_t first = lanes.record.size();
-        resize(lanes, first + count);
-        resize(lanes, (first + count + 7) & ~std::size_t(7));
-        return {four_points, std::int32_t(first / 8), std::int32_t((lanes.record.size() - first) / 8)};
+        const std::size_t count = lane_count_[four_points];
+        const auto open = [&](std::vector<std::int32_t>& list, std::int32_t value) {
+            reserve_room(list, count);
+            list.assign(count, value);
+        };
+        open(lanes.record, -1), open(lanes.row_a, fixed_row), open(lanes.row_b, fixed_row);
     }
 
     // What found no color may share bodies with the next: it is alone in its run.
-    void add_overflow() {
+    void lay_out_overflow() {
         for (std::uint32_t key = 0; key < keys_per_color; ++key)
             for (; all_begin_ < all_.ends[key]; ++all_begin_) {
-                const SortedContact& c = all_.contacts[all_begin_];
-                const bool is_here = own_begin_ < own_.ends[key] && own_.contacts[own_begin_].id == c.id;
+                const bool is_here =
+                    own_begin_ < own_.ends[key] && own_.contacts[own_begin_].id == all_.contacts[all_begin_].id;
                 const bool four_points = !has_one_point(key);
-                const std::size_t lane = lanes_of(key).record.size();
                 scratch_.colors.push_back(
                     {add_run(true, is_here && four_points), add_run(false, is_here && !four_points)});
-                if (!is_here) continue;
-                put(c, lane);
-                if (has_late_row(lanes_of(key), lane)) add_late_row(c, lane);
-                ++own_begin_;
+                own_begin_ += is_here;
             }
+    }
+    void fill_overflow(std::uint32_t begin, std::uint32_t end) {
+        std::size_t next[2] = {};
+        for (std::uint32_t k = begin; k < end; ++k) {
+            const SortedContact& c = own_.contacts[k];
+            std::size_t& lane = next[has_one_point(c.key)];
+            put(c, lane);
+            if (has_late_row(lanes_of(c.key), lane)) add_late_row(c, lane);
+            lane += 8;
+        }
     }
 
     void lay_out_colors() {
@@ -93,16 +106,16 @@ class LaneFiller {
             const std::uint32_t all_end = all_.ends[key + keys_per_color - 1];
             if (all_begin_ == all_end) continue;
             all_begin_ = all_end;
-            std::size_t lanes[2] = {scratch_.four_lanes.record.size(), scratch_.one_lanes.record.size()};
             std::size_t count[2] = {0, 0};
             for (std::uint32_t k = key; k < key + keys_per_color; ++k) {
-                const std::size_t i = has_one_point(k) ? 1 : 0, here = own_.ends[k] - own_begin_;
+                const bool four_points = !has_one_point(k);
                 // The first contact of the key, number `own_begin_`, has this lane.
-                first_lane_[k] = std::ptrdiff_t(lanes[i] + count[i]) - std::ptrdiff_t(own_begin_);
-                count[i] += here;
+                first_lane_[k] =
+                    std::ptrdiff_t(lane_count_[four_points] + count[four_points]) - std::ptrdiff_t(own_begin_);
+                count[four_points] += own_.ends[k] - own_begin_;
                 own_begin_ = own_.ends[k];
             }
-            scratch_.colors.push_back({add_run(true, count[0]), add_run(false, count[1])});
+            scratch_.colors.push_back({add_run(true, count[1]), add_run(false, count[0])});
         }
     }
 
@@ -149,7 +162,8 @@ class LaneFiller {
     std::uint32_t all_begin_;
     const ByKey own_;
     std::uint32_t own_begin_;
-    std::ptrdiff_t first_lane_[keys_per_batch] = {}; // by key, added to the number of a contact
+    std::size_t lane_count_[2] = {};            // of contacts with one point, with four
+    std::ptrdiff_t first_lane_[keys_per_batch]; // by key, of those that occur: added to the number of a contact
     bool has_late_rows_ = false;
 };
 

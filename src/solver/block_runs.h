@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace cairn {
 
-inline const SolverKernels::ForPoints& kernels_for(const BlockRun& run) {
-    return run.four_points ? kernels().solver.four_points : kernels().solver.one_point;
-}
 inline void* blocks_of(BatchScratch& scratch, const BlockRun& run) {
     if (run.four_points) return scratch.four_blocks.data() + run.first;
     return scratch.one_blocks.data() + run.first;
@@ -29,12 +27,20 @@ inline int blocks_per_chunk(const ThreadPool* thread_pool, int count) {
 // each color after(its place among the colors).
 template <class F, class After>
 void for_colors(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel, After&& after) {
-    auto work = [&](const BlockRun& run, int begin, int end) {
-        const BlockRun part{run.four_points, run.first + begin, end - begin};
-        if (part.count > 0) kernel(kernels_for(part), part);
+    const SolverKernels& kernels_of = kernels().solver;
+    const auto call = [&](const BlockRun& run) {
+        if (run.count > 0) kernel(run.four_points ? kernels_of.four_points : kernels_of.one_point, run);
+    };
+    const auto work = [&](const BlockRun& run, int begin, int end) {
+        call({run.four_points, run.first + begin, end - begin});
     };
     for (std::size_t k = 0; k < scratch.colors.size(); ++k) {
         const ColorRun& color = scratch.colors[k];
+        if (!thread_pool) { // in small batches, cutting runs would take as long as much of what is in them
+            call(color.four_points), call(color.one_point);
+            after(k);
+            continue;
+        }
         const int fours = color.four_points.count, all = fours + color.one_point.count;
         for_chunks(thread_pool, all, blocks_per_chunk(thread_pool, all), [&](int begin, int end, int) {
             work(color.four_points, std::min(begin, fours), std::min(end, fours));
@@ -50,6 +56,10 @@ template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_poo
 // Calls f(run) for every run of joint rows, or for chunks of them.
 template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
     for (const JointRun& run : scratch.joint_layout->runs) {
+        if (!thread_pool) {
+            f(run);
+            continue;
+        }
         const int count = int(run.count);
         for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
             JointRun part = run;
@@ -60,28 +70,25 @@ template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread
     }
 }
 
-// Calls kernel(its kernels, its blocks) for the blocks of a run.
-template <class F> void with_joint_blocks(BatchScratch& scratch, const JointRun& run, F&& kernel) {
-    const JointKernels& k = kernels().joints;
-    const std::size_t first = std::size_t(run.first);
-    switch (run.type) {
-    case JointRowType::point:
-        kernel(k.point, scratch.point_blocks.data() + first);
-        break;
-    case JointRowType::turn:
-        kernel(k.turn, scratch.turn_blocks.data() + first);
-        break;
-    case JointRowType::axis:
-        kernel(k.axis, scratch.axis_blocks.data() + first);
-        break;
-    }
+// The blocks of one type of joint rows.
+struct JointBlocks {
+    const JointKernels::ForRows& kernels;
+    std::byte* first;
+    std::size_t size; // of one
+};
+template <class Block> JointBlocks joint_blocks_of(const JointKernels::ForRows& kernels, std::vector<Block>& blocks) {
+    return {kernels, reinterpret_cast<std::byte*>(blocks.data()), sizeof(Block)};
 }
 
 // Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
 template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
+    const JointKernels& k = kernels().joints;
+    const JointBlocks by_type[joint_row_types] = {joint_blocks_of(k.point, scratch.point_blocks),
+                                                  joint_blocks_of(k.turn, scratch.turn_blocks),
+                                                  joint_blocks_of(k.axis, scratch.axis_blocks)};
     for_joint_runs(scratch, thread_pool, [&](const JointRun& run) {
-        with_joint_blocks(scratch, run,
-                          [&](const JointKernels::ForRows& k, void* blocks) { kernel(k, blocks, int(run.count)); });
+        const JointBlocks& blocks = by_type[std::size_t(run.type)];
+        kernel(blocks.kernels, blocks.first + run.first * blocks.size, int(run.count));
     });
 }
 

@@ -86,13 +86,14 @@ struct LaneLists {
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
-// Rows of joints, those of one joint side by side. They are solved by color, phase and form (joint_rows.cpp).
+// Rows of joints, those of one joint side by side. They are solved by color, phase and form, their key
+// (joint_layout.cpp).
 enum class JointRowType : std::uint8_t { point, turn, axis };
 inline constexpr int joint_row_types = 3;
 struct JointRow {
     std::uint32_t joint = 0;
     std::uint32_t lane = 0; // among those of its type
-    std::uint16_t key = 0;
+    std::uint16_t key = 0;  // its number in JointLayout::keys
     JointRowType type = JointRowType::point;
     std::uint8_t axis : 3 = 0; // which of the joint's
     std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
@@ -117,6 +118,7 @@ struct JointLayout {
     std::vector<std::uint32_t> joints;           // of the batch
     std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
     std::vector<JointRow> rows;
+    std::vector<std::uint16_t> keys;                        // of all rows, idle or not: ascending
     bool may_idle = false;                                  // any of them
     bool only_points = true;                                // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType

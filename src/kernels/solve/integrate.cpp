@@ -12,8 +12,8 @@ void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool f
                           *const rounding = bodies.rounding;
     const SolverTwist *const drive = bodies.drive, *const damping = bodies.damping;
     for (int i = begin; i < end; ++i) {
-        const f32x8 v = load(velocity[i].v);
-        f32x8 free = v + load(drive[i].v);
+        const f32x8 v = load_halves(velocity[i].v);
+        f32x8 free = v + load_halves(drive[i].v);
         if (damping) free = free * load(damping[i].v);
         const f32x8 carried = first ? zero() : (v - load(reference[i].v)) + load(rounding[i].v);
         const f32x8 sum = free + carried;
@@ -36,8 +36,8 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
         Quatx8 q;
         f32x8 unused;
         for (int k = 0; k < 8; ++k) {
-            const f32x8 v = load(velocity[i + k].v);
-            store(move[k], correction ? v + load(correction[i + k].v) : v);
+            const f32x8 v = load_halves(velocity[i + k].v);
+            store(move[k], correction ? v + load_halves(correction[i + k].v) : v);
             w[k] = move[k] + 4, dq[k] = pose[i + k].dq;
         }
         gather4(w, turn.x, turn.y, turn.z, unused);

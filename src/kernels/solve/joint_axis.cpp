@@ -3,6 +3,7 @@
 #include "kernels/solve/joint.h"
 
 #include <initializer_list>
+#include <type_traits>
 
 namespace cairn::CAIRN_ISA {
 
@@ -39,14 +40,51 @@ struct Jacobianx8 {
 CAIRN_INLINE Jacobianx8 load_jacobian(const AxisBlock& b) {
     return {load3(b.linear_a), load3(b.angular_a), load3(b.linear_b), load3(b.angular_b)};
 }
-CAIRN_INLINE void apply(const AxisBlock& b, const Jacobianx8& j, f32x8 p, Ends8& e) {
-    e.a.v = e.a.v + load(b.mass_a) * (p * j.linear_a);
-    e.b.v = e.b.v + load(b.mass_b) * (p * j.linear_b);
+// Most rows turn their bodies and do not move them: of these, linear velocities are neither read nor written. The bits
+// are those of a Jacobian whose linear part is zero.
+CAIRN_INLINE bool turns_only(AxisKind kind) {
+    switch (kind) {
+    case AxisKind::linear:
+    case AxisKind::radial:
+    case AxisKind::distance:
+    case AxisKind::rack:
+    case AxisKind::pulley:
+        return false;
+    default:
+        return true;
+    }
+}
+// Calls f with whether the block's rows turn only, as a constant.
+template <class F> CAIRN_INLINE void for_kind(const AxisBlock& b, F&& f) {
+    turns_only(b.kind) ? f(std::true_type{}) : f(std::false_type{});
+}
+
+template <bool Turns> CAIRN_INLINE void apply(const AxisBlock& b, const Jacobianx8& j, f32x8 p, Ends8& e) {
+    if constexpr (!Turns) {
+        e.a.v = e.a.v + load(b.mass_a) * (p * j.linear_a);
+        e.b.v = e.b.v + load(b.mass_b) * (p * j.linear_b);
+    }
     e.a.w = e.a.w + turned_a(b, p * j.angular_a);
     e.b.w = e.b.w + turned_b(b, p * j.angular_b);
 }
-CAIRN_INLINE f32x8 velocity_of(const Jacobianx8& j, const Ends8& e) {
-    return (dot(j.linear_a, e.a.v) + dot(j.linear_b, e.b.v)) + (dot(j.angular_a, e.a.w) + dot(j.angular_b, e.b.w));
+template <bool Turns> CAIRN_INLINE f32x8 velocity_of(const Jacobianx8& j, const Ends8& e) {
+    const f32x8 turning = dot(j.angular_a, e.a.w) + dot(j.angular_b, e.b.w);
+    if constexpr (Turns) return zero() + turning;
+    return (dot(j.linear_a, e.a.v) + dot(j.linear_b, e.b.v)) + turning;
+}
+template <bool Turns> CAIRN_INLINE Ends8 gather_moved(const SolverVelocity* rows, const AxisBlock& b) {
+    if constexpr (Turns)
+        return {{zero3(), gather_turning(rows, b.a)}, {zero3(), gather_turning(rows, b.b)}};
+    else
+        return gather_ends(rows, b);
+}
+template <bool Turns> CAIRN_INLINE void scatter_moved(SolverVelocity* rows, const AxisBlock& b, const Ends8& e) {
+    if constexpr (Turns) {
+        scatter_turning(rows, b.redirects ? b.rest.write_a : b.a, e.a.w);
+        scatter_turning(rows, b.redirects ? b.rest.write_b : b.b, e.b.w);
+    } else {
+        scatter_ends(rows, b, e);
+    }
 }
 CAIRN_INLINE f32x8 net_impulse(const AxisBlock& b) {
     return (load(b.drive_impulse) + load(b.friction_impulse)) + (load(b.lower_impulse) - load(b.upper_impulse));
@@ -57,16 +95,19 @@ struct Geometryx8 {
     const Posesx8& poses;
     Vec3x8 arm_a, arm_b, gap, axis_a, axis_b;
 };
-CAIRN_INLINE Geometryx8 geometry_of(const AxisBlock& b, const Posesx8& poses) {
+template <bool Turns> CAIRN_INLINE Geometryx8 geometry_of(const AxisBlock& b, const Posesx8& poses) {
+    const Vec3x8 axis_a0 = load3(b.axis_a0), axis_b0 = load3(b.axis_b0);
+    const Vec3x8 axis_a = axis_a0 + turned_difference(poses.dq_a, axis_a0),
+                 axis_b = axis_b0 + turned_difference(poses.dq_b, axis_b0);
+    if constexpr (Turns) return {poses, zero3(), zero3(), zero3(), axis_a, axis_b};
     const Vec3x8 arm_a0 = load3(b.arm_a0), arm_b0 = load3(b.arm_b0);
     const Vec3x8 change_a = turned_difference(poses.dq_a, arm_a0), change_b = turned_difference(poses.dq_b, arm_b0);
-    const Vec3x8 axis_a0 = load3(b.axis_a0), axis_b0 = load3(b.axis_b0);
     return {poses,
             arm_a0 + change_a,
             arm_b0 + change_b,
             load3(b.gap0) + ((poses.dx_b - poses.dx_a) + (change_b - change_a)),
-            axis_a0 + turned_difference(poses.dq_a, axis_a0),
-            axis_b0 + turned_difference(poses.dq_b, axis_b0)};
+            axis_a,
+            axis_b};
 }
 
 CAIRN_INLINE Jacobianx8 linear_jacobian(const Geometryx8& g, Vec3x8 d) {
@@ -105,6 +146,22 @@ CAIRN_INLINE f32x8 counted_angle(const AxisBlock& b, f32x8 angle) {
 CAIRN_INLINE f32x8 angle_between(Vec3x8 u, Vec3x8 w, Vec3x8 n) { return angle_of(dot(n, cross(u, w)), dot(u, w)); }
 
 CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
+    switch (b.kind) {
+    case AxisKind::swing: {
+        const Vec3x8 u = cross(g.axis_a, g.axis_b);
+        const f32x8 sine = sqrt(dot(u, u));
+        return {angular_jacobian(unit(u, sine)), angle_of(sine, dot(g.axis_a, g.axis_b))};
+    }
+    case AxisKind::perpendicular:
+        return {angular_jacobian(cross(g.axis_b, g.axis_a)), dot(g.axis_a, g.axis_b)};
+    case AxisKind::gear: {
+        const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
+        const f32x8 way = ra * angle_about(g.poses.dq_a, g.axis_a) + rb * angle_about(g.poses.dq_b, g.axis_b);
+        return {{zero3(), ra * g.axis_a, zero3(), rb * g.axis_b}, load(b.position0) + way};
+    }
+    default:
+        break;
+    }
     const Quatx8 turn = turn_now(g.poses, load_quat(b.turn0));
     switch (b.kind) {
     case AxisKind::twist: {
@@ -129,7 +186,7 @@ CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
     }
 }
 
-CAIRN_INLINE Rowx8 row_of(const AxisBlock& b, const Geometryx8& g) {
+CAIRN_INLINE Rowx8 moving_row(const AxisBlock& b, const Geometryx8& g) {
     switch (b.kind) {
     case AxisKind::linear:
         return {linear_jacobian(g, g.axis_a), dot(g.axis_a, g.gap)};
@@ -142,41 +199,30 @@ CAIRN_INLINE Rowx8 row_of(const AxisBlock& b, const Geometryx8& g) {
         const f32x8 distance = sqrt(dot(g.gap, g.gap));
         return {linear_jacobian(g, unit(g.gap, distance)), distance};
     }
-    case AxisKind::swing: {
-        const Vec3x8 u = cross(g.axis_a, g.axis_b);
-        const f32x8 sine = sqrt(dot(u, u));
-        return {angular_jacobian(unit(u, sine)), angle_of(sine, dot(g.axis_a, g.axis_b))};
-    }
-    case AxisKind::perpendicular:
-        return {angular_jacobian(cross(g.axis_b, g.axis_a)), dot(g.axis_a, g.axis_b)};
-    case AxisKind::gear: {
-        const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
-        const f32x8 way = ra * angle_about(g.poses.dq_a, g.axis_a) + rb * angle_about(g.poses.dq_b, g.axis_b);
-        return {{zero3(), ra * g.axis_a, zero3(), rb * g.axis_b}, load(b.position0) + way};
-    }
     case AxisKind::rack: {
         const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
         const f32x8 way = ra * angle_about(g.poses.dq_a, g.axis_a) + rb * dot(g.axis_b, g.poses.dx_b);
         return {{zero3(), ra * g.axis_a, rb * g.axis_b, zero3()}, load(b.position0) + way};
     }
-    case AxisKind::pulley:
-        return pulley_row(b, g);
     default:
-        return turning_row(b, g);
+        return pulley_row(b, g);
     }
 }
 
 // Jacobian, mass and position of the poses now.
-CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx8& poses) {
-    const Rowx8 row = row_of(b, geometry_of(b, poses));
+template <bool Turns> CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx8& poses) {
+    const Geometryx8 geometry = geometry_of<Turns>(b, poses);
+    const Rowx8 row = Turns ? turning_row(b, geometry) : moving_row(b, geometry);
     const Jacobianx8& j = row.jacobian;
-    store3(b.linear_a, j.linear_a);
     store3(b.angular_a, j.angular_a);
-    store3(b.linear_b, j.linear_b);
     store3(b.angular_b, j.angular_b);
     store(b.position, row.position);
-    const f32x8 k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) +
-                    (dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b)));
+    f32x8 k = dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b));
+    if constexpr (!Turns) {
+        store3(b.linear_a, j.linear_a);
+        store3(b.linear_b, j.linear_b);
+        k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) + k;
+    }
     store(b.mass, guarded_inverse(k, k > splat(tiny)));
     return j;
 }
@@ -267,92 +313,109 @@ template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before,
     return select(gives, sum, zero());
 }
 
-void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
-    auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k) {
-        AxisBlock& b = all[k];
-        first_masses(b, bodies.inertia);
-        const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
-        store(b.position0, load(b.position));
-        refresh_drive(b, splat(softness.h));
-        b.leaves = 0;
-        store(b.total, zero());
-        Ends8 e = gather_ends(bodies.velocity, b);
-        apply(b, j, net_impulse(b), e);
-        scatter_ends(bodies.velocity, b, e);
-    }
-}
-
-void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
-    auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k) {
-        AxisBlock& b = all[k];
-        Ends8 e = gather_ends(velocity, b);
-        if (b.leaves)
-            e = {{e.a.v + load3(b.left[0]), e.a.w + load3(b.left[1])},
-                 {e.b.v + load3(b.left[2]), e.b.w + load3(b.left[3])}};
-        const Jacobianx8 j = load_jacobian(b);
-        apply(b, j, act<true>(b, velocity_of(j, e), load(b.position), softness), e);
-        scatter_ends(velocity, b, e);
-    }
-}
-
-CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
+template <bool Turns>
+CAIRN_INLINE void warm_start_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
+    first_masses(b, bodies.inertia);
+    if constexpr (Turns) store3(b.linear_a, zero3()), store3(b.linear_b, zero3()); // others read them
+    const Jacobianx8 j = refresh<Turns>(b, gather_poses(bodies.pose, b));
+    store(b.position0, load(b.position));
+    refresh_drive(b, splat(softness.h));
+    b.leaves = 0;
+    store(b.total, zero());
     const f32x8 p = net_impulse(b);
+    if (all(p == zero())) return; // as most limits have it
+    Ends8 e = gather_moved<Turns>(bodies.velocity, b);
+    apply<Turns>(b, j, p, e);
+    scatter_moved<Turns>(bodies.velocity, b, e);
+}
+
+template <bool Turns>
+CAIRN_INLINE void solve_block(AxisBlock& b, SolverVelocity* velocity, const JointSoftness& softness) {
+    Ends8 e = gather_moved<Turns>(velocity, b);
+    if (b.leaves) {
+        if constexpr (!Turns) e.a.v = e.a.v + load3(b.left[0]), e.b.v = e.b.v + load3(b.left[2]);
+        e.a.w = e.a.w + load3(b.left[1]), e.b.w = e.b.w + load3(b.left[3]);
+    }
+    const Jacobianx8 j = load_jacobian(b);
+    const f32x8 d = act<true>(b, velocity_of<Turns>(j, e), load(b.position), softness);
+    if (!b.leaves && all(d == zero())) return;
+    apply<Turns>(b, j, d, e);
+    scatter_moved<Turns>(velocity, b, e);
+}
+
+// What the new Jacobian changes of the impulse that is carried is left for the next solve.
+template <bool Turns> CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
+    const f32x8 p = net_impulse(b);
+    b.leaves = !all(p == zero());
     Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
-    apply(b, load_jacobian(b), -p, change);
+    if (b.leaves) apply<Turns>(b, load_jacobian(b), -p, change);
     if (!b.isotropic) renew_masses(b, inertia);
-    const Jacobianx8 j = refresh(b, poses);
-    apply(b, j, p, change);
-    store3(b.left[0], change.a.v);
-    store3(b.left[1], change.a.w);
-    store3(b.left[2], change.b.v);
-    store3(b.left[3], change.b.w);
-    b.leaves = 1;
+    const Jacobianx8 j = refresh<Turns>(b, poses);
+    if (!b.leaves) return j;
+    apply<Turns>(b, j, p, change);
+    if constexpr (!Turns) store3(b.left[0], change.a.v), store3(b.left[2], change.b.v);
+    store3(b.left[1], change.a.w), store3(b.left[3], change.b.w);
     return j;
 }
 
+template <bool Turns>
+CAIRN_INLINE void relax_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
+    const f32x8 before = load(b.position);
+    const Posesx8 poses = gather_poses(bodies.pose, b);
+    const Jacobianx8 j = renew<Turns>(b, poses, bodies.inertia);
+    Ends8 e = gather_moved<Turns>(bodies.velocity, b);
+    const f32x8 d = act<false>(b, velocity_of<Turns>(j, e), before, softness);
+    store(b.total, load(b.total) + net_impulse(b));
+    refresh_drive(b, splat(softness.h));
+    if (all(d == zero())) return;
+    apply<Turns>(b, j, d, e);
+    scatter_moved<Turns>(bodies.velocity, b, e);
+}
+
+void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k)
+        for_kind(all[k], [&](auto turns) { warm_start_block<turns>(all[k], bodies, softness); });
+}
+void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k)
+        for_kind(all[k], [&](auto turns) { solve_block<turns>(all[k], velocity, softness); });
+}
 void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
     auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k) {
-        AxisBlock& b = all[k];
-        const f32x8 before = load(b.position);
-        const Posesx8 poses = gather_poses(bodies.pose, b);
-        const Jacobianx8 j = renew(b, poses, bodies.inertia);
-        Ends8 e = gather_ends(bodies.velocity, b);
-        apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
-        store(b.total, load(b.total) + net_impulse(b));
-        refresh_drive(b, splat(softness.h));
-        scatter_ends(bodies.velocity, b, e);
-    }
+    for (int k = 0; k < count; ++k) for_kind(all[k], [&](auto turns) { relax_block<turns>(all[k], bodies, softness); });
 }
 
 // Rigid limits and equations; drives and friction give no impulses.
+template <bool Turns>
+CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity* velocity, float inverse_h) {
+    Ends8 e = gather_moved<Turns>(velocity, b);
+    const Jacobianx8 j = load_jacobian(b);
+    const f32x8 mass = load(b.mass), wanted = splat(impact_relaxation) * mass, ih = splat(inverse_h);
+    const mask8 active = mask_from_bits(impact.active) & (load(b.rigid_limit) > zero()) & (mass > zero());
+    const mask8 equation = load(b.equation) > zero(), bounded = and_not(active, equation);
+    const f32x8 x = load(b.position), old_up = load(impact.lower), old_down = load(impact.upper);
+    f32x8 v = velocity_of<Turns>(j, e);
+    f32x8 up = max(old_up - wanted * (v + max(x - load(b.lower), zero()) * ih), zero());
+    up = select(bounded, up, old_up);
+    v += guarded_inverse(mass, active) * (up - old_up);
+    f32x8 down = max(old_down - wanted * (max(load(b.upper) - x, zero()) * ih - v), zero());
+    down = select(bounded, down, old_down);
+    const f32x8 held = select(active & equation, -(wanted * v), zero());
+    const f32x8 d = held + ((up - old_up) - (down - old_down));
+    store(impact.lower, up);
+    store(impact.upper, down);
+    if (all(d == zero())) return; // out of reach
+    store(b.total, load(b.total) + d);
+    apply<Turns>(b, j, d, e);
+    scatter_moved<Turns>(velocity, b, e);
+}
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
-    auto* given = static_cast<AxisBlock*>(blocks);
+    auto* all = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
-        AxisBlock& b = given[k];
-        if (!impacts[k].active || !b.has_limits) continue;
-        Ends8 e = gather_ends(velocity, b);
-        const Jacobianx8 j = load_jacobian(b);
-        const f32x8 mass = load(b.mass), wanted = splat(impact_relaxation) * mass, ih = splat(inverse_h);
-        const mask8 active = mask_from_bits(impacts[k].active) & (load(b.rigid_limit) > zero()) & (mass > zero());
-        const mask8 equation = load(b.equation) > zero(), bounded = and_not(active, equation);
-        const f32x8 x = load(b.position), old_up = load(impacts[k].lower), old_down = load(impacts[k].upper);
-        f32x8 v = velocity_of(j, e);
-        f32x8 up = max(old_up - wanted * (v + max(x - load(b.lower), zero()) * ih), zero());
-        up = select(bounded, up, old_up);
-        v += guarded_inverse(mass, active) * (up - old_up);
-        f32x8 down = max(old_down - wanted * (max(load(b.upper) - x, zero()) * ih - v), zero());
-        down = select(bounded, down, old_down);
-        const f32x8 held = select(active & equation, -(wanted * v), zero());
-        const f32x8 d = held + ((up - old_up) - (down - old_down));
-        store(impacts[k].lower, up);
-        store(impacts[k].upper, down);
-        if (all(d == zero())) continue; // out of reach
-        store(b.total, load(b.total) + d);
-        apply(b, j, d, e);
-        scatter_ends(velocity, b, e);
+        if (!impacts[k].active || !all[k].has_limits) continue;
+        for_kind(all[k], [&](auto turns) { strike_block<turns>(all[k], impacts[k], velocity, inverse_h); });
     }
 }
 
