@@ -171,6 +171,19 @@ template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& b
     return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
 }
 
+// How far A and B may pass each other, squared, while couplings of the start still fit: an arm that is longer by this
+// adds at most half of what the masses have. A row whose coupling had more than doubled would overshoot by more than
+// what it is to correct, and soon does where B is a thin rod. Of the inverse inertia, a mean of its eigenvalues
+// weighted by themselves: all of them if they are equal, else that of the axis about which it turns most easily.
+CAIRN_INLINE f32x8 passing_square(const Inertiax8& a, const Inertiax8& b, Vec3x8 center_b) {
+    const Sym3x8& i = b.inverse_inertia;
+    const f32x8 sum = (i.xx + i.yy) + i.zz, aside = (i.xy * i.xy + i.xz * i.xz) + i.yz * i.yz,
+                squares = ((i.xx * i.xx + i.yy * i.yy) + i.zz * i.zz) + (aside + aside);
+    const mask8 turns = squares > zero();
+    return select(turns, splat(0.5f) * (a.inverse_mass + b.inverse_mass) * (sum / select(turns, squares, one())),
+                  dot(center_b, center_b));
+}
+
 // Tangential and torsional rows at the friction center. The couple of the last step is kept about the load: the middle
 // of the points moves when one comes or goes.
 template <int N>
@@ -195,7 +208,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     store3(block.rolling_impulse, zero3());
 
     const Vec3x8 center_b = center + d;
-    store(block.arm_b_square, dot(center_b, center_b));
+    store(block.passing_square, passing_square(a, b, center_b));
     couple_friction<N>(block, normal, center, center_b, t1, t2, a, b);
 }
 

@@ -11,8 +11,8 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
-constexpr float min_passing = 1e-6f, max_passing = 0.4f;
+// How far two bodies must pass each other to count, as part of how far it counts in one step.
+constexpr float min_passing = 1e-6f;
 
 // Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
 // kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
@@ -21,13 +21,13 @@ constexpr float min_passing = 1e-6f, max_passing = 0.4f;
 template <int N, class Among>
 CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
     const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
-    const f32x8 arm_square = load(block.arm_b_square);
+    const f32x8 limit = load(block.passing_square);
     Vec3x8 d = load3(block.d0) + passed, change = d - old;
-    const mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * arm_square);
+    const mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * limit);
     if (!any(moves)) return;
     // Only as far as the couplings K, which are those of the touch, still fit.
     const Vec3x8 beyond = d - fitting;
-    const f32x8 limit = splat(max_passing * max_passing) * arm_square, square = dot(beyond, beyond);
+    const f32x8 square = dot(beyond, beyond);
     const mask8 far = square > limit;
     if (any(far)) {
         d = select(far, fitting + sqrt(limit / select(far, square, one())) * beyond, d);

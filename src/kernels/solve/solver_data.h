@@ -123,7 +123,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float d_touch[3][8];            // where the couplings are of: at the moment that the contact is of
     float found[8];                 // s from the start of the step: that moment
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
-    float arm_b_square[8];          // of the friction center's arm for B, where the couplings are of
+    float passing_square[8];        // of how far d may be from there
     float tangent[3][8];            // the second tangent is this x normal
     float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
