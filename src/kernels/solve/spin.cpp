@@ -10,9 +10,6 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
-// contacts act on says nothing about the one that it has.
-constexpr float max_turn_cosine = 0.9f;
 CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
     const float* p[8];
     Quatx8 q;
@@ -69,13 +66,24 @@ CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& ax
     scatter4(high, now.yy, now.yz, now.zz, zero());
 }
 
+// Lanes that have turned so little in the step that w answers to what contacts add to L at most twice as much as these
+// are told by the inertia of the start of the step: beyond, each substep would overshoot by more than what it is to
+// correct, and thin rods that something hits would set off whole heaps. Turned by an angle a from an axis of the
+// smallest moment, it is 1 + sin^2 a (largest / smallest - 1) times as much.
+CAIRN_INLINE mask8 answer_as_told(const SpinBlock& block, Quatx8 turn) {
+    const Vec3x8 i = load3(block.moments);
+    const f32x8 least = min(min(i.x, i.y), i.z), most = max(max(i.x, i.y), i.z);
+    const f32x8 half_sine = one() - turn.w * turn.w; // squared
+    return splat(4.0f) * half_sine * (most - least) <= least;
+}
+
 // L now, with what the contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
-    mask8 followed = turn.w > splat(first ? 2.0f : max_turn_cosine);
-    if (block.any_renewed && !first) followed = followed | (load(block.renewed) > zero());
+    if (first) return tensor(axes, load3(block.moments), w);
+    mask8 followed = answer_as_told(block, turn);
+    if (block.any_renewed) followed = followed | (load(block.renewed) > zero());
     Vec3x8 momentum = zero3();
     if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);
-    if (first) return momentum;
     const Vec3x8 tracked = load3(block.momentum) + load6(block.contact_inertia) * (w - load3(block.free_w));
     return select(followed, tracked, momentum);
 }
