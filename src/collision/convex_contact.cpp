@@ -415,7 +415,7 @@ SurfaceContact contact_from_cores(const Convex& a, const Convex& polygon, double
 
 SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
-    const DVec3 up = polygon.axes.c1, m = middle(a);
+    const DVec3 up = polygon.axes.c1, m = inside_of(a);
     const double height = dot(m - polygon.corners[0], up);
     if (height < 0) {
         double size = dot(near_support(a, up).point - near_support(a, -up).point, up);

@@ -207,7 +207,7 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked
     ConvexPair pair(a, b, span, asked.axis);
     const Convex &first = pair.first_at(span.begin), &second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
-        !begins_in_front(middle(first), second))
+        !begins_in_front(inside_of(first), second))
         return {};
     const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
@@ -311,7 +311,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Aske
                 const Triangle t = triangle_of(mesh, index);
                 const Convex& mover = core.at(begin);
                 TrianglePair pair(core, b, t, begin, mover.center);
-                if (!begins_in_front(middle(mover), pair.begin_face())) return;
+                if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
                 const Question question = question_of(mover, a, asked, 0);
                 const Span part{begin, std::min(end, best.meeting)};
                 if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
@@ -392,7 +392,7 @@ bool is_certain(const Course& course, const Mover& a, const Mover& b) {
     return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
-// A ball in the middle of a shape, with that part of its smallest half width.
+// A ball deep inside of a shape, with that part of its smallest half width.
 Geometry ball_inside(const Mover& m, float part) {
     Geometry ball;
     const float radius = part * 0.5f * smallest_extent(m.shape().geometry, m.shape().data);
@@ -427,7 +427,7 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
-        const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
+        const SweptShape inside{ball, a.data, first.inside_offset(), a.path, a.until};
         time = course_of(Mover(inside, layer, half_width, from, to), second, {from, to}, {0, 0, axis}).meeting;
     }
     return time == overlapped ? never : time;

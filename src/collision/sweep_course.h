@@ -117,16 +117,19 @@ class Mover {
     double beside_straight() const { return s_.until >= 1 ? turn_ * reach_ : std::numeric_limits<double>::infinity(); }
     // How far its points move about its middle, at most.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
-    DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
+    // From the center of mass, in the body's frame: of the middle of its bounds, and of a point deep inside.
+    DVec3 middle_offset() const { return s_.offset + in_body(math::to_double(s_.geometry.middle)); }
+    DVec3 inside_offset() const {
+        return s_.geometry.type == ShapeType::hull ? s_.offset + in_body(hull_of(s_.data).inside) : middle_offset();
+    }
     const Layer layer;
     const double half_width; // the smaller one of the pair, m
     math::DVec3 start, end;  // of the middle of its bounds: when it is first looked at, and last
 
   private:
     RigidPath::Pose pose_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
-    DVec3 local_middle() const {
-        const DVec3 m = math::to_double(s_.geometry.middle);
-        return s_.geometry.is_turned ? math::rotate(math::to_double(s_.geometry.rotation), m) : m;
+    DVec3 in_body(DVec3 local) const {
+        return s_.geometry.is_turned ? math::rotate(math::to_double(s_.geometry.rotation), local) : local;
     }
     const SweptShape& s_;
     const double from_, to_;

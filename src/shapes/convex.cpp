@@ -125,6 +125,23 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3&
     return c;
 }
 
+namespace {
+
+// Of a hull, about the point inside of it: along its axes, so that long ones keep their ends; or if that is its center
+// of mass, evenly, which never leads out of a convex shape.
+DVec3 scale_of_core(const HullData& hull, double depth) {
+    const DVec3 lo = math::to_double(hull.lo), hi = math::to_double(hull.hi);
+    const bool is_even = !(hull.inside == 0.5 * (lo + hi));
+    DVec3 scale;
+    for (int i = 0; i < 3; ++i) {
+        const double half = is_even ? hull.inner_radius : 0.5 * (hi[i] - lo[i]);
+        scale[i] = half > 0 ? std::max(0.0, 1 - depth / half) : 0;
+    }
+    return scale;
+}
+
+} // namespace
+
 void shrink(Convex& c, double depth) {
     if (c.kind == Convex::Kind::polygon) return;
     const double around = c.is_sharp ? 0 : c.radius, left = std::max(0.0, depth - around);
@@ -140,14 +157,10 @@ void shrink(Convex& c, double depth) {
         c.center += 0.5 * (f.low + f.high) * c.axes.c1;
         c.size = {std::max(0.0, f.low_radius), half, std::max(0.0, f.high_radius)};
     } else if (c.kind == Convex::Kind::hull && left > 0) {
-        const DVec3 lo = math::to_double(c.hull->lo), hi = math::to_double(c.hull->hi), in = 0.5 * (lo + hi);
-        c.center = middle(c);
-        for (int i = 0; i < 3; ++i) {
-            const double half = 0.5 * (hi[i] - lo[i]), scale = half > 0 ? std::max(0.0, 1 - left / half) : 0;
-            DVec3& axis = i == 0 ? c.axes.c0 : i == 1 ? c.axes.c1 : c.axes.c2;
-            axis = scale * axis;
-        }
-        c.center = c.center - c.axes * in;
+        const DVec3 scale = scale_of_core(*c.hull, left);
+        c.center = inside_of(c);
+        c.axes = {scale.x * c.axes.c0, scale.y * c.axes.c1, scale.z * c.axes.c2};
+        c.center = c.center - c.axes * c.hull->inside;
     }
 }
 
@@ -184,6 +197,10 @@ DVec3 round_support(const Core& core, DVec3 d) {
 DVec3 middle(const Convex& c) {
     if (c.kind != Convex::Kind::hull) return c.center;
     return c.center + c.axes * (0.5 * (math::to_double(c.hull->lo) + math::to_double(c.hull->hi)));
+}
+
+DVec3 inside_of(const Convex& c) {
+    return c.kind == Convex::Kind::hull ? c.center + c.axes * c.hull->inside : c.center;
 }
 
 int face_count(const Convex& c) {

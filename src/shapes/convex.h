@@ -49,7 +49,9 @@ Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
 Convex reversed(const Convex& polygon);
 
 // Leaves the core of a shape at a depth, m: without what is nearer to its surface; at least a point or a segment in its
-// middle. Of hulls, the hull scaled along its axes such that its bounds shrink by the depth. Polygons stay as they are.
+// middle. Of hulls, the hull scaled along its axes about the middle of its bounds, such that those shrink by the depth
+// on every side; or, where that is not well inside of it, evenly about its center of mass, by the depth at the nearest
+// face. Polygons stay as they are.
 void shrink(Convex& shape, double depth);
 
 // From the common frame to the shape's and back.
@@ -126,8 +128,10 @@ inline NearSupport near_support(const Convex& c, math::DVec3 unit) {
     const math::DVec3 p = hull_point(c, c.hull->vertices[vertex]);
     return {c.is_sharp ? p : p + c.radius * unit, static_cast<int>(vertex)};
 }
-// A point inside: the middle of the bounds.
+// The middle of the bounds: of most shapes inside, but not of every hull.
 math::DVec3 middle(const Convex& c);
+// A point deep inside.
+math::DVec3 inside_of(const Convex& c);
 
 // Flat faces: of boxes, hulls and polygons, and the ends of cylinders. A polygon has its front; number 1 is its back,
 // which touches but gives no direction.

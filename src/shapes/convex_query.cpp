@@ -66,7 +66,7 @@ bool is_deeper(const Simplex& s, double depth) {
     return true;
 }
 
-// The radius of a ball around the middle that lies within; 0 where none is known.
+// The radius of a ball around that point inside that lies within; 0 where none is known.
 double inner_radius(const Convex& c) {
     if (c.kind == Convex::Kind::hull) return c.hull->inner_radius + outer_radius(c);
     return has_nearest(c) ? c.extent : 0;
@@ -75,7 +75,7 @@ double inner_radius(const Convex& c) {
 // Whether the ball within one overlaps the other by more than a depth: then they do, and GJK need not say so.
 bool holds_ball(const Convex& c, const Convex& other, double depth) {
     if (!has_nearest(c)) return false;
-    const DVec3 p = to_local(c, middle(other) - c.center), off = p - *nearest_in_core(c, p);
+    const DVec3 p = to_local(c, inside_of(other) - c.center), off = p - *nearest_in_core(c, p);
     const double reach = inner_radius(other) + outer_radius(c) - depth;
     return reach > 0 && dot(off, off) < reach * reach;
 }

@@ -56,7 +56,8 @@ struct HullData {
     PlaneColumns plane_columns;
     std::vector<double> unit_factors; // of the faces: what makes their normals unit vectors in double
     std::vector<SideBlock> sides;     // of large faces
-    double inner_radius = 0;          // of a ball about the middle of the bounds that lies within
+    math::DVec3 inside;               // deep inside: the middle of the bounds, or of mass
+    double inner_radius = 0;          // of a ball about that which lies within
 
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds

@@ -395,6 +395,29 @@ HullOutline outline_of(const HullData& hull, std::size_t index, SideBlock (&made
     return r;
 }
 
+namespace {
+
+// The radius of the largest ball about a point that lies within, or 0.
+double inner_radius_about(const HullData& hull, DVec3 point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const HullFace& face : hull.faces)
+        nearest = std::min(nearest, double(face.offset) - math::dot(math::to_double(face.normal), point));
+    return std::max(0.0, nearest - 2 * double(hull.tolerance)); // corners of faces are so far off them
+}
+
+// The middle of the bounds may be near the surface, or outside: of flat tetrahedra, for one. The center of mass is as
+// far from every face as a quarter of what the hull measures across it, or farther (Minkowski; Radon).
+void find_inside(HullData& hull) {
+    constexpr double least = 0.125; // of the width: half of what the center of mass has
+    hull.inside = 0.5 * (math::to_double(hull.lo) + math::to_double(hull.hi));
+    hull.inner_radius = inner_radius_about(hull, hull.inside);
+    if (hull.inner_radius >= least * double(hull.width)) return;
+    const double at_center = inner_radius_about(hull, hull.unit_mass.center);
+    if (at_center > hull.inner_radius) hull.inside = hull.unit_mass.center, hull.inner_radius = at_center;
+}
+
+} // namespace
+
 void arrange(HullData& hull) {
     hull.vertex_columns = Columns(hull.vertices);
     hull.unit_factors.clear(), hull.sides.clear();
@@ -415,12 +438,7 @@ void arrange(HullData& hull) {
         make_sides(x.data(), y.data(), face.count, &hull.sides[face.first_side]);
     }
     hull.plane_columns = PlaneColumns(normals, offsets);
-    const math::DVec3 middle = 0.5 * (math::to_double(hull.lo) + math::to_double(hull.hi));
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < hull.faces.size(); ++i)
-        nearest =
-            std::min(nearest, double(hull.faces[i].offset) - math::dot(math::to_double(hull.faces[i].normal), middle));
-    hull.inner_radius = std::max(0.0, nearest - 2 * double(hull.tolerance)); // corners of faces are so far off them
+    find_inside(hull);
 }
 
 } // namespace cairn

@@ -13,6 +13,11 @@ namespace {
 template <class... Values> bool are_finite(Values... values) { return (std::isfinite(values) && ...); }
 bool is_finite(math::Vec3 v) { return are_finite(v.x, v.y, v.z); }
 
+// Of a mass, or a moment of inertia, and its inverse. It may be infinite: then nothing moves the body.
+bool are_inverse(float value, float inverse) {
+    return value >= 0 && inverse >= 0 && std::isfinite(inverse) && (std::isfinite(value) || inverse == 0);
+}
+
 // What users may give is checked where they give it; here it was given by a file.
 template <class T> void validate_definition(const char* list, std::size_t at, const T& value) {
     try {
@@ -38,10 +43,9 @@ void check_bodies(const Bodies& bodies, const CheckedDefinitions& definitions) {
         const math::Vec3 moments = mass.inertia, inverse = mass.inverse_inertia;
         const math::Quat q = mass.principal;
         require_sound(is_finite(mass.center), {"bodies", i, "center"}, 0, "must be finite");
-        require_sound(mass.mass >= 0 && mass.inverse_mass >= 0 && is_finite(moments) && is_finite(inverse) &&
-                          are_finite(mass.mass, mass.inverse_mass) && moments.x >= 0 && moments.y >= 0 &&
-                          moments.z >= 0 && inverse.x >= 0 && inverse.y >= 0 && inverse.z >= 0,
-                      {"bodies", i, "mass"}, 0, "must be finite, and 0 or more");
+        require_sound(are_inverse(mass.mass, mass.inverse_mass) && are_inverse(moments.x, inverse.x) &&
+                          are_inverse(moments.y, inverse.y) && are_inverse(moments.z, inverse.z),
+                      {"bodies", i, "mass"}, 0, "must be 0 or more, with a finite inverse: 0 of what is infinite");
         const float square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
         require_sound(square > 0.5f && square < 2, {"bodies", i, "principal"}, 0, "must be a unit quaternion");
         kinematic += bodies.slots.is_live(std::uint32_t(i)) && bodies.settings[i].type == BodyType::kinematic;

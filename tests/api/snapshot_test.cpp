@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <random>
 #include <vector>
@@ -240,6 +241,26 @@ TEST_F(Heap, TakesAtMost300BytesForTheStateOfABody) {
         EXPECT_EQ(sizes.bodies + sizes.contacts + sizes.joints + sizes.broad_phase + sizes.other,
                   snapshot.bytes.size());
     }
+}
+
+// Their snapshots were refused: a mass had to be finite.
+TEST(Snapshot, BodiesOfInfiniteMassComeBack) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    World world;
+    add_ground(world);
+    BodyDef def = body_at({0.0, 2.0, 0.0});
+    def.mass = infinity;
+    add_body(world, def, Box{});
+    world.body(add_crate(world, {5.0, 2.0, 0.0})).set_mass_from_shapes(infinity);
+    MassProperties properties;
+    properties.mass = infinity;
+    world.body(add_crate(world, {10.0, 2.0, 0.0})).set_mass_properties(properties);
+    add_crate(world, {0.0, 4.0, 0.0});
+    run(world, 20);
+    World other;
+    other.restore(world.save());
+    EXPECT_EQ(other.state_hash(), world.state_hash());
+    EXPECT_EQ(hash_after(other, 100), hash_after(world, 100));
 }
 
 TEST(Snapshot, EmptyWorldAndWorldWithoutShapes) {

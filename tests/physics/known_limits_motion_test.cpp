@@ -25,7 +25,8 @@ class Random {
     double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
     glm::dvec3 direction() {
         std::normal_distribution<double> normal;
-        return glm::normalize(glm::dvec3(normal(random_), normal(random_), normal(random_)));
+        const double z = normal(random_), y = normal(random_), x = normal(random_); // the same from every compiler
+        return glm::normalize(glm::dvec3(x, y, z));
     }
     Quat rotation() { return glm::angleAxis(float(between(0, 3)), Vec3(direction())); }
 

@@ -264,5 +264,31 @@ TEST(Shapes, NothingIsPulledThroughThinWalls) {
         }
 }
 
+// The middle of the bounds of a flat tetrahedron may be outside of it: taken for a point inside, it was under the
+// ground when they lay on it, and they fell through.
+TEST(Tetrahedra, RestOnAMeshOnTheirFlatSides) {
+    const std::vector<Vec3> flat[] = {
+        {{0.263f, -0.251f, 0.280f}, {-0.247f, 0.132f, 0.179f}, {-0.218f, 0.137f, 0.234f}, {0.285f, -0.035f, -0.265f}},
+        {{-0.186f, -0.179f, 0.204f}, {-0.278f, 0.146f, -0.219f}, {-0.153f, -0.046f, 0.052f}, {0.258f, -0.003f, 0.218f}},
+        {{0.072f, 0.215f, 0.164f}, {-0.219f, 0.076f, -0.279f}, {-0.026f, 0.278f, -0.030f}, {-0.236f, -0.206f, 0.086f}},
+        {{0.068f, 0.296f, 0.270f}, {0.094f, 0.019f, -0.282f}, {-0.273f, 0.107f, 0.280f}, {0.278f, 0.089f, -0.294f}},
+        {{0.194f, 0.278f, 0.200f}, {-0.204f, -0.253f, 0.147f}, {-0.013f, 0.040f, 0.057f}, {-0.184f, 0.024f, -0.195f}},
+    };
+    const std::vector<Vec3> corners = {{-3, 0, -3}, {3, 0, -3}, {3, 0, 3}, {-3, 0, 3}};
+    const std::vector<std::uint32_t> triangles = {0, 2, 1, 0, 3, 2};
+    for (const std::vector<Vec3>& points : flat) {
+        World world;
+        BodyDef ground;
+        ground.type = BodyType::static_;
+        world.add_shape(world.create_body(ground), Mesh(corners, triangles));
+        BodyDef def;
+        def.position = {0, 0.5, 0};
+        const BodyId body = world.create_body(def);
+        world.add_shape(body, Hull(points));
+        for (int i = 0; i < 240; ++i) world.step(1.0f / 60);
+        EXPECT_GT(world.body(body).center_of_mass().y, 0) << points[0].x;
+    }
+}
+
 } // namespace
 } // namespace cairn_test

@@ -142,6 +142,32 @@ TEST(CoreSweep, CoresAreAsDeepInsideAsTheyShouldBe) {
     }
 }
 
+// Of flat hulls the middle of the bounds may be outside: their cores were there as well, met what was beside them, and
+// let through what they were to hold.
+TEST(CoreSweep, CoresOfFlatHullsAreInsideOfThem) {
+    Random random(5);
+    int flat = 0;
+    for (int k = 0; k < 3000; ++k) {
+        std::vector<cairn::math::Vec3> corners(4);
+        for (auto& corner : corners) corner = cairn::math::to_float(random.uniform(0, 1) * random.direction());
+        const Solid s = hull(std::make_shared<const cairn::HullData>(cairn::build_hull(corners)));
+        const Convex whole = s.at({}, random.rotation());
+        const double depth = random.uniform(0.001, 0.5) * whole.extent;
+        const Convex core = shrunk(whole, depth);
+        bool is_flat = false;
+        double least = depth;
+        for (int f = 0; f < face_count(whole); ++f) {
+            const DVec3 n = face_normal(whole, f), face = face_point(whole, f);
+            is_flat |= dot(n, middle(whole) - face) > 0;
+            least = std::min(least, dot(n, face - support(core, n)));
+        }
+        if (!is_flat) continue;
+        ++flat;
+        ASSERT_GT(least, 0.9 * depth) << k;
+    }
+    EXPECT_GT(flat, 1000);
+}
+
 // What is pressed into something beyond its core, and leaves it turning, was met anew at once wherever in a step it was
 // asked, 64 times, and then stood still for the rest of the step.
 TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
