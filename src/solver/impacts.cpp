@@ -97,8 +97,8 @@ template <> struct NotStruck<PointRows<1>> {
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
     using B = ContactBlock<N>;
     static constexpr auto list =
-        std::tuple(&B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::torsion_mass,
-                   &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
+        std::tuple(&B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square,
+                   &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
                    &B::torsion_impulse, &B::rolling_radius, &B::rolling_impulse);
 };
 

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xdf7735f534368b68;
-inline constexpr std::uint64_t pyramid = 0xc3f21216ca53644e;
-inline constexpr std::uint64_t dominoes = 0xbf2318c71f473665;
-inline constexpr std::uint64_t materials = 0x84d5840264440ef8;
-inline constexpr std::uint64_t tumbler = 0x301f3c90505b20b7;
-inline constexpr std::uint64_t sleep_and_wake = 0x28c34369aba92137;
-inline constexpr std::uint64_t compounds = 0xff0af2835470645c;
+inline constexpr std::uint64_t mixed_pile = 0x5e25f9267680067b;
+inline constexpr std::uint64_t pyramid = 0xdbe4f5d7caec53cc;
+inline constexpr std::uint64_t dominoes = 0x20296c21a4fd1249;
+inline constexpr std::uint64_t materials = 0xbbd8f237fbcaeaa3;
+inline constexpr std::uint64_t tumbler = 0xf432b50380617fea;
+inline constexpr std::uint64_t sleep_and_wake = 0x42a4434f99a6d9cd;
+inline constexpr std::uint64_t compounds = 0xb1f3ace11f454e5d;
 inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
-inline constexpr std::uint64_t explicit_euler = 0xbbee5ccaf8b08d3c;
-inline constexpr std::uint64_t whirl = 0xd394efa824ed758e;
-inline constexpr std::uint64_t changes = 0x522618e75540099c;
-inline constexpr std::uint64_t all_shapes = 0x75783e23771c02e6;
-inline constexpr std::uint64_t rounded_shapes = 0x39255e593076cea9;
-inline constexpr std::uint64_t surfaces = 0xde7fe47393b19b8f;
-inline constexpr std::uint64_t all_joints = 0x7d83c8cb93e7abb3;
-inline constexpr std::uint64_t chains = 0x8cea44b54521bcb9;
+inline constexpr std::uint64_t explicit_euler = 0xff6cd0fc7e3b59b3;
+inline constexpr std::uint64_t whirl = 0xaf09639905078018;
+inline constexpr std::uint64_t changes = 0xd3a593e01d04adf8;
+inline constexpr std::uint64_t all_shapes = 0x2e578ba606c46119;
+inline constexpr std::uint64_t rounded_shapes = 0xcc122fc8b56bcbef;
+inline constexpr std::uint64_t surfaces = 0x2c9dcfb6915051a2;
+inline constexpr std::uint64_t all_joints = 0xb3d953c035587169;
+inline constexpr std::uint64_t chains = 0x81b043e10be04322;
 
 } // namespace cairn_test::golden

@@ -240,7 +240,7 @@ constexpr Invariant table[] = {
     {"compounds", "lowest center, m", lowest_center, 0.12, 0.25},
     {"compounds", "energy gained", energy_gain<0>, 0, 1e-6},
     {"compounds", "deepest overlap after 6 s, m", overlap<360>, 0, 0.008},
-    {"compounds", "bodies asleep at the end", asleep_at_end, 12, 36},
+    {"compounds", "bodies asleep at the end", asleep_at_end, 6, 36},
     {"free_tops", "momentum beside that of gravity, part of it", momentum_error, 0, 5e-5},
     {"free_tops", "change of an angular momentum in flight, relative", spin_error, 0, 1e-5},
     {"free_tops", "change of the energy of a spin in flight, relative", energy_of_spin_error, 0, 1e-5},

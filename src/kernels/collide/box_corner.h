@@ -6,7 +6,7 @@
 namespace cairn::CAIRN_ISA {
 
 // Edges are side by side, and across a normal, where the sine of the angle between them, the cosine of that, is less.
-constexpr float side_by_side_edges = 0.1f;
+constexpr float side_by_side_edges = 0.01f;
 
 // The edge of a box that lies farthest along a direction: of the three kinds, that which is most across it.
 struct SupportEdgex8 {
