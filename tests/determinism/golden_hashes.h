@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x5e25f9267680067b;
-inline constexpr std::uint64_t pyramid = 0xdbe4f5d7caec53cc;
-inline constexpr std::uint64_t dominoes = 0x20296c21a4fd1249;
-inline constexpr std::uint64_t materials = 0xbbd8f237fbcaeaa3;
+inline constexpr std::uint64_t mixed_pile = 0x795ee8dd1bfeb956;
+inline constexpr std::uint64_t pyramid = 0x88a2203e17dd17ff;
+inline constexpr std::uint64_t dominoes = 0xe3ed3d49f0de8bc1;
+inline constexpr std::uint64_t materials = 0xc1a0b72e123e2798;
 inline constexpr std::uint64_t tumbler = 0xf432b50380617fea;
-inline constexpr std::uint64_t sleep_and_wake = 0x42a4434f99a6d9cd;
-inline constexpr std::uint64_t compounds = 0xb1f3ace11f454e5d;
+inline constexpr std::uint64_t sleep_and_wake = 0xd60f4fa0dc1ee0d7;
+inline constexpr std::uint64_t compounds = 0x6f604f912e70d286;
 inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
-inline constexpr std::uint64_t explicit_euler = 0xff6cd0fc7e3b59b3;
-inline constexpr std::uint64_t whirl = 0xaf09639905078018;
-inline constexpr std::uint64_t changes = 0xd3a593e01d04adf8;
-inline constexpr std::uint64_t all_shapes = 0x2e578ba606c46119;
-inline constexpr std::uint64_t rounded_shapes = 0xcc122fc8b56bcbef;
-inline constexpr std::uint64_t surfaces = 0x2c9dcfb6915051a2;
-inline constexpr std::uint64_t all_joints = 0xb3d953c035587169;
-inline constexpr std::uint64_t chains = 0x81b043e10be04322;
+inline constexpr std::uint64_t explicit_euler = 0xbbee5ccaf8b08d3c;
+inline constexpr std::uint64_t whirl = 0x34be048744c6da52;
+inline constexpr std::uint64_t changes = 0xcfc0043ebf7974f5;
+inline constexpr std::uint64_t all_shapes = 0xafdf5e8922b93ece;
+inline constexpr std::uint64_t rounded_shapes = 0x30999ba3d9511863;
+inline constexpr std::uint64_t surfaces = 0x9d5420b7dcf8f96e;
+inline constexpr std::uint64_t all_joints = 0x57a542b4973beea5;
+inline constexpr std::uint64_t chains = 0x6ec8c090b08b8344;
 
 } // namespace cairn_test::golden

@@ -12,7 +12,7 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 // How far two bodies must pass each other to count, as part of how far it counts in one step.
-constexpr float min_passing = 1e-6f;
+constexpr float min_passing = 2.5e-6f;
 
 // Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
 // kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
