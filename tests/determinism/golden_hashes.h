@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x795ee8dd1bfeb956;
-inline constexpr std::uint64_t pyramid = 0x88a2203e17dd17ff;
-inline constexpr std::uint64_t dominoes = 0xe3ed3d49f0de8bc1;
-inline constexpr std::uint64_t materials = 0xc1a0b72e123e2798;
+inline constexpr std::uint64_t mixed_pile = 0xd0b9dc948785c8b7;
+inline constexpr std::uint64_t pyramid = 0xa24b30d71c1634e0;
+inline constexpr std::uint64_t dominoes = 0x6381c269d953dd9c;
+inline constexpr std::uint64_t materials = 0xb6862439d0025b11;
 inline constexpr std::uint64_t tumbler = 0xf432b50380617fea;
-inline constexpr std::uint64_t sleep_and_wake = 0xd60f4fa0dc1ee0d7;
-inline constexpr std::uint64_t compounds = 0x6f604f912e70d286;
+inline constexpr std::uint64_t sleep_and_wake = 0xb2db0041748aae75;
+inline constexpr std::uint64_t compounds = 0x605ebdd3bb780357;
 inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
 inline constexpr std::uint64_t explicit_euler = 0xbbee5ccaf8b08d3c;
-inline constexpr std::uint64_t whirl = 0x34be048744c6da52;
-inline constexpr std::uint64_t changes = 0xcfc0043ebf7974f5;
-inline constexpr std::uint64_t all_shapes = 0xafdf5e8922b93ece;
-inline constexpr std::uint64_t rounded_shapes = 0x30999ba3d9511863;
-inline constexpr std::uint64_t surfaces = 0x9d5420b7dcf8f96e;
-inline constexpr std::uint64_t all_joints = 0x57a542b4973beea5;
-inline constexpr std::uint64_t chains = 0x6ec8c090b08b8344;
+inline constexpr std::uint64_t whirl = 0x968929b5f18701dd;
+inline constexpr std::uint64_t changes = 0x3607af2cb52312c4;
+inline constexpr std::uint64_t all_shapes = 0x3b2a36edc5d0739d;
+inline constexpr std::uint64_t rounded_shapes = 0xcf2b8607b1467f37;
+inline constexpr std::uint64_t surfaces = 0xdc14388944c3b479;
+inline constexpr std::uint64_t all_joints = 0x86ec8aa10bbef30b;
+inline constexpr std::uint64_t chains = 0x54209e0a4e5874a8;
 
 } // namespace cairn_test::golden

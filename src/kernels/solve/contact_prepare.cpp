@@ -172,15 +172,15 @@ template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& b
 }
 
 // How far A and B may pass each other, squared, while couplings of the start still fit: an arm that is longer by this
-// adds at most half of what the masses have. A row whose coupling had more than doubled would overshoot by more than
-// what it is to correct, and soon does where B is a thin rod. Of the inverse inertia, a mean of its eigenvalues
+// adds at most a quarter of what the masses have. A row whose coupling had more than doubled would overshoot by more
+// than what it is to correct, and soon does where B is a thin rod. Of the inverse inertia, a mean of its eigenvalues
 // weighted by themselves: all of them if they are equal, else that of the axis about which it turns most easily.
 CAIRN_INLINE f32x8 passing_square(const Inertiax8& a, const Inertiax8& b, Vec3x8 center_b) {
     const Sym3x8& i = b.inverse_inertia;
     const f32x8 sum = (i.xx + i.yy) + i.zz, aside = (i.xy * i.xy + i.xz * i.xz) + i.yz * i.yz,
                 squares = ((i.xx * i.xx + i.yy * i.yy) + i.zz * i.zz) + (aside + aside);
     const mask8 turns = squares > zero();
-    return select(turns, splat(0.5f) * (a.inverse_mass + b.inverse_mass) * (sum / select(turns, squares, one())),
+    return select(turns, splat(0.25f) * (a.inverse_mass + b.inverse_mass) * (sum / select(turns, squares, one())),
                   dot(center_b, center_b));
 }
 
