@@ -5,7 +5,7 @@
 
 namespace cairn::CAIRN_ISA {
 
-// Edges are side by side, and across a normal, where the sine of the angle between them, the cosine of that, is less.
+// At most, of edges that are side by side: the sine of the angle between them, the cosine of that to the normal.
 constexpr float side_by_side_edges = 0.01f;
 
 // The edge of a box that lies farthest along a direction: of the three kinds, that which is most across it.
