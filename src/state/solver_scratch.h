@@ -83,7 +83,6 @@ struct FinalizeScratch {
 // Lanes of a list of blocks, filled batch by batch.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
-    void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
 // Rows of joints, those of one joint side by side. They are solved by color, phase and form, their key

@@ -74,14 +74,14 @@ template <bool Turns> CAIRN_INLINE f32x8 velocity_of(const Jacobianx8& j, const 
 }
 template <bool Turns> CAIRN_INLINE Ends8 gather_moved(const SolverVelocity* rows, const AxisBlock& b) {
     if constexpr (Turns)
-        return {{zero3(), gather_turning(rows, b.a)}, {zero3(), gather_turning(rows, b.b)}};
+        return {{zero3(), gather_angular(rows, b.a)}, {zero3(), gather_angular(rows, b.b)}};
     else
         return gather_ends(rows, b);
 }
 template <bool Turns> CAIRN_INLINE void scatter_moved(SolverVelocity* rows, const AxisBlock& b, const Ends8& e) {
     if constexpr (Turns) {
-        scatter_turning(rows, b.redirects ? b.rest.write_a : b.a, e.a.w);
-        scatter_turning(rows, b.redirects ? b.rest.write_b : b.b, e.b.w);
+        scatter_angular(rows, b.redirects ? b.rest.write_a : b.a, e.a.w);
+        scatter_angular(rows, b.redirects ? b.rest.write_b : b.b, e.b.w);
     } else {
         scatter_ends(rows, b, e);
     }

@@ -66,8 +66,8 @@ CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* of
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
 }
 
-// Of what turns them alone: their angular velocities.
-CAIRN_INLINE Vec3x8 gather_turning(const SolverVelocity* rows, const std::uint32_t* offset) {
+// Of rows of velocities, or of what is like them: what turns.
+template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
     const float* p[8];
     Vec3x8 w;
     f32x8 unused;
@@ -75,7 +75,7 @@ CAIRN_INLINE Vec3x8 gather_turning(const SolverVelocity* rows, const std::uint32
     gather4(p, w.x, w.y, w.z, unused);
     return w;
 }
-CAIRN_INLINE void scatter_turning(SolverVelocity* rows, const std::uint32_t* offset, Vec3x8 w) {
+template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uint32_t* offset, Vec3x8 w) {
     float* p[8];
     for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
     scatter4(p, w.x, w.y, w.z, zero());

@@ -17,19 +17,6 @@ CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* off
     gather4(p, q.v.x, q.v.y, q.v.z, q.w);
     return q;
 }
-template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
-    const float* p[8];
-    Vec3x8 w;
-    f32x8 unused;
-    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
-    gather4(p, w.x, w.y, w.z, unused);
-    return w;
-}
-template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uint32_t* offset, Vec3x8 w) {
-    float* p[8];
-    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
-    scatter4(p, w.x, w.y, w.z, zero());
-}
 
 CAIRN_INLINE Vec3x8 scaled(Vec3x8 a, Vec3x8 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
