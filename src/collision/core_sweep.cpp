@@ -435,8 +435,9 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const bool is_known = held == Held::by_contact;
-    const double part = is_known ? 0.5 : 1, deeper = is_known ? infinity : held == Held::perhaps ? deeper_part : 0;
+    const bool is_known = held == Held::by_contact || held == Held::by_struck_contact;
+    const double part = is_known ? 0.5 : 1;
+    const double deeper = held == Held::by_contact ? infinity : held == Held::by_nothing ? 0 : deeper_part;
     for (const Layer layer : {Layer::inner, Layer::deep}) {
         const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
         const Course course = course_of(first, second, {from, to}, {0, part, axis, deeper});

@@ -69,8 +69,9 @@ inline constexpr double free_share = 0.5;
 // 0; then, where they were looked at, that in which they were nearest last.
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
-// What keeps two that touch from going deeper, beside their meetings.
-enum class Held { by_nothing, perhaps, by_contact };
+// What keeps two that touch from going deeper, beside their meetings. A contact in the solver that an impact has struck
+// since has been as deep as cores.
+enum class Held { by_nothing, perhaps, by_contact, by_struck_contact };
 
 // All of these look no farther than to the end of the path that ends first.
 //

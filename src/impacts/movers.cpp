@@ -78,7 +78,6 @@ DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double d
     return spin.to_world(to, spin.inverse_moments, momentum);
 }
 
-// A ball about its center of mass, on no joints: its turns bring its surface nowhere.
 bool Movers::is_round(std::int32_t b) const {
     const BodyLinks& links = s.bodies.links[b];
     return s.bodies.mass[b].isotropic && links.joint_count == 0 && !(links.radius > links.inner_radius);

@@ -66,6 +66,9 @@ class Movers {
     RigidPath path_of(std::int32_t body) const;
     DBounds bounds_of_way(const Mover& m, double from) const;
 
+    // A ball about its center of mass, on no joints: its turns bring its surface nowhere.
+    bool is_round(std::int32_t body) const;
+
   private:
     static bool is_put_back(const Mover& m) { return m.is_changed || m.has_stopped(); }
     std::int32_t append(std::int32_t body);
@@ -73,7 +76,6 @@ class Movers {
     // From several threads at once.
     void note_clamped(std::uint64_t times) const { __atomic_fetch_add(&s.clamped_speeds, times, __ATOMIC_RELAXED); }
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
-    bool is_round(std::int32_t body) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
     void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;

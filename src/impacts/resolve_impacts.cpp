@@ -8,6 +8,7 @@
 #include "impacts/impact_law.h"
 #include "impacts/meeting_points.h"
 #include "impacts/movers.h"
+#include "impacts/rebounds.h"
 #include "impacts/swept_pairs.h"
 #include "islands/islands.h"
 
@@ -207,19 +208,6 @@ class ImpactQueue {
         return b;
     }
 
-    // What gyrates sinks a little into what it lies on, as what presses it there acts, before it is stopped: it comes
-    // back as fast as would bring it up to where it touches.
-    void set_rebounds(const SweptPair& pair, const MovingState& now_a, const MovingState& now_b,
-                      std::span<ImpactPoint> points) const {
-        const bool has_second = pair.second != none;
-        if (!movers_[pair.first].gyrates && !(has_second && movers_[pair.second].gyrates)) return;
-        for (ImpactPoint& point : points) {
-            DVec3 press = movers_.acceleration_of(pair.first, now_a, point.position);
-            if (has_second) press -= movers_.acceleration_of(pair.second, now_b, point.position);
-            point.rebound = std::sqrt(2 * std::max(dot(press, point.normal), 0.0) * std::max(point.depth, 0.0));
-        }
-    }
-
     // Of the surface of what does not move by forces, along it (at the first of the points).
     DVec3 surface_velocity(std::uint32_t shape, std::span<const ImpactPoint> points) const {
         const ShapeTraits& traits = s.shapes.traits[shape];
@@ -258,7 +246,7 @@ class ImpactQueue {
         const std::size_t before = points_.size();
         find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.axis, scratch_, points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
-        set_rebounds(pair, now_a, now_b, points);
+        if (!rests) set_rebounds(movers_, s.shapes, pair, now_a, now_b, points);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
                                  double(material.torsion_radius), double(material.rolling_radius),

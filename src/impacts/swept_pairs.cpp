@@ -396,7 +396,8 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     const bool gyrates = first.gyrates || (second && second->gyrates);
     // What turned over flies anew, whatever the solver knew of it.
     const bool is_held = pair.is_known && !first.is_free && !(second && second->is_free);
-    const Held held = is_held ? Held::by_contact : gyrates ? Held::by_nothing : Held::perhaps;
+    const Held by = gyrates ? Held::by_nothing : Held::perhaps;
+    const Held held = !is_held ? by : pair.touches ? Held::by_struck_contact : Held::by_contact;
     if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.axis);
     if (turns || catches) return time_of_meeting(a, b, false, from, pair.axis);
     return time_of_impact(a, b, held, from, pair.axis);
