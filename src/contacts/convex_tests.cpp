@@ -5,6 +5,10 @@
 #include "collision/one_place.h"
 #include "collision/surface_contact.h"
 #include "contacts/pairs.h"
+#include "shapes/gjk.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace cairn {
 
@@ -70,6 +74,18 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
         collide_surface(first, facing_polygon(first, reach, b, offset), double(margin), to_double(guess), out);
     }
     return out;
+}
+
+void part_points(const PosedShape& a, const PosedShape& b, Manifold& m) {
+    float least = m.points[0][3];
+    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    if (m.count == 0 || least > 0) return;
+    const Convex first = convex_of(a, {}), second = convex_of(b, offset_between_middles(a.pose, b.pose));
+    const CorePair pair{exact_core(first), exact_core(second)};
+    const double radii = pair.a.radius + pair.b.radius;
+    const GjkResult r = gjk_distance(pair, to_double(to_vec(m.normal)), std::numeric_limits<double>::infinity());
+    if (r.state != GjkResult::State::apart || !(r.distance > radii)) return;
+    for (int i = 0; i < m.count; ++i) m.points[i][3] += float(r.distance - radii) - least;
 }
 
 Manifold test_posed_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin) {

@@ -17,6 +17,9 @@ struct PosedShape {
 };
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
                           ContactMemory& memory);
+// Of two convex shapes that have not touched so far: where they are apart, the points are as far apart, at least. The
+// normal is that of inset cores, which sharp tips and rims are far outside of: along it shapes may overlap that do not.
+void part_points(const PosedShape& a, const PosedShape& b, Manifold& manifold);
 // Of any pair but groups, in the order of its test, by a wide kernel or one at a time. `guess`: a direction from the
 // first to the second along which they are thought to be nearest, or zero.
 Manifold test_posed_pair(PairKind kind, const PosedShape& first, const PosedShape& second, math::Vec3 guess,

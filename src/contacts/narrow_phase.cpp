@@ -200,7 +200,8 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
         is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }
     if (!is_settled) {
-        const Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
+        Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
+        if (kind == PairKind::convex_convex && !c.touching) part_points(a, b, m);
         narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
     }
     if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
