@@ -84,7 +84,7 @@ void part_points(const PosedShape& a, const PosedShape& b, Manifold& m) {
     const CorePair pair{exact_core(first), exact_core(second)};
     const double radii = pair.a.radius + pair.b.radius;
     const GjkResult r = gjk_distance(pair, to_double(to_vec(m.normal)), std::numeric_limits<double>::infinity());
-    if (r.state != GjkResult::State::apart || !(r.distance > radii)) return;
+    if (!(r.distance > radii)) return; // 0 where the cores overlap
     for (int i = 0; i < m.count; ++i) m.points[i][3] += float(r.distance - radii) - least;
 }
 

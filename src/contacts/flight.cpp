@@ -224,12 +224,14 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
     if (std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > in.settings.restitution_speed;
+    // What is this near counts as touching.
+    const auto is_off = [&] { return least > float(touch_tolerance(half_width_between(in.shapes, c))); };
     // What slides on before it touches may be past the other by then: a contact, whose plane has no end, would stop it.
     const math::Vec3 n = math::to_vec(m.normal), v = in.bodies.motion[c.body_b].v - in.bodies.motion[c.body_a].v;
-    const bool slides = dt * math::length(v - math::dot(v, n) * n) > c.base_margin;
+    const bool slides = dt * math::length(v - math::dot(v, n) * n) > c.base_margin && is_off();
     // What bounced in the step before counts as touching, but is apart by now. (On what does not move by forces it
     // comes to rest by the solver.)
-    const bool has_bounced = c.b_moves && c.bounces && least > float(touch_tolerance(half_width_between(in.shapes, c)));
+    const bool has_bounced = c.b_moves && c.bounces && is_off();
     return (least > way || bounces || slides) && (has_bounced || !touches(contacts, c));
 }
 

@@ -161,6 +161,7 @@ void SweptPairs::find() {
     for (const std::uint32_t id : in.narrow.in_flight) {
         const ContactInfo& c = in.contacts.info[id];
         add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id));
+        pairs_.back().flies = true;
     }
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
     if (in.fast.empty()) return;
@@ -391,8 +392,9 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
         swept(pair.shape, first.turns_over ? ball_a : in.shapes.geometry[pair.shape], path_a, first.until);
     const SweptShape b =
         swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
-    // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
-    const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
+    // What something holds is pressed into it a little, and would catch at the edges of what lies beside. (A pair that
+    // flies may have a body that got hold of something else in this step.)
+    const bool catches = !pair.flies && !first.is_free && !(second && in.bodies.is_dynamic(second->body));
     const bool gyrates = first.gyrates || (second && second->gyrates);
     // What turned over flies anew, whatever the solver knew of it.
     const bool is_held = pair.is_known && !first.is_free && !(second && second->is_free);

@@ -46,6 +46,7 @@ struct SweptPair {
     std::int32_t first, second;
     std::uint32_t shape, other;
     std::int32_t contact = none; // of the pair, if it is known
+    bool flies = false;          // it may meet in flight: the solver was not told of it
     bool is_known = false;       // the solver has moved the two by this contact
     bool touches = false;        // they have met in this step
     bool has_stayed = false;     // they met, and nothing approached

@@ -115,6 +115,35 @@ TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
     EXPECT_LE(through, 8);
 }
 
+// A ball is thrown down beside a box that stands there: something that the ground holds. The contact of the two was the
+// solver's, and the ball no free body any more, which was asked for its core alone as it met the ground: of 2,000 balls
+// 330 went 6 to 119 mm into it.
+TEST(Flight, WhatLandsBesideSomethingDoesNotSinkIn) {
+    Random random(5);
+    double deepest = 0;
+    for (int shot = 0; shot < 500; ++shot) {
+        World world(WorldDef{});
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = {0, -1, 0};
+        add_body(world, Box{{20, 1, 20}}, def);
+        def.type = BodyType::dynamic;
+        const double half = random.between(0.1, 0.4), radius = 0.25;
+        def.position = {0, half, 0};
+        add_body(world, Box{Vec3(float(half))}, def);
+        run(world, frame, 20);
+        def.position = {half + radius + random.between(0.005, 0.06), radius + random.between(0.3, 1.5),
+                        random.between(-half, half)};
+        def.linear_velocity = Vec3(random.between(-0.5, 1), random.between(-6, -1), random.between(-1, 1));
+        const Body ball = world.body(add_body(world, Sphere{float(radius)}, def));
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            deepest = std::max(deepest, radius - ball.center_of_mass().y);
+        }
+    }
+    EXPECT_LT(deepest, 0.001);
+}
+
 // At walking speed, by less than the margin of contacts. What came nearer by less than that in the step was held by a
 // contact whose plane has no end: at 1 m/s one of 60 was deflected, at 8 m/s one of 400. And cones overlap by
 // millimeters along the normal of their cores that are apart.
