@@ -213,6 +213,34 @@ class Body:
     def apply_angular_impulse(self, impulse: Vector) -> None:
         """N m s. Raises: invalid_handle, invalid_value, wrong_state."""
     @property
+    def is_character(self) -> bool:
+        """Whether the body is a character."""
+    @property
+    def character(self) -> CharacterDef:
+        """How the character moves (wrong_state unless it is one). Setting: Makes a kinematic body a character, or
+        changes how one moves. From then on its velocities are those with which each step moves it, and setting its
+        linear velocity throws it: upwards, it leaves the ground.
+        """
+    @character.setter
+    def character(self, value: CharacterDef) -> None: ...
+    def remove_character(self) -> None:
+        """It is an ordinary kinematic body again, at rest. Raises: invalid_handle, wrong_state."""
+    @property
+    def walk_velocity(self) -> np.ndarray:
+        """Where the character wants to go, m/s. Setting: Where a character wants to go, m/s, until it is set anew: over
+        the ground, with this speed and, seen from above, in this direction, beside the motion of the ground itself.
+        What of it leads up or down counts for those alone that fly.
+        """
+    @walk_velocity.setter
+    def walk_velocity(self, value: Vector) -> None: ...
+    def jump(self, speed: float) -> None:
+        """In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
+        Raises: invalid_handle, invalid_value, wrong_state.
+        """
+    @property
+    def character_state(self) -> CharacterState:
+        """How the character moves and what it is on, as it stood after the last step."""
+    @property
     def joints(self) -> list[JointId]:
         """Those of one body, oldest first."""
     @property

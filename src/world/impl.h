@@ -152,8 +152,8 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
-// Takes a shape out of the world; its body still lists it.
-void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
+// Takes a shape out of the world; its body still lists it. Characters on it forget it.
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape);
 
 // Whether a query of those layers sees the shape.
 inline bool is_seen(const Shapes& shapes, std::uint32_t shape, std::uint64_t layers) {

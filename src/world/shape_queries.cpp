@@ -1,7 +1,7 @@
 // Shape casts, closest points and overlaps.
 #include "shapes/convex_query.h"
 #include "world/impl.h"
-#include "world/query_frame.h"
+#include "queries/query_frame.h"
 #include "world/validate.h"
 
 #include <algorithm>

@@ -718,6 +718,108 @@ static cairn_result body_apply_angular_impulse(const struct wrong_context* c, in
     return cairn_body_apply_angular_impulse(world, body, impulse);
 }
 
+static cairn_result body_is_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    bool result_room[4];
+    bool* result = result_room;
+    if (wrong == 3) { result = NULL; }
+    return cairn_body_is_character(world, body, result);
+}
+
+static cairn_result body_get_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_def character_room[4] = {cairn_default_character_def()};
+    cairn_character_def* character = character_room;
+    if (wrong == 3) { character = NULL; }
+    if (wrong == 4) { character_room[0].struct_size = 1; }
+    return cairn_body_get_character(world, body, character);
+}
+
+static cairn_result body_set_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_def def_value = cairn_default_character_def();
+    const cairn_character_def* def = &def_value;
+    if (wrong == 3) { def = NULL; }
+    if (wrong == 4) { def_value.struct_size = 0; }
+    if (wrong == 5) { def_value.struct_size = sizeof(cairn_character_def) + 8; }
+    if (wrong == 6) { def_value.up.y = NAN; }
+    if (wrong == 7) { def_value.max_slope = NAN; }
+    if (wrong == 8) { def_value.step_height = NAN; }
+    if (wrong == 9) { def_value.stick_distance = NAN; }
+    if (wrong == 10) { def_value.skin = NAN; }
+    if (wrong == 11) { def_value.mass = NAN; }
+    if (wrong == 12) { def_value.max_push_force = NAN; }
+    if (wrong == 13) { def_value.air_acceleration = NAN; }
+    return cairn_body_set_character(world, body, def);
+}
+
+static cairn_result body_remove_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    return cairn_body_remove_character(world, body);
+}
+
+static cairn_result body_get_walk_velocity(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_vec3 walk_velocity_room[4];
+    cairn_vec3* walk_velocity = walk_velocity_room;
+    if (wrong == 3) { walk_velocity = NULL; }
+    return cairn_body_get_walk_velocity(world, body, walk_velocity);
+}
+
+static cairn_result body_set_walk_velocity(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_vec3 velocity = c->vec3;
+    if (wrong == 3) { velocity.y = NAN; }
+    return cairn_body_set_walk_velocity(world, body, velocity);
+}
+
+static cairn_result body_jump(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    float speed = 1.0f;
+    if (wrong == 3) { speed = NAN; }
+    return cairn_body_jump(world, body, speed);
+}
+
+static cairn_result body_character_state(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_state result_room[4];
+    cairn_character_state* result = result_room;
+    if (wrong == 3) { result = NULL; }
+    return cairn_body_character_state(world, body, result);
+}
+
 static cairn_result world_create_joint(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -1873,6 +1975,48 @@ const struct wrong_call wrong_calls[] = {
     {"body_apply_angular_impulse", "body is stale", body_apply_angular_impulse, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_apply_angular_impulse", "body is null", body_apply_angular_impulse, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_apply_angular_impulse", "impulse.y is NaN", body_apply_angular_impulse, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_is_character", "world is null", body_is_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "body is stale", body_is_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "body is null", body_is_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "result is null", body_is_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_get_character", "world is null", body_get_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "body is stale", body_get_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "body is null", body_get_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "character is null", body_get_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_get_character", "character.struct_size is 1", body_get_character, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "world is null", body_set_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "body is stale", body_set_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "body is null", body_set_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "def is null", body_set_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.struct_size is 0", body_set_character, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.struct_size is sizeof(cairn_character_def) + 8", body_set_character, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.up.y is NaN", body_set_character, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.max_slope is NaN", body_set_character, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.step_height is NaN", body_set_character, 8, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.stick_distance is NaN", body_set_character, 9, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.skin is NaN", body_set_character, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.mass is NaN", body_set_character, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.max_push_force is NaN", body_set_character, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.air_acceleration is NaN", body_set_character, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"body_remove_character", "world is null", body_remove_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_remove_character", "body is stale", body_remove_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_remove_character", "body is null", body_remove_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "world is null", body_get_walk_velocity, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "body is stale", body_get_walk_velocity, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "body is null", body_get_walk_velocity, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "walk_velocity is null", body_get_walk_velocity, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_walk_velocity", "world is null", body_set_walk_velocity, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "body is stale", body_set_walk_velocity, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "body is null", body_set_walk_velocity, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "velocity.y is NaN", body_set_walk_velocity, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_jump", "world is null", body_jump, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "body is stale", body_jump, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "body is null", body_jump, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "speed is NaN", body_jump, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_character_state", "world is null", body_character_state, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "body is stale", body_character_state, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "body is null", body_character_state, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "result is null", body_character_state, 3, CAIRN_ERROR_INVALID_VALUE},
     {"world_create_joint", "world is null", world_create_joint, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_create_joint", "def is null", world_create_joint, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_create_joint", "def_value.struct_size is 0", world_create_joint, 2, CAIRN_ERROR_INVALID_VALUE},

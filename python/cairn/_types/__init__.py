@@ -2,7 +2,7 @@
 """The structs and enums of the API."""
 from .math import (Bounds, Transform)
 from .shape import (Box, Capsule, CollisionFilter, CombineRule, Cylinder, Material, Plane, Shape, ShapeDef, Sphere)
-from .body import (BodyDef, BodyType, MassProperties)
+from .body import (BodyDef, BodyType, CharacterDef, CharacterState, CharacterSupport, MassProperties)
 from .joint import (BallJoint, CylindricalJoint, DistanceJoint, FixedJoint, GearJoint, GeneralJoint, HingeJoint, Joint,
                     JointAxis, JointControl, JointDef, JointDrive, JointLimit, JointMotor, JointRange, JointSolver,
                     JointSpring, JointState, PulleyJoint, RackJoint, ServoJoint, SliderJoint, UniversalJoint,
@@ -20,6 +20,9 @@ __all__ = [
     "BroadPhaseNode",
     "BroadPhaseTree",
     "Capsule",
+    "CharacterDef",
+    "CharacterState",
+    "CharacterSupport",
     "ClosestPoint",
     "CollisionFilter",
     "CombineRule",

@@ -1,5 +1,5 @@
 // Made by tools/api.py from api/: change those, and run it.
-export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
+export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CharacterSupport', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
 export const CALLS = [
     { owner: 'World', name: 'addShape', isSetter: false, types: ['BodyId', 'Shape', 'ShapeDef'] },
     { owner: 'World', name: 'removeShape', isSetter: false, types: ['ShapeId'] },
@@ -53,4 +53,8 @@ export const CALLS = [
     { owner: 'Body', name: 'applyImpulse', isSetter: false, types: ['Vec3'] },
     { owner: 'Body', name: 'applyImpulseAt', isSetter: false, types: ['Vec3', 'Position'] },
     { owner: 'Body', name: 'applyAngularImpulse', isSetter: false, types: ['Vec3'] },
+    { owner: 'Body', name: 'character', isSetter: true, types: ['CharacterDef'] },
+    { owner: 'Body', name: 'removeCharacter', isSetter: false, types: [] },
+    { owner: 'Body', name: 'walkVelocity', isSetter: true, types: ['Vec3'] },
+    { owner: 'Body', name: 'jump', isSetter: false, types: ['float'] },
 ];

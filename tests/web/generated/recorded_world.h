@@ -14,6 +14,10 @@ inline std::string js(BodyType x) {
     constexpr const char* names[] = {"'static'", "'kinematic'", "'dynamic'"};
     return names[std::size_t(x)];
 }
+inline std::string js(CharacterSupport x) {
+    constexpr const char* names[] = {"'none'", "'steep'", "'ground'"};
+    return names[std::size_t(x)];
+}
 inline std::string js(JointAxis x) {
     constexpr const char* names[] = {"'linear'", "'angular'"};
     return names[std::size_t(x)];
@@ -46,6 +50,7 @@ std::string js(const CollisionFilter& x);
 std::string js(const ShapeDef& x);
 std::string js(const MassProperties& x);
 std::string js(const BodyDef& x);
+std::string js(const CharacterDef& x);
 std::string js(const JointSpring& x);
 std::string js(const JointRange& x);
 std::string js(const JointMotor& x);
@@ -82,6 +87,7 @@ inline std::string js(const CollisionFilter& x) { return object({{"layers", js(x
 inline std::string js(const ShapeDef& x) { return object({{"position", js(x.position)}, {"rotation", js(x.rotation)}, {"density", js(x.density)}, {"material", js(x.material)}, {"filter", js(x.filter)}, {"isTrigger", js(x.is_trigger)}, {"surfaceVelocity", js(x.surface_velocity)}, {"userData", js(x.user_data)}}); }
 inline std::string js(const MassProperties& x) { return object({{"mass", js(x.mass)}, {"centerOfMass", js(x.center_of_mass)}, {"inertiaDiagonal", js(x.inertia_diagonal)}, {"inertiaOrientation", js(x.inertia_orientation)}}); }
 inline std::string js(const BodyDef& x) { return object({{"type", js(x.type)}, {"position", js(x.position)}, {"rotation", js(x.rotation)}, {"linearVelocity", js(x.linear_velocity)}, {"angularVelocity", js(x.angular_velocity)}, {"linearDamping", js(x.linear_damping)}, {"angularDamping", js(x.angular_damping)}, {"gravityScale", js(x.gravity_scale)}, {"allowSleep", js(x.allow_sleep)}, {"mass", js(x.mass)}, {"massProperties", js(x.mass_properties)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const CharacterDef& x) { return object({{"up", js(x.up)}, {"maxSlope", js(x.max_slope)}, {"stepHeight", js(x.step_height)}, {"stickDistance", js(x.stick_distance)}, {"skin", js(x.skin)}, {"mass", js(x.mass)}, {"maxPushForce", js(x.max_push_force)}, {"airAcceleration", js(x.air_acceleration)}, {"flies", js(x.flies)}}); }
 inline std::string js(const JointSpring& x) { return object({{"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}, {"isAcceleration", js(x.is_acceleration)}}); }
 inline std::string js(const JointRange& x) { return object({{"lower", js(x.lower)}, {"upper", js(x.upper)}, {"spring", js(x.spring)}}); }
 inline std::string js(const JointMotor& x) { return object({{"velocity", js(x.velocity)}, {"position", js(x.position)}, {"spring", js(x.spring)}, {"maxForce", js(x.max_force)}}); }
@@ -335,6 +341,26 @@ class RecordedBody : public RecordedBodyBase {
         real().apply_angular_impulse(impulse);
         note("" + body_text() + ".applyAngularImpulse(" + js(impulse) + ")" + ";");
     }
+    auto is_character() const { return real().is_character(); }
+    auto character() const { return real().character(); }
+    auto set_character(const CharacterDef& def) {
+        real().set_character(def);
+        note("" + body_text() + ".character = " + js(def) + ";");
+    }
+    auto remove_character() {
+        real().remove_character();
+        note("" + body_text() + ".removeCharacter(" + ")" + ";");
+    }
+    auto walk_velocity() const { return real().walk_velocity(); }
+    auto set_walk_velocity(const Vec3& velocity) {
+        real().set_walk_velocity(velocity);
+        note("" + body_text() + ".walkVelocity = " + js(velocity) + ";");
+    }
+    auto jump(float speed) {
+        real().jump(speed);
+        note("" + body_text() + ".jump(" + js(speed) + ")" + ";");
+    }
+    auto character_state() const { return real().character_state(); }
 };
 
 inline RecordedBody RecordedWorld::body(BodyId body) { return {*this, body}; }

@@ -1069,6 +1069,93 @@ export class BodyCalls {
         }
     }
 
+    get isCharacter() {
+        const mark = enter();
+        try {
+            const out = room(1);
+            check(M._cairn_body_is_character(use(this.world), this.low, this.high, out));
+            return fields.getBool(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get character() {
+        const mark = enter();
+        try {
+            const out = room(48);
+            M._cairn_default_character_def(out);
+            check(M._cairn_body_get_character(use(this.world), this.low, this.high, out));
+            return values.getCharacterDef(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    set character(definition) {
+        const mark = enter();
+        try {
+            const $def = room(48);
+            M._cairn_default_character_def($def);
+            values.putCharacterDef($def, definition, 'CharacterDef');
+            check(M._cairn_body_set_character(use(this.world), this.low, this.high, $def));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    removeCharacter() {
+        const mark = enter();
+        try {
+            check(M._cairn_body_remove_character(use(this.world), this.low, this.high));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get walkVelocity() {
+        const mark = enter();
+        try {
+            const out = room(12);
+            check(M._cairn_body_get_walk_velocity(use(this.world), this.low, this.high, out));
+            return fields.getVec3(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    set walkVelocity(velocity) {
+        const mark = enter();
+        try {
+            const $velocity = room(12);
+            fields.putVec3($velocity, velocity, 'velocity');
+            check(M._cairn_body_set_walk_velocity(use(this.world), this.low, this.high, $velocity));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    jump(speed) {
+        const mark = enter();
+        try {
+            const $speed = numberOf(speed, 'speed');
+            check(M._cairn_body_jump(use(this.world), this.low, this.high, $speed));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get characterState() {
+        const mark = enter();
+        try {
+            const out = room(80);
+            check(M._cairn_body_character_state(use(this.world), this.low, this.high, out));
+            return values.getCharacterState(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
     get joints() {
         const mark = enter();
         try {
