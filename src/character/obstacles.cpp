@@ -39,7 +39,9 @@ Convex moved(const Convex& c, DVec3 by) {
 
 DBounds moved(const DBounds& b, DVec3 by) { return {b.lo + by, b.hi + by}; }
 
-// Where a plane has the highest of what is below it.
+// A way that leads into a surface by less than this, rad, passes it.
+constexpr double grazing = 1e-5;
+
 double height_over(const Obstacle& plane, const Convex& shape) {
     return dot(support(shape, -plane.convex.axes.c1) - plane.convex.center, plane.convex.axes.c1);
 }
@@ -197,7 +199,7 @@ std::optional<CharacterHit> Surroundings::cast_at(const CharacterPart& part, std
         const DVec3 up = o.convex.axes.c1;
         const Convex shape = moved(part.padded, shift);
         const double height = height_over(o, shape), fall = -dot(relative, up);
-        if (!(fall > 1e-9 * length) || height > limit * fall) return std::nullopt;
+        if (!(fall > grazing * length) || height > limit * fall) return std::nullopt;
         const double fraction = height > 0 ? height / fall : 0;
         return hit_at(fraction, up, support(shape, -up) + fraction * relative - double(self_.skin) * up);
     }
@@ -210,7 +212,7 @@ std::optional<CharacterHit> Surroundings::cast_at(const CharacterPart& part, std
     if (hit->fraction > 0) return hit_at(hit->fraction, hit->normal, hit->point);
     // They are within the skin already. Convex shapes that part never meet again on a straight way.
     const auto near = gap(obstacle, at, time, 2 * double(self_.skin));
-    if (!near || !(dot(relative, near->normal) < -1e-7 * length)) return std::nullopt;
+    if (!near || !(dot(relative, near->normal) < -grazing * length)) return std::nullopt;
     return CharacterHit{0, near->normal, near->point, obstacle};
 }
 

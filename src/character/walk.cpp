@@ -42,13 +42,13 @@ void Walk::run() {
     if (self_.flies) {
         self_.support = CharacterSupport::none;
         velocity_ = walk, motion_ = dt_ * walk;
-    } else if (self_.support == CharacterSupport::ground) {
-        const auto hit = around_.cast(at_, 0, -(double(self_.stick_distance) + skin_) * up_, 0);
-        if (const auto found = hit ? footing(*hit, steepest_edge) : std::nullopt) stand_on(*found);
+    } else if (finds_ground()) {
         start_on_ground();
     } else {
+        if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // it is gone
         start_in_air();
     }
+    wanted_ = motion_;
     slide();
     if (ground_) stick();
     finish();
@@ -114,6 +114,29 @@ std::optional<Walk::Footing> Walk::footing(const CharacterHit& hit, double least
     return Footing{hit.obstacle, hit.normal, *face, hit.point};
 }
 
+// An edge that it touches with its round side may be higher than a step.
+bool Walk::is_too_high(const Footing& f) const {
+    const double height = dot(f.point - at_, up_) - around_.lowest(up_);
+    if (!(height > double(self_.step_height) + 1e-3 * around_.size())) return false;
+    const auto face = around_.face_at({0, f.contact, f.point, f.obstacle}, time_, up_);
+    return face && dot(*face, f.contact) < 0.999;
+}
+
+// What it comes to stand on as it goes down, along walls that it touches.
+std::optional<Walk::Footing> Walk::drop(DVec3& at, double depth, double least) const {
+    DVec3 way = -depth * up_;
+    for (int hits = 0; hits < 4; ++hits) {
+        const auto hit = around_.cast(at, time_, way, 0);
+        if (!hit) return std::nullopt;
+        at += hit->fraction * way;
+        if (const auto found = footing(*hit, least)) return found;
+        if (!(dot(hit->normal, up_) < steepest_edge)) return std::nullopt;
+        way = (1 - hit->fraction) * way;
+        way -= dot(way, hit->normal) * hit->normal;
+    }
+    return std::nullopt;
+}
+
 void Walk::stand_on(const Footing& f) {
     ground_ = f.obstacle;
     contact_normal_ = f.contact, slope_ = f.slope, contact_point_ = f.point;
@@ -122,12 +145,21 @@ void Walk::stand_on(const Footing& f) {
     planes_.add({slope_, dot(slope_, carry())});
 }
 
+// What it stands on already; or what it has been put on.
+bool Walk::finds_ground() {
+    const bool stood = self_.support == CharacterSupport::ground;
+    const double depth = stood ? double(self_.stick_distance) + skin_ : 0.5 * skin_;
+    DVec3 at = at_;
+    const auto found = drop(at, depth, stood ? steepest_edge : steepest_landing);
+    if (!found) return false;
+    const double speed = dot(self_.velocity - (1 / dt_) * obstacle(found->obstacle).carry, found->contact);
+    if (!stood && !(std::fabs(speed) <= 2 * dt_ * math::length(gravity_))) return false;
+    stand_on(*found);
+    return true;
+}
+
 void Walk::start_on_ground() {
     const DVec3 walk = level(math::to_double(self_.walk));
-    if (!ground_) { // it is gone
-        self_.support = CharacterSupport::none;
-        return start_in_air();
-    }
     if (self_.jump_speed > 0) {
         const DVec3 base = (1 / dt_) * carry();
         self_.base = math::to_float(level(base));
@@ -181,7 +213,8 @@ void Walk::slide() {
 void Walk::meet(const CharacterHit& hit) {
     const Obstacle& met = obstacle(hit.obstacle);
     if (!self_.flies)
-        if (const auto found = footing(hit, ground_ ? 1.0 : steepest_landing)) return land(*found);
+        if (const auto found = footing(hit, ground_ ? 1.0 : steepest_landing))
+            if (!ground_ || !is_too_high(*found)) return land(*found);
     if (met.type == BodyType::dynamic) {
         note_push(hit);
         const bool is_ground = ground_ && obstacle(*ground_).body == met.body;
@@ -200,6 +233,7 @@ void Walk::land(const Footing& f) {
     } else {
         motion_ = own_carry + along_slope(motion, f.slope, math::length(motion));
     }
+    wanted_ = motion_;
     stand_on(f);
 }
 
@@ -207,28 +241,36 @@ void Walk::land(const Footing& f) {
 bool Walk::climb(const CharacterHit& hit) {
     if (!(self_.step_height > 0)) return false;
     const double left = 1 - time_, height = double(self_.step_height);
-    const DVec3 own = level(motion_ - carry()), way = left * (level(carry()) + own);
+    const DVec3 own = level(motion_ - carry());
     if (!(dot(own, hit.normal) < 0)) return false;
     const auto above = around_.cast(at_, time_, height * up_, 0);
     const double rise = (above ? above->fraction : 1) * height;
     const DVec3 raised = at_ + rise * up_;
-    const auto ahead = around_.cast(raised, time_, way, left);
-    const double part = ahead ? ahead->fraction : 1;
-    if (!(part * math::length(way) > least_motion)) return false;
+    DVec3 way = left * (level(carry()) + own);
+    double part = 0;
+    for (int tries = 0; tries < 2; ++tries) { // the second time along a wall
+        const auto ahead = around_.cast(raised, time_, way, left);
+        part = ahead ? ahead->fraction : 1;
+        if (part * math::length(way) > least_motion) break;
+        if (!ahead) return false;
+        part = 0;
+        way -= dot(way, ahead->normal) * ahead->normal;
+        way = level(way);
+    }
+    if (part == 0) return false;
     const double before = time_;
     time_ += part * left;
-    const DVec3 over = raised + part * way, drop = -(rise + skin_) * up_;
-    const auto below = around_.cast(over, time_, drop, 0);
-    const auto found = below ? footing(*below, steepest_edge) : std::nullopt;
-    const double gain = below ? rise - below->fraction * (rise + skin_) : 0;
-    if (!found || !(gain > least_motion)) {
+    DVec3 over = raised + part * way;
+    const auto found = drop(over, rise + skin_, steepest_edge);
+    const double gain = dot(over - at_, up_);
+    if (!found || !(gain > least_motion) || is_too_high(*found)) {
         time_ = before;
         return false;
     }
-    at_ = over + below->fraction * drop;
+    at_ = over;
     slid_ += part * way;
     stand_on(*found);
-    motion_ = carry() + along_slope(own, slope_, math::length(own));
+    motion_ = wanted_ = carry() + along_slope(own, slope_, math::length(own));
     return true;
 }
 
@@ -245,14 +287,14 @@ void Walk::slide_along(const CharacterHit& hit) {
         is_steep_ = true;
         contact_normal_ = hit.normal, contact_point_ = hit.point, steep_ = hit.obstacle;
     }
-    if (const auto motion = planes_.nearest(motion_)) {
+    if (const auto motion = planes_.nearest(wanted_)) {
         motion_ = *motion;
         if (const auto velocity = planes_.nearest(dt_ * velocity_)) velocity_ = (1 / dt_) * *velocity;
         return;
     }
     // It is squeezed: what moves passes it.
     around_.stop_approach(obstacle(hit.obstacle).body, hit.normal);
-    motion_ = velocity_ = {};
+    motion_ = wanted_ = velocity_ = {};
     planes_.clear();
     if (is_squeezed_) time_ = 1;
     is_squeezed_ = true;
@@ -274,18 +316,13 @@ void Walk::note_push(const CharacterHit& hit) {
 // --- at the end
 
 void Walk::stick() {
-    const DVec3 drop = -(double(self_.stick_distance) + skin_) * up_;
-    const auto hit = around_.cast(at_, 1, drop, 0);
-    const double before = time_;
+    velocity_ = (1 / dt_) * motion_;
     time_ = 1;
-    const auto found = hit ? footing(*hit, steepest_edge) : std::nullopt;
-    time_ = before;
-    if (found) {
-        at_ += hit->fraction * drop;
-        velocity_ = (1 / dt_) * motion_;
+    DVec3 at = at_;
+    if (const auto found = drop(at, double(self_.stick_distance) + skin_, steepest_edge)) {
+        at_ = at;
         return stand_on(*found);
     }
-    velocity_ = (1 / dt_) * motion_;
     self_.base = math::to_float(level((1 / dt_) * carry()));
     ground_.reset();
 }

@@ -40,6 +40,7 @@ class Walk {
     };
     void recover();
     bool push_out(math::DVec3& way) const;
+    bool finds_ground();
     void start_on_ground();
     void start_in_air();
     void slide();
@@ -52,6 +53,8 @@ class Walk {
     void note_push(const CharacterHit& hit);
 
     std::optional<Footing> footing(const CharacterHit& hit, double least) const;
+    std::optional<Footing> drop(math::DVec3& at, double depth, double least) const;
+    bool is_too_high(const Footing& footing) const;
     void stand_on(const Footing& footing);
     math::DVec3 level(math::DVec3 v) const { return v - math::dot(v, up_) * up_; }
     math::DVec3 along_slope(math::DVec3 motion, math::DVec3 slope, double length) const;
@@ -63,7 +66,9 @@ class Walk {
     Character& self_;
     math::DVec3 up_, gravity_;
     double max_speed_, recovery_speed_, dt_, skin_, least_slope_; // the cosine of the steepest slope
-    math::DVec3 at_, slid_, motion_, velocity_;
+    math::DVec3 at_, slid_;
+    math::DVec3 wanted_, motion_; // m in a step: but for what it slides along, and now
+    math::DVec3 velocity_;        // m/s, at the end of the step
     double time_ = 0, landing_speed_ = 0;
     std::optional<std::size_t> ground_, steep_, jumped_off_;
     math::DVec3 contact_normal_, slope_, contact_point_;

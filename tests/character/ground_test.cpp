@@ -34,7 +34,8 @@ TEST(CharacterGround, WalksWithTheSpeedThatIsAsked) {
         world.body(c).set_walk_velocity(speed * heading);
         run(world, 60);
         const Position feet = feet_of(world, c), wanted = Position(speed * heading);
-        EXPECT_LT(glm::length(feet - Position(0, feet.y, 0) - wanted * (feet.x == feet.x ? 1.0 : 0.0)), 0.02 * speed + 2e-3);
+        EXPECT_LT(glm::length(feet - Position(0, feet.y, 0) - wanted * (feet.x == feet.x ? 1.0 : 0.0)),
+                  0.02 * speed + 2e-3);
         EXPECT_NEAR(feet.y, 0, 2e-3);
         EXPECT_TRUE(stands(world, c));
     }
@@ -67,8 +68,7 @@ TEST(CharacterGround, ClimbsStairsUpToItsStepHeight) {
         add_floor(world);
         const double rise = chance.between(0.02, 0.29), tread = chance.between(0.25, 0.6);
         const double angle = chance.between(-0.6, 0.6); // at which it comes
-        for (int k = 0; k < 10; ++k)
-            add_fixed(world, {1 + tread * k + 5, rise * (k + 1) - 5, 0}, Box{{5, 5, 10}});
+        for (int k = 0; k < 10; ++k) add_fixed(world, {1 + tread * k + 5, rise * (k + 1) - 5, 0}, Box{{5, 5, 10}});
         const BodyId c = add_character(world, {0, 0, 0});
         const float speed = float(chance.between(0.5, 6));
         world.body(c).set_walk_velocity(speed * Vec3(std::cos(angle), 0, std::sin(angle)));
@@ -143,7 +143,8 @@ TEST(CharacterGround, WalksUpSlopesUpToItsLimitAndSlidesDownSteeperOnes) {
             world.body(c).set_walk_velocity({5, 0, 0});
             run(world, 30);
             EXPECT_NEAR(double(glm::length(world.body(c).character_state().velocity)) - speed,
-                        9.81 * std::sin(slope) * 0.5, 0.1) << slope;
+                        9.81 * std::sin(slope) * 0.5, 0.1)
+                << slope;
         }
     }
 }

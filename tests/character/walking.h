@@ -29,8 +29,8 @@ class Chance {
     std::mt19937 random_;
 };
 
-inline BodyId add_body(World& world, BodyType type, const Position& position, const Shape& shape, const ShapeDef& def = {},
-                       const Quat& rotation = Quat(1, 0, 0, 0)) {
+inline BodyId add_body(World& world, BodyType type, const Position& position, const Shape& shape,
+                       const ShapeDef& def = {}, const Quat& rotation = Quat(1, 0, 0, 0)) {
     BodyDef body;
     body.type = type, body.position = position, body.rotation = rotation;
     const BodyId id = world.create_body(body);
@@ -70,7 +70,8 @@ inline bool stands(const World& world, BodyId character) {
 }
 
 // The deepest that a shape of the character overlaps anything, m, by casting what is left of it. 0: it does not.
-inline bool overlaps_something(const World& world, BodyId character, const Shape& shape = Capsule{half_height, radius}) {
+inline bool overlaps_something(const World& world, BodyId character,
+                               const Shape& shape = Capsule{half_height, radius}) {
     for (const ShapeId s : world.overlap(shape, world.body(character).transform()))
         if (world.body_of(s) != character) return true;
     return false;
