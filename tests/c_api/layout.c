@@ -242,6 +242,17 @@ int main(void) {
     MEMBER(cairn_solver_contact, body_b);
     MEMBER(cairn_solver_contact, color);
     MEMBER(cairn_solver_contact, substeps);
+    SIZE(cairn_query_filter);
+    MEMBER(cairn_query_filter, struct_size);
+    MEMBER(cairn_query_filter, layers);
+    MEMBER(cairn_query_filter, own_layers);
+    MEMBER(cairn_query_filter, static_bodies);
+    MEMBER(cairn_query_filter, kinematic_bodies);
+    MEMBER(cairn_query_filter, dynamic_bodies);
+    MEMBER(cairn_query_filter, triggers);
+    MEMBER(cairn_query_filter, any);
+    MEMBER(cairn_query_filter, ignored_bodies);
+    MEMBER(cairn_query_filter, ignored_bodie_count);
     SIZE(cairn_contact_begin);
     MEMBER(cairn_contact_begin, shape_a);
     MEMBER(cairn_contact_begin, shape_b);

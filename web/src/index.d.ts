@@ -699,6 +699,29 @@ export interface SolverContact {
     substeps: number;
 }
 
+/** Which shapes a query sees: those that pass all of it. */
+export interface QueryFilter {
+    /** Those that are in any of these layers (`CollisionFilter.layers`). */
+    layers?: bigint | number;
+    /** Those that collide with any of these, in which the query itself is. */
+    ownLayers?: bigint | number;
+    /** Those of static bodies. */
+    staticBodies?: boolean;
+    /** Those of kinematic bodies. */
+    kinematicBodies?: boolean;
+    /** Those of dynamic bodies. */
+    dynamicBodies?: boolean;
+    /** Triggers as well; they are seen like any other shape then. */
+    triggers?: boolean;
+    /**
+     * Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
+     * only the question is whether there is any.
+     */
+    any?: boolean;
+    /** Shapes of these are not seen. Each must exist. */
+    ignoredBodies?: readonly (BodyId | Body | null)[];
+}
+
 /** Two shapes began to touch. */
 export interface ContactBegin {
     shapeA: ShapeId;
@@ -1275,29 +1298,33 @@ export class World {
     findJoint(name: string): JointId | null;
     /**
      * The nearest shape that the ray meets within `maxDistance`. `direction` need not be unit length. A ray that starts
-     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidValue,
-     * wrongState.
+     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidHandle,
+     * invalidValue, wrongState.
      */
-    castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit | null;
-    /** Every shape that the ray meets, nearest first. Throws invalidValue, wrongState. */
-    castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit[];
+    castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit | null;
+    /** Every shape that the ray meets, nearest first. Throws invalidHandle, invalidValue, wrongState. */
+    castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit[];
     /**
      * The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
      * turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
-     * (invalidValue). Throws invalidValue, wrongState.
+     * (invalidValue). Throws invalidHandle, invalidValue, wrongState.
      */
-    castShape(shape: Shape, start: Transform, translation: Vec3Like, layers?: bigint | number): ShapeCastHit | null;
+    castShape(shape: Shape, start: Transform, translation: Vec3Like, filter?: QueryFilter): ShapeCastHit | null;
     /**
      * The shape nearest to a point, up to `maxDistance` (meters, >= 0) away. What is below a plane is inside it; meshes
-     * and height fields have no inside. Throws invalidValue, wrongState.
+     * and height fields have no inside. Throws invalidHandle, invalidValue, wrongState.
      */
-    closestPoint(point: Vec3Like, maxDistance: number, layers?: bigint | number): ClosestPoint | null;
+    closestPoint(point: Vec3Like, maxDistance: number, filter?: QueryFilter): ClosestPoint | null;
     /**
-     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidValue, wrongState.
+     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidHandle,
+     * invalidValue, wrongState.
      */
-    overlap(shape: Shape, pose: Transform, layers?: bigint | number): ShapeId[];
-    /** Shapes whose tight bounds overlap the box, in order of slot index. Throws invalidValue, wrongState. */
-    overlapBounds(bounds: Bounds, layers?: bigint | number): ShapeId[];
+    overlap(shape: Shape, pose: Transform, filter?: QueryFilter): ShapeId[];
+    /**
+     * Shapes whose tight bounds overlap the box, in order of slot index. Throws invalidHandle, invalidValue,
+     * wrongState.
+     */
+    overlapBounds(bounds: Bounds, filter?: QueryFilter): ShapeId[];
     /**
      * The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
      * scene is slow: those of least depth first, and no more than `maxCount`. Both >= 0. Throws invalidValue,

@@ -95,6 +95,8 @@ py::object write(const ShapeCastHit& x);
 py::object write(const ClosestPoint& x);
 py::object write(const BroadPhaseNode& x);
 py::object write(const SolverContact& x);
+void read(py::handle o, QueryFilter& x, const Where& where);
+py::object write(const QueryFilter& x);
 py::object write(const ContactBegin& x);
 py::object write(const ContactEnd& x);
 py::object write(const ContactHit& x);

@@ -88,6 +88,8 @@ cairn_shape_cast_hit to_c(const ShapeCastHit& x);
 cairn_closest_point to_c(const ClosestPoint& x);
 cairn_broad_phase_node to_c(const BroadPhaseNode& x);
 cairn_solver_contact to_c(const SolverContact& x);
+QueryFilter to_cpp(const cairn_query_filter& c);
+cairn_query_filter to_c(const QueryFilter& x);
 cairn_contact_begin to_c(const ContactBegin& x);
 cairn_contact_end to_c(const ContactEnd& x);
 cairn_contact_hit to_c(const ContactHit& x);

@@ -114,6 +114,9 @@ cairn_general_joint cairn_default_general_joint(void) {
 cairn_joint_def cairn_default_joint_def(void) {
     return to_c(cairn::JointDef{});
 }
+cairn_query_filter cairn_default_query_filter(void) {
+    return to_c(cairn::QueryFilter{});
+}
 cairn_world_def cairn_default_world_def(void) {
     return to_c(cairn::WorldDef{});
 }

@@ -71,6 +71,7 @@ std::string js(const JointLimit& x);
 std::string js(const JointDrive& x);
 std::string js(const GeneralJoint& x);
 std::string js(const JointDef& x);
+std::string js(const QueryFilter& x);
 std::string js(const WorldDef& x);
 std::string js(const ForceField& x);
 std::string js(const Shape& x);
@@ -108,6 +109,7 @@ inline std::string js(const JointLimit& x) { return object({{"kind", js(x.kind)}
 inline std::string js(const JointDrive& x) { return object({{"kind", js(x.kind)}, {"isAcceleration", js(x.is_acceleration)}, {"axis", js(x.axis)}, {"maxForce", js(x.max_force)}, {"positionTarget", js(x.position_target)}, {"velocityTarget", js(x.velocity_target)}, {"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}}); }
 inline std::string js(const GeneralJoint& x) { return object({{"limits", js(x.limits)}, {"drives", js(x.drives)}}); }
 inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)}, {"bodyB", js(x.body_b)}, {"frameA", js(x.frame_a)}, {"frameB", js(x.frame_b)}, {"joint", js(x.joint)}, {"enableCollision", js(x.enable_collision)}, {"breakForce", js(x.break_force)}, {"breakTorque", js(x.break_torque)}, {"solver", js(x.solver)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const QueryFilter& x) { return object({{"layers", js(x.layers)}, {"ownLayers", js(x.own_layers)}, {"staticBodies", js(x.static_bodies)}, {"kinematicBodies", js(x.kinematic_bodies)}, {"dynamicBodies", js(x.dynamic_bodies)}, {"triggers", js(x.triggers)}, {"any", js(x.any)}, {"ignoredBodies", js(x.ignored_bodies)}}); }
 inline std::string js(const WorldDef& x) { return object({{"gravity", js(x.gravity)}, {"substeps", js(x.substeps)}, {"adaptiveSubsteps", js(x.adaptive_substeps)}, {"integrator", js(x.integrator)}, {"enableSleep", js(x.enable_sleep)}, {"sleepSpeed", js(x.sleep_speed)}, {"sleepTime", js(x.sleep_time)}, {"restitutionSpeed", js(x.restitution_speed)}, {"hitSpeed", js(x.hit_speed)}, {"recoverySpeed", js(x.recovery_speed)}, {"maxLinearSpeed", js(x.max_linear_speed)}, {"maxAngularSpeed", js(x.max_angular_speed)}}); }
 inline std::string js(const ForceField& x) { return object({{"kind", js(x.kind)}, {"direction", js(x.direction)}, {"center", js(x.center)}, {"strength", js(x.strength)}, {"exponent", js(x.exponent)}, {"isForce", js(x.is_force)}}); }
 inline std::string js(const Shape& x) {
@@ -185,12 +187,12 @@ class RecordedWorld : public Recording {
     auto joints() const { return world_.joints(); }
     auto joints(BodyId body) const { return world_.joints(body); }
     auto find_joint(std::string_view name) const { return world_.find_joint(name); }
-    auto cast_ray(const Position& origin, const Vec3& direction, double max_distance, std::uint64_t layers = all_layers) const { return world_.cast_ray(origin, direction, max_distance, layers); }
-    auto cast_ray_all(const Position& origin, const Vec3& direction, double max_distance, std::uint64_t layers = all_layers) const { return world_.cast_ray_all(origin, direction, max_distance, layers); }
-    auto cast_shape(const Shape& shape, const Transform& start, const Vec3& translation, std::uint64_t layers = all_layers) const { return world_.cast_shape(shape, start, translation, layers); }
-    auto closest_point(const Position& point, double max_distance, std::uint64_t layers = all_layers) const { return world_.closest_point(point, max_distance, layers); }
-    auto overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const { return world_.overlap(shape, pose, layers); }
-    auto overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const { return world_.overlap_bounds(bounds, layers); }
+    auto cast_ray(const Position& origin, const Vec3& direction, double max_distance, const QueryFilter& filter = {}) const { return world_.cast_ray(origin, direction, max_distance, filter); }
+    auto cast_ray_all(const Position& origin, const Vec3& direction, double max_distance, const QueryFilter& filter = {}) const { return world_.cast_ray_all(origin, direction, max_distance, filter); }
+    auto cast_shape(const Shape& shape, const Transform& start, const Vec3& translation, const QueryFilter& filter = {}) const { return world_.cast_shape(shape, start, translation, filter); }
+    auto closest_point(const Position& point, double max_distance, const QueryFilter& filter = {}) const { return world_.closest_point(point, max_distance, filter); }
+    auto overlap(const Shape& shape, const Transform& pose, const QueryFilter& filter = {}) const { return world_.overlap(shape, pose, filter); }
+    auto overlap_bounds(const Bounds& bounds, const QueryFilter& filter = {}) const { return world_.overlap_bounds(bounds, filter); }
     auto broad_phase_nodes(int max_depth, int max_count) const { return world_.broad_phase_nodes(max_depth, max_count); }
     auto solver_contacts() const { return world_.solver_contacts(); }
     auto contact_begins() const { return world_.contact_begins(); }

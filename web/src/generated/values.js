@@ -928,6 +928,37 @@ export function getSolverContact(p) {
     };
 }
 
+export function putQueryFilter(p, value, where) {
+    for (const key of keysOf(value, where)) {
+        const x = value[key];
+        if (x === undefined) continue;
+        switch (key) {
+        case 'layers': putU64(p + 8, x, 'QueryFilter.layers'); break;
+        case 'ownLayers': putU64(p + 16, x, 'QueryFilter.ownLayers'); break;
+        case 'staticBodies': putBool(p + 24, x, 'QueryFilter.staticBodies'); break;
+        case 'kinematicBodies': putBool(p + 25, x, 'QueryFilter.kinematicBodies'); break;
+        case 'dynamicBodies': putBool(p + 26, x, 'QueryFilter.dynamicBodies'); break;
+        case 'triggers': putBool(p + 27, x, 'QueryFilter.triggers'); break;
+        case 'any': putBool(p + 28, x, 'QueryFilter.any'); break;
+        case 'ignoredBodies': putList(p + 32, p + 36, x, 8, 'QueryFilter.ignoredBodies', (at, x, place) => { M._cairn_default_body_id(at); putHandle(at, x, place); }); break;
+        default: unknown('QueryFilter', key, ['layers', 'ownLayers', 'staticBodies', 'kinematicBodies', 'dynamicBodies', 'triggers', 'any', 'ignoredBodies']);
+        }
+    }
+}
+
+export function getQueryFilter(p) {
+    return {
+        layers: getU64(p + 8),
+        ownLayers: getU64(p + 16),
+        staticBodies: getBool(p + 24),
+        kinematicBodies: getBool(p + 25),
+        dynamicBodies: getBool(p + 26),
+        triggers: getBool(p + 27),
+        any: getBool(p + 28),
+        ignoredBodies: getList(p + 32, p + 36, 8, (at) => getU64(at)),
+    };
+}
+
 export function getContactBegin(p) {
     return {
         shapeA: getU64(p),
