@@ -94,7 +94,8 @@ def member_lines(member):
 
 
 def count_of(name):
-    return (name[:-1] if name.endswith("s") else name) + "_count"
+    one = name[:-3] + "y" if name.endswith("ies") else name[:-1] if name.endswith("s") else name
+    return one + "_count"
 
 
 def struct_text(struct):

@@ -49,6 +49,12 @@ struct World::Impl {
     std::uint32_t index_of(JointId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
+    // The state, for a query with that filter. Throws Error(invalid_handle) if it ignores a body that is not there.
+    const State& seen_by(const QueryFilter& filter, const char* call) const {
+        for (const BodyId id : filter.ignored_bodies) index_of(id);
+        return whole(call);
+    }
+
     // For snapshots: those of the last one if nothing has changed. May be called from many threads.
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
@@ -154,26 +160,6 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
 
 // Takes a shape out of the world; its body still lists it. Characters on it forget it.
 void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape);
-
-// Which shapes a query sees. Of a state and a filter that stay as they are.
-class Sight {
-  public:
-    Sight(const World::Impl& impl, const QueryFilter& filter); // throws Error(invalid_handle)
-    bool sees(std::uint32_t shape) const {
-        const ShapeTraits& traits = state_.shapes.traits[shape];
-        if (traits.is_trigger && !filter_.triggers) return false;
-        if (filter_.layers != all_layers && (traits.filter.layers & filter_.layers) == 0) return false;
-        if (filter_.own_layers != all_layers && (traits.filter.collides_with & filter_.own_layers) == 0) return false;
-        return sees_all_bodies_ || sees_body(state_.shapes.links[shape].body);
-    }
-    bool any() const { return filter_.any; }
-
-  private:
-    bool sees_body(std::int32_t body) const;
-    const State& state_;
-    const QueryFilter& filter_;
-    bool sees_all_bodies_;
-};
 
 inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline math::DVec3 to_math(const Position& v) { return {v.x, v.y, v.z}; }

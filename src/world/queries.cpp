@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "state/state.h"
 #include "world/impl.h"
+#include "world/sight.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -45,11 +46,9 @@ bool bounds_overlap(const DBounds& a, const DBounds& b) {
 
 } // namespace
 
-Sight::Sight(const World::Impl& impl, const QueryFilter& filter) : state_(impl.state), filter_(filter) {
-    for (const BodyId id : filter.ignored_bodies) impl.index_of(id);
-    sees_all_bodies_ =
-        filter.static_bodies && filter.kinematic_bodies && filter.dynamic_bodies && filter.ignored_bodies.empty();
-}
+Sight::Sight(const State& state, const QueryFilter& filter)
+    : state_(state), filter_(filter), sees_all_bodies_(filter.static_bodies && filter.kinematic_bodies &&
+                                                       filter.dynamic_bodies && filter.ignored_bodies.empty()) {}
 
 bool Sight::sees_body(std::int32_t body) const {
     const BodyType type = state_.bodies.settings[body].type;
@@ -63,8 +62,8 @@ bool Sight::sees_body(std::int32_t body) const {
 std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
                                       const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->whole("World::cast_ray");
-    const Sight sight(*impl_, filter);
+    const State& s = impl_->seen_by(filter, "World::cast_ray");
+    const Sight sight(s, filter);
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
@@ -83,8 +82,8 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
 std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
                                         const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->whole("World::cast_ray_all");
-    const Sight sight(*impl_, filter);
+    const State& s = impl_->seen_by(filter, "World::cast_ray_all");
+    const Sight sight(s, filter);
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
         if (!sight.sees(shape)) return max;
@@ -104,8 +103,8 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, const QueryFilt
         if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
             refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
     const DBounds box{to_math(bounds.min), to_math(bounds.max)};
-    const State& s = impl_->whole("World::overlap_bounds");
-    const Sight sight(*impl_, filter);
+    const State& s = impl_->seen_by(filter, "World::overlap_bounds");
+    const Sight sight(s, filter);
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {

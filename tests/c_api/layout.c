@@ -252,7 +252,7 @@ int main(void) {
     MEMBER(cairn_query_filter, triggers);
     MEMBER(cairn_query_filter, any);
     MEMBER(cairn_query_filter, ignored_bodies);
-    MEMBER(cairn_query_filter, ignored_bodie_count);
+    MEMBER(cairn_query_filter, ignored_body_count);
     SIZE(cairn_contact_begin);
     MEMBER(cairn_contact_begin, shape_a);
     MEMBER(cairn_contact_begin, shape_b);

@@ -1216,7 +1216,7 @@ static cairn_result world_cast_ray(const struct wrong_context* c, int wrong) {
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 4) { filter_value.struct_size = 0; }
     if (wrong == 5) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_ray_hit result_room[4];
     cairn_ray_hit* result = result_room;
     if (wrong == 7) { result = NULL; }
@@ -1239,7 +1239,7 @@ static cairn_result world_cast_ray_all(const struct wrong_context* c, int wrong)
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 4) { filter_value.struct_size = 0; }
     if (wrong == 5) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_ray_hit result_room[4];
     cairn_ray_hit* result = result_room;
     if (wrong == 7) { result = NULL; }
@@ -1283,7 +1283,7 @@ static cairn_result world_cast_shape(const struct wrong_context* c, int wrong) {
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 23) { filter_value.struct_size = 0; }
     if (wrong == 24) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 25) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 25) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_cast_hit result_room[4];
     cairn_shape_cast_hit* result = result_room;
     if (wrong == 26) { result = NULL; }
@@ -1304,7 +1304,7 @@ static cairn_result world_closest_point(const struct wrong_context* c, int wrong
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 3) { filter_value.struct_size = 0; }
     if (wrong == 4) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_closest_point result_room[4];
     cairn_closest_point* result = result_room;
     if (wrong == 6) { result = NULL; }
@@ -1345,7 +1345,7 @@ static cairn_result world_overlap(const struct wrong_context* c, int wrong) {
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 22) { filter_value.struct_size = 0; }
     if (wrong == 23) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 24) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 24) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_id result_room[4];
     cairn_shape_id* result = result_room;
     if (wrong == 25) { result = NULL; }
@@ -1366,7 +1366,7 @@ static cairn_result world_overlap_bounds(const struct wrong_context* c, int wron
     const cairn_query_filter* filter = &filter_value;
     if (wrong == 3) { filter_value.struct_size = 0; }
     if (wrong == 4) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
-    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_bodie_count = 2; }
+    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_id result_room[4];
     cairn_shape_id* result = result_room;
     if (wrong == 6) { result = NULL; }

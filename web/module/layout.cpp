@@ -245,7 +245,7 @@ static_assert(offsetof(cairn_query_filter, dynamic_bodies) == 26);
 static_assert(offsetof(cairn_query_filter, triggers) == 27);
 static_assert(offsetof(cairn_query_filter, any) == 28);
 static_assert(offsetof(cairn_query_filter, ignored_bodies) == 32);
-static_assert(offsetof(cairn_query_filter, ignored_bodie_count) == 36);
+static_assert(offsetof(cairn_query_filter, ignored_body_count) == 36);
 static_assert(sizeof(cairn_contact_begin) == 32);
 static_assert(offsetof(cairn_contact_begin, shape_a) == 0);
 static_assert(offsetof(cairn_contact_begin, shape_b) == 8);

@@ -84,7 +84,7 @@ typedef struct cairn_query_filter {
     /// only the question is whether there is any.
     bool any;
     const cairn_body_id* ignored_bodies; ///< Shapes of these are not seen. Each must exist.
-    size_t ignored_bodie_count;
+    size_t ignored_body_count;
 } cairn_query_filter;
 CAIRN_C_API cairn_query_filter cairn_default_query_filter(void);
 

@@ -73,8 +73,8 @@ QueryFilter to_cpp(const cairn_query_filter& c) {
     x.dynamic_bodies = c.dynamic_bodies;
     x.triggers = c.triggers;
     x.any = c.any;
-    require_list(c.ignored_bodies, c.ignored_bodie_count, "QueryFilter.ignored_bodies");
-    for (std::size_t i = 0; i < c.ignored_bodie_count; ++i) x.ignored_bodies.push_back(to_cpp(c.ignored_bodies[i]));
+    require_list(c.ignored_bodies, c.ignored_body_count, "QueryFilter.ignored_bodies");
+    for (std::size_t i = 0; i < c.ignored_body_count; ++i) x.ignored_bodies.push_back(to_cpp(c.ignored_bodies[i]));
     return x;
 }
 cairn_query_filter to_c(const QueryFilter& x) {
@@ -87,7 +87,7 @@ cairn_query_filter to_c(const QueryFilter& x) {
     c.dynamic_bodies = x.dynamic_bodies;
     c.triggers = x.triggers;
     c.any = x.any;
-    c.ignored_bodie_count = x.ignored_bodies.size();
+    c.ignored_body_count = x.ignored_bodies.size();
     return c;
 }
 
