@@ -101,7 +101,9 @@ let spoiled = 0;
 for (const call of CALLS) {
     test(`${call.owner}.${call.name}${call.isSetter ? ' =' : ''} refuses what is wrong`, () => {
         const ready = sample();
-        if (call.name === 'moveTo') ready.body.type = 'kinematic';
+        const needsCharacter = ['walkVelocity', 'jump', 'removeCharacter'].includes(call.name);
+        if (needsCharacter || ['moveTo', 'character'].includes(call.name)) ready.body.type = 'kinematic';
+        if (needsCharacter) ready.body.character = {};
         const args = call.types.map((type) => right(type, ready, call.name));
         const before = stateOf(ready);
         call.types.forEach((type, position) => {
