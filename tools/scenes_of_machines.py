@@ -328,9 +328,9 @@ def stroll():
     posts = [rotate(turn("y", angle), (1.2, 0.53, 0)) for angle in (0, 120, 240)]
     s.compound([(s.cylinder(1.5, 0.16), (0, 0, 0), SKY)] + [(s.cylinder(0.08, 0.9), place, WHITE) for place in posts], stone,
                (-3.2, 0.08, 2.6), None, "carousel", isKinematic=True, angularVelocity=[0, 0.7, 0])
-    s.fixed(s.box(0.2, 0.3, 0.9), stone, (2.6, 0.15, 2.6), None, "post", DARK_STONE)
-    plank = s.body(s.box(4.0, 0.1, 0.8), s.material(0.7, 0.0, 400), (2.6, 0.42, 2.6), None, "seesaw", WOOD)
-    s.joint(None, plank, joints.hinge(), (2.6, 0.42, 2.6), "z", name="pivot")
+    s.fixed(s.box(0.2, 0.16, 0.9), stone, (2.6, 0.08, 2.6), None, "post", DARK_STONE)
+    plank = s.body(s.box(4.0, 0.1, 0.8), s.material(0.7, 0.0, 400), (2.6, 0.24, 2.6), None, "seesaw", WOOD)
+    s.joint(None, plank, joints.hinge(), (2.6, 0.24, 2.6), "z", name="pivot")
     crate = s.material(0.5, 0.0, 250)
     for k in range(3):
         for row in range(3 - k):

@@ -13,12 +13,8 @@ using math::DVec3;
 namespace {
 
 constexpr int max_hits = 24, max_recoveries = 4, recovery_rounds = 8;
-// Of the skin: surfaces are left alone from that distance on, and pushed off to the second one. Casts end at the skin
-// itself. Who walks begins them clear of what they ended at: edges between faces of one plane are not met then.
-struct Clearance {
-    double kept, restored;
-};
-constexpr Clearance on_foot{1.04, 1.05}, in_air{0.999, 1};
+// Of the skin: from that distance on, surfaces are left alone. Casts end at the skin itself.
+constexpr double kept_distance = 0.999;
 // The cosine of how far to its side a character may touch the edge of a surface that it stands on; and of one that it
 // lands on.
 constexpr double steepest_edge = 0.05, steepest_landing = 0.5;
@@ -66,14 +62,13 @@ bool Walk::push_out(DVec3& way) const {
     std::size_t count = 0;
     bool is_deep = false;
     const double most = skin_ + recovery_speed_ * dt_;
-    const Clearance clearance = self_.support == CharacterSupport::ground ? on_foot : in_air;
     for (std::size_t i = 0; i < around_.obstacles().size() && count < lacks.size(); ++i) {
-        const auto near = around_.gap(i, at_, 0, clearance.kept * skin_);
+        const auto near = around_.gap(i, at_, 0, kept_distance * skin_);
         if (!near) continue;
         const double rise = dot(near->normal, up_);
         const bool is_floor = !self_.flies && rise >= least_slope_;
         lacks[count++] = {near->normal, is_floor ? (1 / rise) * up_ : near->normal,
-                          std::min(clearance.restored * skin_ - near->distance, most)};
+                          std::min(skin_ - near->distance, most)};
         is_deep |= near->distance < 0.5 * skin_;
     }
     way = {};
@@ -152,7 +147,7 @@ bool Walk::finds_ground() {
     DVec3 at = at_;
     const auto found = drop(at, depth, stood ? steepest_edge : steepest_landing);
     if (!found) return false;
-    const double speed = dot(self_.velocity - (1 / dt_) * obstacle(found->obstacle).carry, found->contact);
+    const double speed = dot(self_.velocity - (1 / dt_) * obstacle(found->obstacle).ride, found->contact);
     if (!stood && !(std::fabs(speed) <= 2 * dt_ * math::length(gravity_))) return false;
     stand_on(*found);
     return true;
@@ -225,7 +220,7 @@ void Walk::meet(const CharacterHit& hit) {
 }
 
 void Walk::land(const Footing& f) {
-    const DVec3 own_carry = obstacle(f.obstacle).carry;
+    const DVec3 own_carry = obstacle(f.obstacle).ride;
     const DVec3 motion = motion_ - own_carry;
     if (!ground_) {
         landing_speed_ = std::max(0.0, -dot(velocity_ - (1 / dt_) * own_carry, f.contact));
@@ -340,7 +335,7 @@ void Walk::finish() {
     self_.ground_body = o.body, self_.ground_shape = std::int32_t(o.shape);
     self_.ground_normal = math::to_float(contact_normal_);
     self_.ground_point = around_.origin() + contact_point_;
-    self_.ground_velocity = math::to_float((1 / dt_) * o.carry);
+    self_.ground_velocity = math::to_float((1 / dt_) * o.ride);
 }
 
 } // namespace cairn

@@ -59,7 +59,7 @@ class Walk {
     math::DVec3 level(math::DVec3 v) const { return v - math::dot(v, up_) * up_; }
     math::DVec3 along_slope(math::DVec3 motion, math::DVec3 slope, double length) const;
     const Obstacle& obstacle(std::size_t i) const { return around_.obstacles()[i]; }
-    math::DVec3 carry() const { return ground_ ? obstacle(*ground_).carry : math::DVec3{}; }
+    math::DVec3 carry() const { return ground_ ? obstacle(*ground_).ride : math::DVec3{}; }
 
     static constexpr std::size_t most_pushes = 8;
     Surroundings& around_;

@@ -17,6 +17,7 @@ struct Obstacle {
     Convex convex; // of a plane: `center` and `axes.c1`
     DBounds bounds;
     math::DVec3 carry; // m, by how much it moves in the step where the character is
+    math::DVec3 ride;  // m, by how much what stands on it moves: as far, but of other characters, which stand still
     std::int32_t body = -1;
     std::uint32_t shape = 0;
     BodyType type = BodyType::static_;

@@ -180,4 +180,52 @@ TEST(CharacterMoving, ABodyFeelsThatItIsLandedOn) {
     EXPECT_NEAR(double(world.body(raft).linear_velocity().y), -5 * 70 / (70 + mass), 0.1);
 }
 
+TEST(CharacterMoving, CharactersStopAtEachOther) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        Chance chance(40 + seed);
+        World world;
+        add_floor(world);
+        std::vector<BodyId> crowd;
+        for (int i = 0; i < 12; ++i) {
+            const double angle = 0.5236 * i;
+            const Vec3 out(float(std::cos(angle)), 0, float(std::sin(angle)));
+            crowd.push_back(add_character(world, Position(4.0f * out)));
+            world.body(crowd.back()).set_walk_velocity(-float(chance.between(1, 8)) * out);
+        }
+        for (int s = 0; s < 240; ++s) {
+            world.step(frame);
+            for (const BodyId c : crowd) ASSERT_FALSE(overlaps_something(world, c)) << seed << " " << s;
+        }
+    }
+    // Head on, nobody passes.
+    World world;
+    add_floor(world);
+    const BodyId left = add_character(world, {-2, 0, 0}), right = add_character(world, {2, 0, 0});
+    world.body(left).set_walk_velocity({3, 0, 0}), world.body(right).set_walk_velocity({-2, 0, 0});
+    run(world, 120);
+    EXPECT_LT(world.body(left).position().x, world.body(right).position().x - 2 * double(radius));
+}
+
+TEST(CharacterMoving, CharactersRideOnEachOther) {
+    for (const bool is_above_first : {false, true}) {
+        World world;
+        add_floor(world);
+        const Shape box = Box{{0.4f, foot, 0.4f}};
+        const Position low(0, double(foot + usual_skin), 0), high = 3.0 * low;
+        BodyId ids[2];
+        for (int i = 0; i < 2; ++i) {
+            ids[i] = add_body(world, BodyType::kinematic, (i == 0) == is_above_first ? high : low, box);
+            world.body(ids[i]).set_character({});
+        }
+        const BodyId above = ids[is_above_first ? 0 : 1], below = ids[is_above_first ? 1 : 0];
+        run(world, 5);
+        ASSERT_EQ(world.body(above).character_state().ground_body, below);
+        world.body(below).set_walk_velocity({2, 0, 1});
+        run(world, 60);
+        EXPECT_EQ(world.body(above).character_state().ground_body, below);
+        const Position apart = world.body(above).position() - world.body(below).position();
+        EXPECT_LT(std::hypot(apart.x, apart.z), 0.05) << is_above_first;
+    }
+}
+
 } // namespace
