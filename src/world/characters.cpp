@@ -130,19 +130,19 @@ Vec3 Body::walk_velocity() const {
 }
 
 void Body::set_walk_velocity(const Vec3& velocity) {
-    CAIRN_CHARACTER("Body::set_walk_velocity");
-    World::Impl::Change change(impl, commands::body_set_walk_velocity, id_, velocity);
     require_finite("Body::set_walk_velocity", velocity);
     require_speed("Body::set_walk_velocity", math::length(to_math(velocity)));
+    CAIRN_CHARACTER("Body::set_walk_velocity");
+    World::Impl::Change change(impl, commands::body_set_walk_velocity, id_, velocity);
     change.begin();
     c.walk = to_math(velocity);
 }
 
 void Body::jump(float speed) {
-    CAIRN_CHARACTER("Body::jump");
-    World::Impl::Change change(impl, commands::body_jump, id_, speed);
     require_above("Body::jump speed", speed, 0);
     require_speed("Body::jump speed", speed);
+    CAIRN_CHARACTER("Body::jump");
+    World::Impl::Change change(impl, commands::body_jump, id_, speed);
     change.begin();
     c.jump_speed = speed;
 }
