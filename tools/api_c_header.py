@@ -4,7 +4,7 @@ import re
 from api_table import GROUPS, HANDLES, snake
 from api_text import BY_VALUE, C_SCALARS, MADE, beside, c_name, comment, constant, described, joined, wrapped
 
-ABI_VERSION = 2
+ABI_VERSION = 3
 
 BASE = '''#if defined(_WIN32) && defined(CAIRN_C_BUILDING)
 #define CAIRN_C_API __declspec(dllexport)
@@ -190,9 +190,6 @@ def function_text(function):
             doc += f" Null for `{arg.name}`: absent."
         elif arg.default == "{}":
             doc += f" Null for `{arg.name}`: the default."
-    for arg in function.args:
-        if arg.default == "all_layers":
-            doc += " `layers`: which shapes it sees, one bit each; UINT64_MAX: all."
     if function.errors:
         doc += f" Errors: {', '.join(function.errors)}."
     if function.since != "0.1":

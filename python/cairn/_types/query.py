@@ -115,9 +115,9 @@ class SolverContact:
 class QueryFilter:
     """Which shapes a query sees: those that pass all of it."""
 
-    layers: int = all_layers
+    layers: int = 2**64 - 1
     """Those that are in any of these layers (`CollisionFilter.layers`)."""
-    own_layers: int = all_layers
+    own_layers: int = 2**64 - 1
     """Those that collide with any of these, in which the query itself is."""
     static_bodies: bool = True
     """Those of static bodies."""
