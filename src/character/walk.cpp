@@ -44,6 +44,8 @@ void Walk::run() {
         if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // it is gone
         start_in_air();
     }
+    const double length = math::length(motion_), most = max_speed_ * dt_;
+    if (length > most) motion_ = (most / length) * motion_;
     wanted_ = motion_;
     slide();
     if (ground_) stick();

@@ -102,6 +102,18 @@ TEST(CharacterCalls, TellWhatWasAskedFor) {
     EXPECT_EQ(refused([&] { world.body(c); }), "BodyId");
 }
 
+TEST(CharacterCalls, AreNoFasterThanTheWorldAllows) {
+    World world(WorldDef{.max_linear_speed = 5});
+    add_floor(world);
+    const BodyId c = add_character(world, {0, 0, 0});
+    world.body(c).set_walk_velocity({1e15f, 0, 0});
+    run(world, 60);
+    EXPECT_NEAR(world.body(c).position().x, 5, 0.01);
+    world.body(c).set_character({.flies = true});
+    run(world, 60);
+    EXPECT_NEAR(world.body(c).position().x, 10, 0.01);
+}
+
 TEST(CharacterCalls, WhatOneStandsOnMayGo) {
     World world;
     const BodyId floor = add_floor(world);
