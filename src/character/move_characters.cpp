@@ -67,10 +67,10 @@ void push_others(const CharacterContext& c, const Character& self, const Walk& w
 void place(const CharacterContext& c, Character& self, const Walk& walk, double dt) {
     const std::int32_t b = self.body;
     BodyMotion& motion = c.bodies.motion[b];
-    DVec3 way = walk.at(), slid = walk.slid();
+    DVec3 way = within_numbers(walk.at()), slid = within_numbers(walk.slid());
     if (math::length(way) < 1e-7) way = slid = {};
     const bool is_corrected = math::length(way - slid) > 1e-7;
-    math::Vec3 v = math::to_float((1 / dt) * (is_corrected ? slid : way)), w;
+    math::Vec3 v = math::to_float(within_numbers((1 / dt) * (is_corrected ? slid : way))), w;
     if (self.ground_body != none && self.support == CharacterSupport::ground) {
         const math::Vec3 turn = c.bodies.motion[self.ground_body].w;
         w = math::dot(turn, self.up) * self.up;
@@ -81,7 +81,7 @@ void place(const CharacterContext& c, Character& self, const Walk& walk, double 
     self.written = v;
     if (is_corrected) {
         wake_around(c.bodies, c.shapes, c.islands, c.broad_phase, c.events, b);
-        motion.x += way - dt * math::to_double(v);
+        motion.x += within_numbers(way - dt * math::to_double(v));
         update_proxies(c.bodies, c.shapes, c.broad_phase, b);
         wake_around(c.bodies, c.shapes, c.islands, c.broad_phase, c.events, b);
     } else {
@@ -101,8 +101,9 @@ void move_character(const CharacterContext& c, std::size_t index, CharacterScrat
     const DVec3 gravity = double(c.bodies.settings[self.body].gravity_scale) * math::to_double(g);
     const double speed = math::length(self.velocity) + double(math::length(self.walk)) + double(self.jump_speed) +
                          double(math::length(self.base)) + dt * math::length(gravity);
-    const double reach = dt * (speed + double(c.settings.recovery_speed)) + double(self.step_height) +
-                         double(self.stick_distance) + 4 * double(self.skin);
+    const double most = 1e12; // m
+    const double reach = std::min(most, dt * (speed + double(c.settings.recovery_speed)) + double(self.step_height) +
+                                            double(self.stick_distance) + 4 * double(self.skin));
     const CharacterInput input{c.settings, c.bodies, c.shapes, c.broad_phase, c.characters, dt};
     const DVec3 origin = motion.x;
     const std::int32_t last_ground = self.ground_body;

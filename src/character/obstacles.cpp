@@ -120,11 +120,11 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     const auto& all = input_.characters.all;
     const auto other = std::find_if(all.begin(), all.end(), [&](const Character& c) { return c.body == o.body; });
     if (other != all.end()) {
-        o.ride = input_.dt * math::to_double(bodies.motion[o.body].v);
+        o.ride = within_numbers(input_.dt * math::to_double(bodies.motion[o.body].v));
         if (std::size_t(other - all.begin()) < index_) posed.center += o.ride;
     } else if (o.type != BodyType::static_) {
         const DVec3 up = math::to_double(self_.up);
-        o.carry = o.ride = carried(bodies.motion[o.body], origin_ + lowest(up) * up, input_.dt);
+        o.carry = o.ride = within_numbers(carried(bodies.motion[o.body], origin_ + lowest(up) * up, input_.dt));
     }
     switch (posed.geometry.type) {
     case ShapeType::plane: {

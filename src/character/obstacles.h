@@ -19,6 +19,12 @@ struct CharacterInput {
     double dt;
 };
 
+// What steps, gravities and places beyond measure come to is none: 0.
+inline math::DVec3 within_numbers(math::DVec3 v) {
+    constexpr double most = 1e30;
+    return math::dot(v, v) <= most * most ? v : math::DVec3{};
+}
+
 // Where a character and an obstacle are nearest.
 struct CharacterGap {
     double distance;    // m; < 0: they overlap

@@ -44,6 +44,7 @@ void Walk::run() {
         if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // it is gone
         start_in_air();
     }
+    motion_ = within_numbers(motion_), velocity_ = within_numbers(velocity_);
     const double length = math::length(motion_), most = max_speed_ * dt_;
     if (length > most) motion_ = (most / length) * motion_;
     wanted_ = motion_;
@@ -159,7 +160,7 @@ void Walk::start_on_ground() {
     const DVec3 walk = level(math::to_double(self_.walk));
     if (self_.jump_speed > 0) {
         const DVec3 base = (1 / dt_) * carry();
-        self_.base = math::to_float(level(base));
+        self_.base = math::to_float(within_numbers(level(base)));
         self_.velocity = base + walk + double(self_.jump_speed) * up_;
         self_.support = CharacterSupport::none;
         planes_.clear();
@@ -320,12 +321,12 @@ void Walk::stick() {
         at_ = at;
         return stand_on(*found);
     }
-    self_.base = math::to_float(level((1 / dt_) * carry()));
+    self_.base = math::to_float(within_numbers(level((1 / dt_) * carry())));
     ground_.reset();
 }
 
 void Walk::finish() {
-    self_.velocity = velocity_;
+    self_.velocity = within_numbers(velocity_);
     self_.support = ground_ ? CharacterSupport::ground : is_steep_ ? CharacterSupport::steep : CharacterSupport::none;
     self_.jump_speed = 0;
     const std::optional<std::size_t> on = ground_ ? ground_ : is_steep_ ? steep_ : std::nullopt;
@@ -336,8 +337,8 @@ void Walk::finish() {
     const Obstacle& o = obstacle(*on);
     self_.ground_body = o.body, self_.ground_shape = std::int32_t(o.shape);
     self_.ground_normal = math::to_float(contact_normal_);
-    self_.ground_point = around_.origin() + contact_point_;
-    self_.ground_velocity = math::to_float((1 / dt_) * o.ride);
+    self_.ground_point = around_.origin() + within_numbers(contact_point_);
+    self_.ground_velocity = math::to_float(within_numbers((1 / dt_) * o.ride));
 }
 
 } // namespace cairn

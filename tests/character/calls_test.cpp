@@ -114,6 +114,25 @@ TEST(CharacterCalls, AreNoFasterThanTheWorldAllows) {
     EXPECT_NEAR(world.body(c).position().x, 10, 0.01);
 }
 
+TEST(CharacterCalls, StaySaneBeyondMeasure) {
+    for (const float dt : {1e-30f, 1e-6f, 1.0f, 1e30f}) {
+        for (const float gravity : {0.0f, -1e30f, 3e38f}) {
+            World world(WorldDef{.gravity = {0, gravity, 0}});
+            add_floor(world);
+            const BodyId c = add_character(world, {1e15, 0, 0}), d = add_character(world, {0, 0, 0});
+            world.body(d).set_gravity_scale(-3e38f);
+            world.body(d).set_walk_velocity({1e15f, 0, 0});
+            for (int s = 0; s < 5; ++s) {
+                world.body(d).jump(1e15f);
+                world.step(dt);
+            }
+            World other;
+            other.restore(world.save()); // throws if a number is none
+            EXPECT_TRUE(std::isfinite(world.body(c).position().x + world.body(d).position().y)) << dt << " " << gravity;
+        }
+    }
+}
+
 TEST(CharacterCalls, WhatOneStandsOnMayGo) {
     World world;
     const BodyId floor = add_floor(world);
