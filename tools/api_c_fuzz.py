@@ -35,6 +35,7 @@ def draws(table):
 
 # How numbers with a range are drawn: mostly within it.
 RANGES = {"> 0": "b.positive()", ">= 0": "b.at_least_zero()", "0 to 1": "b.between(0, 1)", "0 to pi": "b.between(0, 3.1415926)",
+          "0 to 1.57": "b.between(0, 1.57)", "1e-4 to 1": "b.between(1e-4, 1)",
           "-2, -1, 0 or 1": "double(b.whole_between(-2, 1))"}
 
 
@@ -72,7 +73,7 @@ def struct_draw(table, struct):
             inner = kind[:-2]
             text += f"    if (b.pick(2)) {{\n        static {c_name(inner)} list[4];\n        c.{count_of(member.name)} = size_t(b.pick(5));\n" \
                     f"        c.{member.name} = b.pick(16) ? list : nullptr;\n" \
-                    f"        for (auto& element : list) element = draw_{snake(inner)}(b);\n    }}\n"
+                    f"        for (auto& element : list) element = {value_of(table, inner)};\n    }}\n"
         elif many:
             text += f"    for (auto& element : c.{member.name}) element = {value_of(table, many[1])};\n"
         else:

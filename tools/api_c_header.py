@@ -4,7 +4,7 @@ import re
 from api_table import GROUPS, HANDLES, snake
 from api_text import BY_VALUE, C_SCALARS, MADE, beside, c_name, comment, constant, described, joined, wrapped
 
-ABI_VERSION = 2
+ABI_VERSION = 3
 
 BASE = '''#if defined(_WIN32) && defined(CAIRN_C_BUILDING)
 #define CAIRN_C_API __declspec(dllexport)
@@ -94,7 +94,8 @@ def member_lines(member):
 
 
 def count_of(name):
-    return (name[:-1] if name.endswith("s") else name) + "_count"
+    one = name[:-3] + "y" if name.endswith("ies") else name[:-1] if name.endswith("s") else name
+    return one + "_count"
 
 
 def struct_text(struct):
@@ -189,9 +190,6 @@ def function_text(function):
             doc += f" Null for `{arg.name}`: absent."
         elif arg.default == "{}":
             doc += f" Null for `{arg.name}`: the default."
-    for arg in function.args:
-        if arg.default == "all_layers":
-            doc += " `layers`: which shapes it sees, one bit each; UINT64_MAX: all."
     if function.errors:
         doc += f" Errors: {', '.join(function.errors)}."
     if function.since != "0.1":

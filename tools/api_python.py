@@ -76,7 +76,7 @@ def default_value(table, kind, cpp):
         return '""'
     if "infinity" in cpp:
         return "math.inf"
-    if cpp.startswith("~"):
+    if cpp.startswith("~") or cpp == "all_layers":
         return "2**64 - 1"
     if kind in ("float", "double"):
         return str(float(cpp.rstrip("f"))) if cpp else "0.0"
@@ -288,7 +288,7 @@ def method_glue(table, function, owner):
     for arg in function.args:
         name = python_name(arg.name)
         parameters.append(f"py::object o_{name}")
-        default = {"{}": "py::none()", "none": "py::none()", "all_layers": "all_layers"}.get(arg.default, arg.default)
+        default = {"{}": "py::none()", "none": "py::none()"}.get(arg.default, arg.default)
         if takes_members(table, function, arg):
             default = "py::none()"
             parameters.append("py::kwargs members")
@@ -377,7 +377,7 @@ def signature_of(table, function, first=()):
     for arg in function.args:
         name = python_name(arg.name)
         kind = python_type(table, arg.type, True)
-        default = {"{}": "None", "none": "None", "all_layers": "...", "": ""}.get(arg.default, arg.default)
+        default = {"{}": "None", "none": "None", "": ""}.get(arg.default, arg.default)
         if takes_members(table, function, arg):
             args += [f"{name}: {kind} | None = None", "**members: Any"]
         else:

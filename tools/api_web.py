@@ -194,7 +194,7 @@ def parameter_name(arg):
 
 
 def default_of(arg):
-    return {"{}": " = {}", "all_layers": " = ALL_LAYERS"}.get(arg.default, "")
+    return {"{}": " = {}"}.get(arg.default, "")
 
 
 def reading(table, kind, at):

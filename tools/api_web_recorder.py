@@ -30,7 +30,7 @@ def writers(table):
 def parameters(table, function, with_defaults=True):
     parts = []
     for arg in function.args:
-        default = {"{}": " = {}", "none": " = {}", "all_layers": " = all_layers"}.get(arg.default, "") if with_defaults else ""
+        default = {"{}": " = {}", "none": " = {}"}.get(arg.default, "") if with_defaults else ""
         parts.append(f"{table.parameter_type(arg.type)} {arg.name}{default}")
     return ", ".join(parts)
 

@@ -83,7 +83,7 @@ def method_type(table, function, owner):
     args = [a for a in function.args if not (owner == "Body" and function.owner == "World" and a.type == "BodyId")]
     parts = []
     for arg in args:
-        optional = "?" if arg.default in ("{}", "none", "all_layers") else ""
+        optional = "?" if arg.default in ("{}", "none") else ""
         parts.append(f"{parameter_name(arg)}{optional}: {kind_of(table, arg.type, True)}")
     returns = kind_of(table, function.returns, False) if function.returns else "void"
     return comment(documented(function), "    ") + f"    {camel(function.method)}({', '.join(parts)}): {returns};\n"

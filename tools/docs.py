@@ -15,7 +15,7 @@ import docs_reference
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GUIDE = ["first_world", "shapes", "joints", "queries_and_events", "threads_and_determinism", "scenes", "python", "web", "performance",
-         "how_it_works"]
+         "how_it_works", "characters"]
 PAGES = [("C", "c_api"), ("Python", "python"), ("The web", "web"), ("The viewer", "viewer"),
          ("Which integrator gains energy", "viewer_student"), ("A stack that falls", "viewer_developer"), ("Shapes", "shapes"), ("Joints", "joints"), ("Solver", "solver"),
          ("Determinism", "determinism"), ("Scene format", "scene_format"), ("Models", "models"), ("URDF", "urdf"), ("MJCF", "mjcf"),

@@ -10,8 +10,8 @@ import subprocess
 import sys
 
 # A file may include its own room and those before it. docs/architecture.md tells what each is for.
-ROOMS = ["core", "commands", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "state", "bodies", "islands", "contacts", "joints",
-         "solver", "impacts", "world"]
+ROOMS = ["core", "commands", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "state", "bodies", "queries", "islands", "contacts", "joints",
+         "solver", "impacts", "character", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
     "python/module": {"module", "scene"},
@@ -28,7 +28,7 @@ USERS = {
 }
 # Stages of a step take the groups of the state that they use (Bodies, Contacts, ...), const where they only read, or a
 # struct that names those: a signature says what may be touched.
-STAGES = {"bodies", "islands", "contacts", "joints", "solver", "impacts"}
+STAGES = {"bodies", "islands", "contacts", "joints", "solver", "impacts", "character"}
 WHOLE_STATE = re.compile(r"\bState\b")
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}

@@ -49,6 +49,7 @@ SCENES = [
     ("32_robot_arm", machines.robot),
     ("33_bullets", boxes.bullets),
     ("34_pinball", boxes.pinball),
+    ("35_stroll", machines.stroll),
     ("welcome", boxes.welcome),
 ]
 

@@ -234,6 +234,13 @@ class Scene:
         self.roots.append(self._node(shape, material, position, rotation, name, color, motion))
         return self.roots[-1]
 
+    def character(self, shape, material, position, name=None, color=None, **members):
+        """members: of its CharacterDef, where they are not as by default."""
+        index = self.body(shape, material, position, None, name, color, isKinematic=True)
+        self._use("CAIRN_body")
+        self.nodes[index]["extensions"]["CAIRN_body"] = {"character": members}
+        return index
+
     def compound(self, parts, material, position, rotation=None, name=None, **motion):
         """parts: (shape, position, color) in the body's frame, and a rotation if the part has one."""
         index = self._node(None, None, position, rotation, name, None, motion)

@@ -310,3 +310,31 @@ def catch_ball(s, wood, heavy):
     pull = joints.pulley((mast, top, 0), (pole, top, 0), 0.5)
     s.joint(pan, flag, pull, (mast, pan_y, 0), "x", (pole, 0.5, 0), name="rope")
     s.meet(None)
+
+
+# --- a walk
+
+def stroll():
+    s = Scene("Stroll", "Shift+arrows walk, Shift+Page up jumps. Stairs, a ramp, a carousel, a seesaw, crates to push.",
+              (0.5, 6.2, 12.5), (0, 0.6, 0.5), 42)
+    s.ground(0.6, 0.0, "#6F7B73")
+    stone = s.material(0.7)
+    for k in range(6):
+        s.fixed(s.box(0.4, 0.2 * (k + 1), 2.4), stone, (-4.2 + 0.4 * k, 0.1 * (k + 1), -2.2), None, "step", "#B9B2A6")
+    s.fixed(s.box(2.4, 1.2, 2.4), stone, (-0.8, 0.6, -2.2), None, "terrace", "#B9B2A6")
+    tilt, length = 22, 1.2 / math.sin(math.radians(22))
+    middle = rotate(turn("z", -tilt), (length / 2, -0.1, 0))
+    s.fixed(s.box(length, 0.2, 2.4), stone, (0.4 + middle[0], 1.2 + middle[1], -2.2), turn("z", -tilt), "ramp", "#A8B2B8")
+    posts = [rotate(turn("y", angle), (1.2, 0.53, 0)) for angle in (0, 120, 240)]
+    s.compound([(s.cylinder(1.5, 0.16), (0, 0, 0), SKY)] + [(s.cylinder(0.08, 0.9), place, WHITE) for place in posts], stone,
+               (-3.2, 0.08, 2.6), None, "carousel", isKinematic=True, angularVelocity=[0, 0.7, 0])
+    s.fixed(s.box(0.2, 0.16, 0.9), stone, (2.6, 0.08, 2.6), None, "post", DARK_STONE)
+    plank = s.body(s.box(4.0, 0.1, 0.8), s.material(0.7, 0.0, 400), (2.6, 0.24, 2.6), None, "seesaw", WOOD)
+    s.joint(None, plank, joints.hinge(), (2.6, 0.24, 2.6), "z", name="pivot")
+    crate = s.material(0.5, 0.0, 250)
+    for k in range(3):
+        for row in range(3 - k):
+            s.body(s.box(0.5, 0.5, 0.5), crate, (4.4, 0.25 + 0.5 * k, 0.1 + 0.55 * (row + 0.5 * k)), None, "crate",
+                   (ORANGE, YELLOW, GREEN)[k])
+    s.character(s.capsule(0.3, 1.0), stone, (0, 0.82, 3.2), "walker", RED)
+    return s

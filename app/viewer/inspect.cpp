@@ -182,6 +182,10 @@ BodyId duplicate(World& world, BodyId id, const Position& shift, std::vector<Sha
     const BodyId copy = world.create_body(def);
     for (const ShapeId shape : shapes)
         copies.push_back(world.add_shape(copy, Shape(world.shape(shape)), ShapeDef(world.shape_def(shape))));
+    if (body.is_character()) {
+        world.body(copy).set_character(body.character());
+        world.body(copy).set_walk_velocity(body.walk_velocity());
+    }
     return copy;
 }
 

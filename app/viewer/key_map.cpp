@@ -130,6 +130,7 @@ constexpr KeyHelp help[] = {
     {"Keypad 4 6, 7 9, 8 2", "left right, down up, away near", "KP4 KP6 KP7 KP9 KP8 KP2"},
     {"Shift + arrows, Page up / down", "the same without a keypad",
      "Shift+Left Shift+Right Shift+PageDown Shift+PageUp Shift+Up Shift+Down"},
+    {" ", "where there is a character: it walks, and jumps (up)"},
     {"C", "pull everything to the center", "C"},
     {"X", "freeze everything", "X"},
     {"", "Time"},

@@ -17,10 +17,11 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float pull_acceleration = 20.0f;     // m/s^2, towards the origin
-constexpr double pick_distance = 1.0e8;        // meters: parallel rays begin far away
-constexpr double newest_step_weight = 0.1;     // in the running mean of step times
-constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after which the picture comes first
+constexpr float pull_acceleration = 20.0f;            // m/s^2, towards the origin
+constexpr float walk_speed = 3.0f, jump_speed = 4.5f; // m/s
+constexpr double pick_distance = 1.0e8;               // meters: parallel rays begin far away
+constexpr double newest_step_weight = 0.1;            // in the running mean of step times
+constexpr double longest_advance = 1.0 / 30.0;        // real seconds of stepping after which the picture comes first
 
 } // namespace
 
@@ -242,9 +243,25 @@ void Stage::remove(const std::vector<BodyId>& bodies) {
 
 void Stage::operator()(const command::SetForce& force) {
     force_ = force.acceleration;
+    if (walk(force_)) return;
     ForceField field;
     field.direction = force_;
     update_field(force_field_, field, force_ != Vec3(0.0f));
+}
+
+// Where there are characters, the keys are theirs.
+bool Stage::walk(const Vec3& push) {
+    bool walks = false;
+    for (const BodyId id : scene_.world.bodies()) {
+        Body body = scene_.world.body(id);
+        if (!body.is_character()) continue;
+        walks = true;
+        const Vec3 level(push.x, 0.0f, push.z);
+        const float length = glm::length(level);
+        body.set_walk_velocity(length > 0.0f ? (walk_speed / length) * level : Vec3(0.0f));
+        if (push.y > 0.0f) body.jump(jump_speed);
+    }
+    return walks;
 }
 
 void Stage::operator()(const command::SetPull& pull) {

@@ -195,6 +195,7 @@ class Stage {
     void add_to_selection(const std::vector<BodyId>& bodies);
     void say(std::string text);
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
+    bool walk(const Vec3& push);
     void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
     std::vector<std::pair<ForceFieldId, ForceField>> fields() const;
     void pull_grabbed();

@@ -89,6 +89,7 @@ void Stage::settle_branch() {
         }
     }
     held_ = std::move(present);
+    walk(force_);
     if (!grab_.holding) drag_joint_ = {};
     timeline_.take_branch(); // at the end there is nothing to settle
     refresh_joints();

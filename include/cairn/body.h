@@ -2,6 +2,7 @@
 /// Rigid bodies: what they are made from, and the light accessor to one.
 #pragma once
 
+#include <cairn/character.h>
 #include <cairn/handle.h>
 #include <cairn/math.h>
 #include <cairn/shape.h>
@@ -103,6 +104,22 @@ class Body {
     void apply_impulse(const Vec3& impulse); ///< N s, at the center of mass; changes the velocity at once.
     void apply_impulse_at(const Vec3& impulse, const Position& point); ///< N s, at a world point.
     void apply_angular_impulse(const Vec3& impulse);                   ///< N m s.
+
+    // --- characters (character.h)
+    bool is_character() const;
+    CharacterDef character() const; ///< Throws (wrong_state) unless it is one.
+    /// Makes a kinematic body a character, or changes how one moves. From then on its velocities are those with which
+    /// each step moves it, and setting its linear velocity throws it: upwards, it leaves the ground.
+    void set_character(const CharacterDef& def);
+    void remove_character(); ///< It is an ordinary kinematic body again, at rest.
+    Vec3 walk_velocity() const;
+    /// Where a character wants to go, m/s, until it is set anew: over the ground, with this speed and, seen from above,
+    /// in this direction, beside the motion of the ground itself. What of it leads up or down counts for those alone
+    /// that fly.
+    void set_walk_velocity(const Vec3& velocity);
+    /// In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
+    void jump(float speed);
+    CharacterState character_state() const;
 
   private:
     friend class World;

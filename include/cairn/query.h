@@ -7,6 +7,7 @@
 #include <cairn/math.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
@@ -62,7 +63,20 @@ struct SolverContact {
     int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
 };
 
-/// Which shapes a query sees: those that are in any of these layers (CollisionFilter::layers). Triggers are never seen.
-inline constexpr std::uint64_t all_layers = ~std::uint64_t{};
+inline constexpr std::uint64_t all_layers = ~std::uint64_t{}; ///< As they are by default.
+
+/// Which shapes a query sees: those that pass all of it.
+struct QueryFilter {
+    std::uint64_t layers = all_layers;     ///< Those that are in any of these layers (CollisionFilter::layers).
+    std::uint64_t own_layers = all_layers; ///< Those that collide with any of these, in which the query itself is.
+    bool static_bodies = true;             ///< Those of static bodies.
+    bool kinematic_bodies = true;          ///< Those of kinematic bodies.
+    bool dynamic_bodies = true;            ///< Those of dynamic bodies.
+    bool triggers = false;                 ///< Triggers as well; they are seen like any other shape then.
+    /// Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
+    /// only the question is whether there is any.
+    bool any = false;
+    std::vector<BodyId> ignored_bodies{}; ///< Shapes of these are not seen. Each must exist.
+};
 
 } // namespace cairn

@@ -202,32 +202,32 @@ class World {
     std::vector<Contact> contacts() const;            ///< All touching pairs.
     std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.
 
-    // --- queries; `layers`: which shapes they see (query.h)
+    // --- queries; `filter`: which shapes they see. Throws (invalid_handle) if it ignores a body that does not exist.
     /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray
     /// that starts inside a shape does not meet that shape's surface from within, except planes' solid side.
     std::optional<RayHit> cast_ray(const Position& origin, const Vec3& direction, double max_distance,
-                                   std::uint64_t layers = all_layers) const;
+                                   const QueryFilter& filter = {}) const;
     /// Every shape that the ray meets, nearest first.
     std::vector<RayHit> cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
-                                     std::uint64_t layers = all_layers) const;
+                                     const QueryFilter& filter = {}) const;
     /// The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
     /// turning, within a millionth of the size of the smaller one. Where they overlap from the start, the fraction is
     /// 0, and point and normal are those of the shortest way apart; of several such shapes that of the lowest slot
     /// counts. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
     /// (invalid_value).
     std::optional<ShapeCastHit> cast_shape(const Shape& shape, const Transform& start, const Vec3& translation,
-                                           std::uint64_t layers = all_layers) const;
+                                           const QueryFilter& filter = {}) const;
     /// The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it;
     /// meshes and height fields have no inside.
     std::optional<ClosestPoint> closest_point(const Position& point, double max_distance,
-                                              std::uint64_t layers = all_layers) const;
+                                              const QueryFilter& filter = {}) const;
     /// Shapes that have a point in common with the given one posed in the world (touching counts), in order of slot
     /// index. A plane is solid below. Rectangles, strips, double-sided planes, meshes and height fields are surfaces
     /// without thickness: what touches or crosses them from any side overlaps them, what lies below does not. Two
     /// surfaces never overlap.
-    std::vector<ShapeId> overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const;
+    std::vector<ShapeId> overlap(const Shape& shape, const Transform& pose, const QueryFilter& filter = {}) const;
     /// Shapes whose tight bounds overlap the box, in order of slot index.
-    std::vector<ShapeId> overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const;
+    std::vector<ShapeId> overlap_bounds(const Bounds& bounds, const QueryFilter& filter = {}) const;
 
     /// The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
     /// scene is slow: those of least depth first, and no more than `max_count`. Both >= 0.

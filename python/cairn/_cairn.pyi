@@ -213,6 +213,34 @@ class Body:
     def apply_angular_impulse(self, impulse: Vector) -> None:
         """N m s. Raises: invalid_handle, invalid_value, wrong_state."""
     @property
+    def is_character(self) -> bool:
+        """Whether the body is a character."""
+    @property
+    def character(self) -> CharacterDef:
+        """How the character moves (wrong_state unless it is one). Setting: Makes a kinematic body a character, or
+        changes how one moves. From then on its velocities are those with which each step moves it, and setting its
+        linear velocity throws it: upwards, it leaves the ground.
+        """
+    @character.setter
+    def character(self, value: CharacterDef) -> None: ...
+    def remove_character(self) -> None:
+        """It is an ordinary kinematic body again, at rest. Raises: invalid_handle, wrong_state."""
+    @property
+    def walk_velocity(self) -> np.ndarray:
+        """Where the character wants to go, m/s. Setting: Where a character wants to go, m/s, until it is set anew: over
+        the ground, with this speed and, seen from above, in this direction, beside the motion of the ground itself.
+        What of it leads up or down counts for those alone that fly.
+        """
+    @walk_velocity.setter
+    def walk_velocity(self, value: Vector) -> None: ...
+    def jump(self, speed: float) -> None:
+        """In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
+        Raises: invalid_handle, invalid_value, wrong_state.
+        """
+    @property
+    def character_state(self) -> CharacterState:
+        """How the character moves and what it is on, as it stood after the last step."""
+    @property
     def joints(self) -> list[JointId]:
         """Those of one body, oldest first."""
     @property
@@ -322,28 +350,30 @@ class World:
         """All, in order of slot index."""
     def find_joint(self, name: str) -> JointId | None:
         """The first of that name. Raises: wrong_state."""
-    def cast_ray(self, origin: Vector, direction: Vector, max_distance: float, layers: int = ...) -> RayHit | None:
+    def cast_ray(self, origin: Vector, direction: Vector, max_distance: float, filter: QueryFilter | None = None, **members: Any) -> RayHit | None:
         """The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that
         starts inside a shape does not meet that shape's surface from within, except planes' solid side. Raises:
-        invalid_value, wrong_state.
+        invalid_handle, invalid_value, wrong_state.
         """
-    def cast_ray_all(self, origin: Vector, direction: Vector, max_distance: float, layers: int = ...) -> list[RayHit]:
-        """Every shape that the ray meets, nearest first. Raises: invalid_value, wrong_state."""
-    def cast_shape(self, shape: Shape, start: Transform, translation: Vector, layers: int = ...) -> ShapeCastHit | None:
+    def cast_ray_all(self, origin: Vector, direction: Vector, max_distance: float, filter: QueryFilter | None = None, **members: Any) -> list[RayHit]:
+        """Every shape that the ray meets, nearest first. Raises: invalid_handle, invalid_value, wrong_state."""
+    def cast_shape(self, shape: Shape, start: Transform, translation: Vector, filter: QueryFilter | None = None, **members: Any) -> ShapeCastHit | None:
         """The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
         turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
-        (invalid_value). Raises: invalid_value, wrong_state.
+        (invalid_value). Raises: invalid_handle, invalid_value, wrong_state.
         """
-    def closest_point(self, point: Vector, max_distance: float, layers: int = ...) -> ClosestPoint | None:
+    def closest_point(self, point: Vector, max_distance: float, filter: QueryFilter | None = None, **members: Any) -> ClosestPoint | None:
         """The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it;
-        meshes and height fields have no inside. Raises: invalid_value, wrong_state.
+        meshes and height fields have no inside. Raises: invalid_handle, invalid_value, wrong_state.
         """
-    def overlap(self, shape: Shape, pose: Transform, layers: int = ...) -> list[ShapeId]:
-        """Shapes that overlap the given shape posed in the world, in order of slot index. Raises: invalid_value,
+    def overlap(self, shape: Shape, pose: Transform, filter: QueryFilter | None = None, **members: Any) -> list[ShapeId]:
+        """Shapes that overlap the given shape posed in the world, in order of slot index. Raises: invalid_handle,
+        invalid_value, wrong_state.
+        """
+    def overlap_bounds(self, bounds: Bounds, filter: QueryFilter | None = None, **members: Any) -> list[ShapeId]:
+        """Shapes whose tight bounds overlap the box, in order of slot index. Raises: invalid_handle, invalid_value,
         wrong_state.
         """
-    def overlap_bounds(self, bounds: Bounds, layers: int = ...) -> list[ShapeId]:
-        """Shapes whose tight bounds overlap the box, in order of slot index. Raises: invalid_value, wrong_state."""
     def broad_phase_nodes(self, max_depth: int, max_count: int) -> list[BroadPhaseNode]:
         """The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
         scene is slow: those of least depth first, and no more than `max_count`. Both >= 0. Raises: invalid_value,

@@ -1,5 +1,6 @@
 // From a document to a world. Nodes are walked from the roots down, in the order of the file, so that equal
 // files give equal worlds: handles, storage and all.
+#include "scene/character.h"
 #include "scene/colliders.h"
 #include "scene/document.h"
 #include "scene/filters.h"
@@ -137,6 +138,8 @@ class Builder {
         note_joint(index, physics, place);
         for (const std::size_t child : graph_.children[index]) visit(child, place);
         if (motion) finish_motion(*motion, *place.body, place.world);
+        if (const auto walks = own ? own->find("character") : std::nullopt)
+            read_character(*walks, scene_.world.body(*place.body));
     }
 
     // Whether a trigger is made of those on nodes below, instead of having a geometry.

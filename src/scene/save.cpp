@@ -1,5 +1,6 @@
 // From a world to a document. Everything is written in the order of the world, one node to a line, with the
 // shortest numbers that read back the same: equal worlds give equal bytes.
+#include "scene/character.h"
 #include "scene/definition_writer.h"
 #include "scene/gltf_file.h"
 #include "scene/json_number.h"
@@ -175,6 +176,7 @@ class Writer {
         if (body.linear_damping() != 0.0f) own["linear_damping"] = shortest(body.linear_damping());
         if (body.angular_damping() != 0.0f) own["angular_damping"] = shortest(body.angular_damping());
         if (const auto group = group_of_.find(body.id().bits); group != group_of_.end()) own["group"] = group->second;
+        if (body.is_character()) own["character"] = written_character(body);
         if (own.empty() && !needs_mark) return;
         node["extensions"]["CAIRN_body"] = std::move(own);
         uses_body_extension_ = true;

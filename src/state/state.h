@@ -7,6 +7,7 @@
 #include "core/slot_pool.h"
 #include "kernels/kernels.h"
 #include "state/body_state.h"
+#include "state/character_state.h"
 #include "state/contact_state.h"
 #include "state/events.h"
 #include "state/island_state.h"
@@ -36,6 +37,7 @@ struct State {
     Islands islands;
     Joints joints;
     ForceFields fields;
+    Characters characters;
     BroadPhase broad_phase{kernels().broad};
 
     StepEvents events;

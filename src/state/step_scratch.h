@@ -3,6 +3,7 @@
 
 #include "core/room.h"
 #include "jobs/thread_pool.h"
+#include "state/character_work.h"
 #include "state/direct_sets.h"
 #include "state/narrow_scratch.h"
 #include "state/solver_scratch.h"
@@ -18,6 +19,7 @@ struct StepScratch {
     std::vector<std::uint32_t> solved; // contacts to solve in this step
     SolverScratch solver;
     DirectSets direct;
+    CharacterScratch characters;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
 
     // After a step: of what bodies in flight and leaving their boxes have needed, and these ones now do not.

@@ -269,6 +269,9 @@ void Body::set_type(BodyType type) {
     if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
     BodySettings& settings = s.bodies.settings[a.b];
     if (settings.type == type) return;
+    if (find_character(s.characters, a.index()))
+        throw Error(ErrorCode::wrong_state, "Body::set_type", "",
+                    "a character must stay kinematic: remove_character first");
     std::vector<std::uint32_t> shapes;
     for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next) {
         if (type == BodyType::dynamic && is_surface(s.shapes.geometry[i].type))

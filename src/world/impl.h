@@ -49,6 +49,12 @@ struct World::Impl {
     std::uint32_t index_of(JointId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
+    // The state, for a query with that filter. Throws Error(invalid_handle) if it ignores a body that is not there.
+    const State& seen_by(const QueryFilter& filter, const char* call) const {
+        for (const BodyId id : filter.ignored_bodies) index_of(id);
+        return whole(call);
+    }
+
     // For snapshots: those of the last one if nothing has changed. May be called from many threads.
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
@@ -152,14 +158,8 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
-// Takes a shape out of the world; its body still lists it.
-void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
-
-// Whether a query of those layers sees the shape.
-inline bool is_seen(const Shapes& shapes, std::uint32_t shape, std::uint64_t layers) {
-    const ShapeTraits& traits = shapes.traits[shape];
-    return !traits.is_trigger && (layers == all_layers || (traits.filter.layers & layers) != 0);
-}
+// Takes a shape out of the world; its body still lists it. Characters on it forget it.
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape);
 
 inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline math::DVec3 to_math(const Position& v) { return {v.x, v.y, v.z}; }

@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "state/state.h"
 #include "world/impl.h"
+#include "world/sight.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -45,35 +46,51 @@ bool bounds_overlap(const DBounds& a, const DBounds& b) {
 
 } // namespace
 
+Sight::Sight(const State& state, const QueryFilter& filter)
+    : state_(state), filter_(filter), sees_all_bodies_(filter.static_bodies && filter.kinematic_bodies &&
+                                                       filter.dynamic_bodies && filter.ignored_bodies.empty()) {}
+
+bool Sight::sees_body(std::int32_t body) const {
+    const BodyType type = state_.bodies.settings[body].type;
+    const bool is_asked_for = type == BodyType::static_     ? filter_.static_bodies
+                              : type == BodyType::kinematic ? filter_.kinematic_bodies
+                                                            : filter_.dynamic_bodies;
+    const auto& ignored = filter_.ignored_bodies;
+    return is_asked_for && std::find(ignored.begin(), ignored.end(), state_.bodies.id(body)) == ignored.end();
+}
+
 std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
-                                      std::uint64_t layers) const {
+                                      const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->whole("World::cast_ray");
+    const State& s = impl_->seen_by(filter, "World::cast_ray");
+    const Sight sight(s, filter);
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
-        if (!is_seen(s.shapes, shape, layers)) return max;
+        if (!sight.sees(shape)) return max;
         const auto hit = cast_at_shape(s.shapes, shape, ray, max);
         // Of two at the same distance the one with the lower index counts, in whatever order they come.
         if (!hit || (best && hit->distance == best->distance && shape > best_shape)) return max;
         best = hit;
         best_shape = shape;
-        return hit->distance;
+        return sight.any() ? -1 : hit->distance;
     });
     if (!best) return std::nullopt;
     return to_hit(s.bodies, s.shapes, best_shape, ray, *best);
 }
 
 std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
-                                        std::uint64_t layers) const {
+                                        const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->whole("World::cast_ray_all");
+    const State& s = impl_->seen_by(filter, "World::cast_ray_all");
+    const Sight sight(s, filter);
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
-        if (!is_seen(s.shapes, shape, layers)) return max;
-        if (const auto hit = cast_at_shape(s.shapes, shape, ray, ray.max_distance))
-            hits.push_back(to_hit(s.bodies, s.shapes, shape, ray, *hit));
-        return max;
+        if (!sight.sees(shape)) return max;
+        const auto hit = cast_at_shape(s.shapes, shape, ray, ray.max_distance);
+        if (!hit) return max;
+        hits.push_back(to_hit(s.bodies, s.shapes, shape, ray, *hit));
+        return sight.any() ? -1 : max;
     });
     std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
         return a.distance != b.distance ? a.distance < b.distance : a.shape.index() < b.shape.index();
@@ -81,16 +98,18 @@ std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& dire
     return hits;
 }
 
-std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t layers) const {
+std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, const QueryFilter& filter) const {
     for (int i = 0; i < 3; ++i)
         if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
             refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
     const DBounds box{to_math(bounds.min), to_math(bounds.max)};
-    const State& s = impl_->whole("World::overlap_bounds");
+    const State& s = impl_->seen_by(filter, "World::overlap_bounds");
+    const Sight sight(s, filter);
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {
-        if (is_seen(s.shapes, other, layers) && bounds_overlap(box, cairn::shape_bounds(s.shapes, other)))
+        if (sight.any() && !found.empty()) return;
+        if (sight.sees(other) && bounds_overlap(box, cairn::shape_bounds(s.shapes, other)))
             found.push_back(s.shapes.slots.id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });

@@ -1,7 +1,8 @@
 // Shape casts, closest points and overlaps.
+#include "queries/query_frame.h"
 #include "shapes/convex_query.h"
 #include "world/impl.h"
-#include "world/query_frame.h"
+#include "world/sight.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -189,7 +190,7 @@ bool meets(const QuerySolid& asking, const PosedInQuery& other) {
 } // namespace
 
 std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transform& start, const Vec3& translation,
-                                              std::uint64_t layers) const {
+                                              const QueryFilter& filter) const {
     validate(shape);
     require_position("World::cast_shape start.position", start.position);
     const Quat rotation = checked_rotation("World::cast_shape start.rotation", start.rotation);
@@ -200,19 +201,20 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     const DVec3 origin = to_math(start.position), way = math::to_double(to_math(translation));
     const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation));
     const ShapeCast cast(moving, way);
-    const State& s = impl_->whole("World::cast_shape");
+    const State& s = impl_->seen_by(filter, "World::cast_shape");
+    const Sight sight(s, filter);
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
     s.broad_phase.query_sweep(
         {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
             // Of two at the same fraction the one with the lower index counts, in whatever order they come.
-            if (!is_seen(s.shapes, other, layers) || (limit == 0 && best && other > met)) return limit;
+            if (!sight.sees(other) || (limit == 0 && best && other > met)) return limit;
             const auto hit = cast.against(PosedInQuery(s.shapes, other, origin), limit);
             if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
                 return limit;
             best = hit;
             met = other;
-            return hit->fraction;
+            return sight.any() ? -1 : hit->fraction;
         });
     if (!best) return std::nullopt;
     if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s.shapes, met, origin));
@@ -221,28 +223,29 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
 }
 
 std::optional<ClosestPoint> World::closest_point(const Position& point, double max_distance,
-                                                 std::uint64_t layers) const {
+                                                 const QueryFilter& filter) const {
     require_position("World::closest_point point", point);
     if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
     const double most = std::min(max_distance, 1e15); // as far as positions reach
     const DVec3 origin = to_math(point);
-    const State& s = impl_->whole("World::closest_point");
+    const State& s = impl_->seen_by(filter, "World::closest_point");
+    const Sight sight(s, filter);
     std::optional<NearPoint> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_near(origin, most, [&](std::uint32_t other, double limit) {
-        if (!is_seen(s.shapes, other, layers)) return limit;
+        if (!sight.sees(other)) return limit;
         const auto found = nearest_of(PosedInQuery(s.shapes, other, origin), limit);
         if (!found || (best && found->distance == best->distance && other > nearest)) return limit;
         best = found;
         nearest = other;
-        return found->distance;
+        return sight.any() ? -1 : found->distance;
     });
     if (!best) return std::nullopt;
     return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
                         to_public(origin + best->point), best->distance};
 }
 
-std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, std::uint64_t layers) const {
+std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, const QueryFilter& filter) const {
     validate(shape);
     require_position("World::overlap pose.position", pose.position);
     const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
@@ -253,10 +256,11 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     const PosedInQuery asking(g, data, {}, g.rotation);
     std::optional<QuerySolid> solid;
     if (!is_surface(g.type)) solid.emplace(asking);
-    const State& s = impl_->whole("World::overlap");
+    const State& s = impl_->seen_by(filter, "World::overlap");
+    const Sight sight(s, filter);
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (!is_seen(s.shapes, other, layers)) return;
+        if (!sight.sees(other) || (sight.any() && !found.empty())) return;
         const PosedInQuery posed(s.shapes, other, origin);
         const bool is_met = solid                             ? meets(*solid, posed)
                             : is_surface(posed.geometry.type) ? false

@@ -68,7 +68,9 @@ ShapeTraits make_traits(const ShapeDef& def) {
 
 } // namespace
 
-void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape) {
+    for (Character& c : characters.all)
+        if (c.ground_shape == std::int32_t(shape)) c.ground_body = c.ground_shape = none;
     broad_phase.remove(shape);
     shapes.slots.kill(shape);
     shapes.dead.push_back(shape);
@@ -119,7 +121,7 @@ void World::remove_shape(ShapeId id) {
     wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     wake_body(s.bodies, s.islands, s.events, b);
     unlink_shape(s.bodies, s.shapes, i);
-    retire_shape(s.shapes, s.broad_phase, i);
+    retire_shape(s.shapes, s.broad_phase, s.characters, i);
     refresh_mass(s.bodies, s.shapes, s.joints, b);
     place_shapes(s.bodies, s.shapes, b);
     reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);

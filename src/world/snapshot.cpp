@@ -33,11 +33,12 @@ template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_
 std::uint64_t layout() {
     Hash64 hash;
     add_field_counts<BodyMotion, CountedPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
-                     ContactRecord, ContactInfo, PairAnswer, Island, JointInfo, JointAxisRule, JointAxisState>(hash);
-    for (const std::size_t size :
-         {sizeof(State), sizeof(BodyMotion), sizeof(CountedPose), sizeof(BodyMass), sizeof(ContactRecord),
-          sizeof(ContactInfo), sizeof(PairAnswer), sizeof(Island), sizeof(ShapePose), sizeof(Geometry),
-          sizeof(ShapeDef), sizeof(WorldDef), sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
+                     ContactRecord, ContactInfo, PairAnswer, Island, JointInfo, JointAxisRule, JointAxisState,
+                     Character>(hash);
+    for (const std::size_t size : {sizeof(State), sizeof(BodyMotion), sizeof(CountedPose), sizeof(BodyMass),
+                                   sizeof(ContactRecord), sizeof(ContactInfo), sizeof(PairAnswer), sizeof(Island),
+                                   sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef),
+                                   sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef), sizeof(Character)})
         hash.add(size);
     return hash.value();
 }

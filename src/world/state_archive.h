@@ -35,13 +35,14 @@ inline ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::
     return pose;
 }
 
-CAIRN_ARCHIVES_MEMBERS(13, State);
+CAIRN_ARCHIVES_MEMBERS(14, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
 CAIRN_ARCHIVES_MEMBERS(4, Contacts);
 CAIRN_ARCHIVES_MEMBERS(5, Islands);
 CAIRN_ARCHIVES_MEMBERS(4, Joints);
 CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
+CAIRN_ARCHIVES_MEMBERS(1, Characters);
 
 template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.bodies.motion), archive(s.bodies.forces), archive(s.bodies.pushed), archive(s.bodies.links);
@@ -53,6 +54,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
     archive(s.islands.falling_asleep), archive(s.islands.waking);
+    archive(s.characters.all);
 }
 
 static_assert(sizeof(ContactRecord) == 192, "ContactRecord has another member: used_record keeps or clears it");

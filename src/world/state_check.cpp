@@ -4,6 +4,7 @@
 #include "core/sound.h"
 #include "islands/coloring.h"
 #include "state/joint_links.h"
+#include "world/character_rules.h"
 
 #include <cmath>
 #include <optional>
@@ -24,6 +25,7 @@ class StateCheck final : PairReader {
         check_bodies();
         check_islands();
         check_shapes();
+        check_characters();
         check_joints();
         pair_of_.assign(contacts_.info.size(), {no_shape, no_shape});
         s_.broad_phase.check(shape_count_, *this);
@@ -71,6 +73,27 @@ class StateCheck final : PairReader {
         }
         for (std::size_t k = 0; k < bodies_.pushed.size(); ++k)
             require_sound(is_body(bodies_.pushed[k]), {"bodies.pushed", k}, bodies_.pushed[k], "must be a body");
+    }
+
+    void check_characters() const {
+        std::int32_t last = none;
+        for (std::size_t i = 0; i < s_.characters.all.size(); ++i) {
+            const Character& c = s_.characters.all[i];
+            require_sound(c.body > last && is_body(c.body) && is_live_body(c.body) &&
+                              bodies_.settings[c.body].type == BodyType::kinematic,
+                          {"characters", i, "body"}, c.body, "must be a kinematic body behind that of the one before");
+            last = c.body;
+            const std::int32_t ground = c.ground_shape;
+            require_sound(c.ground_body == none ? ground == none
+                                                : is_body(c.ground_body) && is_live_body(c.ground_body) &&
+                                                      std::uint32_t(ground) < shape_count_ &&
+                                                      shapes_.slots.is_live(std::uint32_t(ground)) &&
+                                                      shapes_.links[ground].body == c.ground_body,
+                          {"characters", i, "ground_shape"}, ground, "must be a shape of its ground");
+            require_sound(c.support <= CharacterSupport::ground, {"characters", i, "support"}, int(c.support),
+                          "must be one of the enumerators");
+            require_sound(is_sound_character(c), {"characters", i}, 0, "must be as `Body::set_character` lets it be");
+        }
     }
 
     void check_island_list(std::int32_t i) {

@@ -2,6 +2,7 @@
 // something whirls and touches (see bodies/motion_budget.h), it is several.
 #include "bodies/finalize.h"
 #include "bodies/motion_budget.h"
+#include "character/move_characters.h"
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
@@ -73,6 +74,9 @@ void World::Impl::make_step(float dt) {
     times = {};
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
+    move_characters(
+        {state.settings, state.bodies, state.shapes, state.islands, state.broad_phase, state.events, state.characters},
+        step.characters, dt);
     wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
     update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
                  state.events, step.thread_pool.get());

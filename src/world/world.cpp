@@ -195,8 +195,9 @@ void World::destroy_body(BodyId id) {
     wake_body(s.bodies, s.islands, s.events, b);
     impl_->retire_joints_of(b);
     for (std::int32_t shape = s.bodies.links[b].first_shape; shape != none; shape = s.shapes.links[shape].next)
-        retire_shape(s.shapes, s.broad_phase, std::uint32_t(shape));
+        retire_shape(s.shapes, s.broad_phase, s.characters, std::uint32_t(shape));
     if (s.bodies.links[b].island != none) remove_from_island(s.bodies, s.islands, b);
+    std::erase_if(s.characters.all, [&](const Character& c) { return c.body == b; });
     std::erase(s.bodies.kinematics, b);
     s.bodies.slots.kill(std::uint32_t(b));
     s.bodies.dead.push_back(std::uint32_t(b));

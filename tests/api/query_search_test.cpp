@@ -99,7 +99,7 @@ TEST(QuerySearch, CastsMeetTheFirstOfAllThatEachAloneMeets) {
             const Vec3 way = k % 10 == 0 ? Vec3(0.0f) : chance.in_box(chance.between(0.1f, 20));
             std::optional<ShapeCastHit> first;
             for (unsigned i = 0; i < layer_count; ++i) {
-                const auto alone = world.cast_shape(shape, start, way, std::uint64_t(1) << i);
+                const auto alone = world.cast_shape(shape, start, way, {.layers = std::uint64_t(1) << i});
                 if (alone && (!first || alone->fraction < first->fraction)) first = alone;
             }
             const auto hit = world.cast_shape(shape, start, way);
@@ -120,7 +120,9 @@ TEST(QuerySearch, CastsMeetTheFirstOfAllThatEachAloneMeets) {
             // They touch there, and not before. (Surfaces may be crossed from behind before they are met.)
             const auto overlaps = [&](float off) {
                 const Position at = start.position + hit->fraction * Position(way) + Position(off * hit->normal);
-                return !world.overlap(shape, {at, start.rotation}, world.shape_def(hit->shape).filter.layers).empty();
+                return !world
+                            .overlap(shape, {at, start.rotation}, {.layers = world.shape_def(hit->shape).filter.layers})
+                            .empty();
             };
             EXPECT_TRUE(overlaps(-1e-5f)) << seed << ' ' << k;
             if (is_solid(world, hit->shape)) {
@@ -144,7 +146,7 @@ TEST(QuerySearch, ClosestPointsAreThoseOfTheNearestAlone) {
             const double most = double(chance.between(0, 8));
             std::optional<ClosestPoint> nearest;
             for (unsigned i = 0; i < layer_count; ++i) {
-                const auto alone = world.closest_point(from, most, std::uint64_t(1) << i);
+                const auto alone = world.closest_point(from, most, {.layers = std::uint64_t(1) << i});
                 if (alone && (!nearest || alone->distance < nearest->distance)) nearest = alone;
             }
             const auto hit = world.closest_point(from, most);
@@ -157,7 +159,7 @@ TEST(QuerySearch, ClosestPointsAreThoseOfTheNearestAlone) {
             const auto layer = world.shape_def(hit->shape).filter.layers;
             if (!(hit->distance > 1e-3)) continue;
             const auto overlaps = [&](double radius) {
-                return !world.overlap(Sphere{float(radius)}, {from, Quat(1, 0, 0, 0)}, layer).empty();
+                return !world.overlap(Sphere{float(radius)}, {from, Quat(1, 0, 0, 0)}, {.layers = layer}).empty();
             };
             EXPECT_TRUE(overlaps(hit->distance + 1e-5)) << seed << ' ' << k;
             EXPECT_FALSE(overlaps(hit->distance - 1e-5)) << seed << ' ' << k;
@@ -177,7 +179,8 @@ TEST(QuerySearch, OverlapsAreThoseOfEachAlone) {
             const Transform pose{center + Position(chance.in_box(6)), chance.rotation()};
             std::vector<ShapeId> alone;
             for (unsigned i = 0; i < layer_count; ++i)
-                for (const ShapeId id : world.overlap(shape, pose, std::uint64_t(1) << i)) alone.push_back(id);
+                for (const ShapeId id : world.overlap(shape, pose, {.layers = std::uint64_t(1) << i}))
+                    alone.push_back(id);
             std::sort(alone.begin(), alone.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
             ASSERT_EQ(world.overlap(shape, pose), alone) << seed << ' ' << k;
             found += alone.size();

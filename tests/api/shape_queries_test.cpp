@@ -256,16 +256,16 @@ TEST(Layers, QueriesSeeOnlyTheirs) {
     add_body(world, body_at({0, 5, 0}), Sphere{}, def);
     for (const std::uint64_t layers : {all_layers, std::uint64_t(4), std::uint64_t(6), std::uint64_t(2)}) {
         const bool sees = layers != 2;
-        const auto ray = world.cast_ray({0, 10, 0}, {0, -1, 0}, 20, layers);
+        const auto ray = world.cast_ray({0, 10, 0}, {0, -1, 0}, 20, {.layers = layers});
         EXPECT_EQ(bool(ray), sees);
         if (ray) {
             EXPECT_EQ(ray->body, body) << "not the trigger";
         }
-        EXPECT_EQ(world.cast_ray_all({0, 10, 0}, {0, -1, 0}, 20, layers).size(), sees ? 1u : 0u);
-        EXPECT_EQ(bool(world.cast_shape(Sphere{0.1f}, at({0, 10, 0}), {0, -20, 0}, layers)), sees);
-        EXPECT_EQ(bool(world.closest_point({0, 3, 0}, 10, layers)), sees);
-        EXPECT_EQ(world.overlap(Sphere{20}, at({0, 0, 0}), layers).size(), sees ? 1u : 0u);
-        EXPECT_EQ(world.overlap_bounds({{-9, -9, -9}, {9, 9, 9}}, layers).size(), sees ? 1u : 0u);
+        EXPECT_EQ(world.cast_ray_all({0, 10, 0}, {0, -1, 0}, 20, {.layers = layers}).size(), sees ? 1u : 0u);
+        EXPECT_EQ(bool(world.cast_shape(Sphere{0.1f}, at({0, 10, 0}), {0, -20, 0}, {.layers = layers})), sees);
+        EXPECT_EQ(bool(world.closest_point({0, 3, 0}, 10, {.layers = layers})), sees);
+        EXPECT_EQ(world.overlap(Sphere{20}, at({0, 0, 0}), {.layers = layers}).size(), sees ? 1u : 0u);
+        EXPECT_EQ(world.overlap_bounds({{-9, -9, -9}, {9, 9, 9}}, {.layers = layers}).size(), sees ? 1u : 0u);
     }
 }
 

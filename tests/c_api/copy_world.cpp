@@ -59,6 +59,15 @@ void copy_body(const cairn_world* from, cairn_body_id body, cairn_world* to, cai
         if (shape.kind == CAIRN_SHAPE_HEIGHT_FIELD)
             cairn_geometry_release(const_cast<cairn_geometry*>(shape.as.height_field.geometry));
     }
+    bool is_character = false;
+    CAIRN_CALL(cairn_body_is_character(from, body, &is_character));
+    if (!is_character) return;
+    cairn_character_def character = cairn_default_character_def();
+    cairn_vec3 walk;
+    CAIRN_CALL(cairn_body_get_character(from, body, &character));
+    CAIRN_CALL(cairn_body_get_walk_velocity(from, body, &walk));
+    CAIRN_CALL(cairn_body_set_character(to, *made, &character));
+    CAIRN_CALL(cairn_body_set_walk_velocity(to, *made, walk));
 }
 
 void copy_joint(const cairn_world* from, cairn_joint_id joint, cairn_world* to,

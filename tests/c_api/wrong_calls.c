@@ -718,6 +718,108 @@ static cairn_result body_apply_angular_impulse(const struct wrong_context* c, in
     return cairn_body_apply_angular_impulse(world, body, impulse);
 }
 
+static cairn_result body_is_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    bool result_room[4];
+    bool* result = result_room;
+    if (wrong == 3) { result = NULL; }
+    return cairn_body_is_character(world, body, result);
+}
+
+static cairn_result body_get_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_def character_room[4] = {cairn_default_character_def()};
+    cairn_character_def* character = character_room;
+    if (wrong == 3) { character = NULL; }
+    if (wrong == 4) { character_room[0].struct_size = 1; }
+    return cairn_body_get_character(world, body, character);
+}
+
+static cairn_result body_set_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_def def_value = cairn_default_character_def();
+    const cairn_character_def* def = &def_value;
+    if (wrong == 3) { def = NULL; }
+    if (wrong == 4) { def_value.struct_size = 0; }
+    if (wrong == 5) { def_value.struct_size = sizeof(cairn_character_def) + 8; }
+    if (wrong == 6) { def_value.up.y = NAN; }
+    if (wrong == 7) { def_value.max_slope = NAN; }
+    if (wrong == 8) { def_value.step_height = NAN; }
+    if (wrong == 9) { def_value.stick_distance = NAN; }
+    if (wrong == 10) { def_value.skin = NAN; }
+    if (wrong == 11) { def_value.mass = NAN; }
+    if (wrong == 12) { def_value.max_push_force = NAN; }
+    if (wrong == 13) { def_value.air_acceleration = NAN; }
+    return cairn_body_set_character(world, body, def);
+}
+
+static cairn_result body_remove_character(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    return cairn_body_remove_character(world, body);
+}
+
+static cairn_result body_get_walk_velocity(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_vec3 walk_velocity_room[4];
+    cairn_vec3* walk_velocity = walk_velocity_room;
+    if (wrong == 3) { walk_velocity = NULL; }
+    return cairn_body_get_walk_velocity(world, body, walk_velocity);
+}
+
+static cairn_result body_set_walk_velocity(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_vec3 velocity = c->vec3;
+    if (wrong == 3) { velocity.y = NAN; }
+    return cairn_body_set_walk_velocity(world, body, velocity);
+}
+
+static cairn_result body_jump(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    float speed = 1.0f;
+    if (wrong == 3) { speed = NAN; }
+    return cairn_body_jump(world, body, speed);
+}
+
+static cairn_result body_character_state(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    cairn_character_state result_room[4];
+    cairn_character_state* result = result_room;
+    if (wrong == 3) { result = NULL; }
+    return cairn_body_character_state(world, body, result);
+}
+
 static cairn_result world_create_joint(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -1110,14 +1212,18 @@ static cairn_result world_cast_ray(const struct wrong_context* c, int wrong) {
     if (wrong == 2) { direction.y = NAN; }
     double max_distance = 1.0;
     if (wrong == 3) { max_distance = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 4) { filter_value.struct_size = 0; }
+    if (wrong == 5) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_ray_hit result_room[4];
     cairn_ray_hit* result = result_room;
-    if (wrong == 4) { result = NULL; }
+    if (wrong == 7) { result = NULL; }
     bool found_room[4];
     bool* found = found_room;
-    if (wrong == 5) { found = NULL; }
-    return cairn_world_cast_ray(world, origin, direction, max_distance, layers, result, found);
+    if (wrong == 8) { found = NULL; }
+    return cairn_world_cast_ray(world, origin, direction, max_distance, filter, result, found);
 }
 
 static cairn_result world_cast_ray_all(const struct wrong_context* c, int wrong) {
@@ -1129,15 +1235,19 @@ static cairn_result world_cast_ray_all(const struct wrong_context* c, int wrong)
     if (wrong == 2) { direction.y = NAN; }
     double max_distance = 1.0;
     if (wrong == 3) { max_distance = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 4) { filter_value.struct_size = 0; }
+    if (wrong == 5) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 6) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_ray_hit result_room[4];
     cairn_ray_hit* result = result_room;
-    if (wrong == 4) { result = NULL; }
+    if (wrong == 7) { result = NULL; }
     size_t capacity = 4;
     size_t count_room[4];
     size_t* count = count_room;
-    if (wrong == 5) { count = NULL; }
-    return cairn_world_cast_ray_all(world, origin, direction, max_distance, layers, result, capacity, count);
+    if (wrong == 8) { count = NULL; }
+    return cairn_world_cast_ray_all(world, origin, direction, max_distance, filter, result, capacity, count);
 }
 
 static cairn_result world_cast_shape(const struct wrong_context* c, int wrong) {
@@ -1169,14 +1279,18 @@ static cairn_result world_cast_shape(const struct wrong_context* c, int wrong) {
     if (wrong == 21) { start.rotation.w = NAN; }
     cairn_vec3 translation = c->vec3;
     if (wrong == 22) { translation.y = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 23) { filter_value.struct_size = 0; }
+    if (wrong == 24) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 25) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_cast_hit result_room[4];
     cairn_shape_cast_hit* result = result_room;
-    if (wrong == 23) { result = NULL; }
+    if (wrong == 26) { result = NULL; }
     bool found_room[4];
     bool* found = found_room;
-    if (wrong == 24) { found = NULL; }
-    return cairn_world_cast_shape(world, shape, start, translation, layers, result, found);
+    if (wrong == 27) { found = NULL; }
+    return cairn_world_cast_shape(world, shape, start, translation, filter, result, found);
 }
 
 static cairn_result world_closest_point(const struct wrong_context* c, int wrong) {
@@ -1186,14 +1300,18 @@ static cairn_result world_closest_point(const struct wrong_context* c, int wrong
     if (wrong == 1) { point.z = NAN; }
     double max_distance = 1.0;
     if (wrong == 2) { max_distance = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 3) { filter_value.struct_size = 0; }
+    if (wrong == 4) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_closest_point result_room[4];
     cairn_closest_point* result = result_room;
-    if (wrong == 3) { result = NULL; }
+    if (wrong == 6) { result = NULL; }
     bool found_room[4];
     bool* found = found_room;
-    if (wrong == 4) { found = NULL; }
-    return cairn_world_closest_point(world, point, max_distance, layers, result, found);
+    if (wrong == 7) { found = NULL; }
+    return cairn_world_closest_point(world, point, max_distance, filter, result, found);
 }
 
 static cairn_result world_overlap(const struct wrong_context* c, int wrong) {
@@ -1223,15 +1341,19 @@ static cairn_result world_overlap(const struct wrong_context* c, int wrong) {
     cairn_transform pose = c->transform;
     if (wrong == 20) { pose.position.z = NAN; }
     if (wrong == 21) { pose.rotation.w = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 22) { filter_value.struct_size = 0; }
+    if (wrong == 23) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 24) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_id result_room[4];
     cairn_shape_id* result = result_room;
-    if (wrong == 22) { result = NULL; }
+    if (wrong == 25) { result = NULL; }
     size_t capacity = 4;
     size_t count_room[4];
     size_t* count = count_room;
-    if (wrong == 23) { count = NULL; }
-    return cairn_world_overlap(world, shape, pose, layers, result, capacity, count);
+    if (wrong == 26) { count = NULL; }
+    return cairn_world_overlap(world, shape, pose, filter, result, capacity, count);
 }
 
 static cairn_result world_overlap_bounds(const struct wrong_context* c, int wrong) {
@@ -1240,15 +1362,19 @@ static cairn_result world_overlap_bounds(const struct wrong_context* c, int wron
     cairn_bounds bounds = c->bounds;
     if (wrong == 1) { bounds.min.z = NAN; }
     if (wrong == 2) { bounds.max.z = NAN; }
-    uint64_t layers = UINT64_MAX;
+    cairn_query_filter filter_value = cairn_default_query_filter();
+    const cairn_query_filter* filter = &filter_value;
+    if (wrong == 3) { filter_value.struct_size = 0; }
+    if (wrong == 4) { filter_value.struct_size = sizeof(cairn_query_filter) + 8; }
+    if (wrong == 5) { filter_value.ignored_bodies = NULL; filter_value.ignored_body_count = 2; }
     cairn_shape_id result_room[4];
     cairn_shape_id* result = result_room;
-    if (wrong == 3) { result = NULL; }
+    if (wrong == 6) { result = NULL; }
     size_t capacity = 4;
     size_t count_room[4];
     size_t* count = count_room;
-    if (wrong == 4) { count = NULL; }
-    return cairn_world_overlap_bounds(world, bounds, layers, result, capacity, count);
+    if (wrong == 7) { count = NULL; }
+    return cairn_world_overlap_bounds(world, bounds, filter, result, capacity, count);
 }
 
 static cairn_result world_broad_phase_nodes(const struct wrong_context* c, int wrong) {
@@ -1873,6 +1999,48 @@ const struct wrong_call wrong_calls[] = {
     {"body_apply_angular_impulse", "body is stale", body_apply_angular_impulse, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_apply_angular_impulse", "body is null", body_apply_angular_impulse, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_apply_angular_impulse", "impulse.y is NaN", body_apply_angular_impulse, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_is_character", "world is null", body_is_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "body is stale", body_is_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "body is null", body_is_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_is_character", "result is null", body_is_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_get_character", "world is null", body_get_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "body is stale", body_get_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "body is null", body_get_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_character", "character is null", body_get_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_get_character", "character.struct_size is 1", body_get_character, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "world is null", body_set_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "body is stale", body_set_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "body is null", body_set_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_character", "def is null", body_set_character, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.struct_size is 0", body_set_character, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.struct_size is sizeof(cairn_character_def) + 8", body_set_character, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.up.y is NaN", body_set_character, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.max_slope is NaN", body_set_character, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.step_height is NaN", body_set_character, 8, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.stick_distance is NaN", body_set_character, 9, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.skin is NaN", body_set_character, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.mass is NaN", body_set_character, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.max_push_force is NaN", body_set_character, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_character", "def_value.air_acceleration is NaN", body_set_character, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"body_remove_character", "world is null", body_remove_character, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_remove_character", "body is stale", body_remove_character, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_remove_character", "body is null", body_remove_character, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "world is null", body_get_walk_velocity, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "body is stale", body_get_walk_velocity, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "body is null", body_get_walk_velocity, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_walk_velocity", "walk_velocity is null", body_get_walk_velocity, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_walk_velocity", "world is null", body_set_walk_velocity, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "body is stale", body_set_walk_velocity, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "body is null", body_set_walk_velocity, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_walk_velocity", "velocity.y is NaN", body_set_walk_velocity, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_jump", "world is null", body_jump, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "body is stale", body_jump, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "body is null", body_jump, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_jump", "speed is NaN", body_jump, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_character_state", "world is null", body_character_state, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "body is stale", body_character_state, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "body is null", body_character_state, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_character_state", "result is null", body_character_state, 3, CAIRN_ERROR_INVALID_VALUE},
     {"world_create_joint", "world is null", world_create_joint, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_create_joint", "def is null", world_create_joint, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_create_joint", "def_value.struct_size is 0", world_create_joint, 2, CAIRN_ERROR_INVALID_VALUE},
@@ -2171,14 +2339,20 @@ const struct wrong_call wrong_calls[] = {
     {"world_cast_ray", "origin.z is NaN", world_cast_ray, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_ray", "direction.y is NaN", world_cast_ray, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_ray", "max_distance is NaN", world_cast_ray, 3, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_ray", "result is null", world_cast_ray, 4, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_ray", "found is null", world_cast_ray, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray", "filter_value.struct_size is 0", world_cast_ray, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_cast_ray, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray", "filter_value.ignored_bodies is null", world_cast_ray, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray", "result is null", world_cast_ray, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray", "found is null", world_cast_ray, 8, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_ray_all", "world is null", world_cast_ray_all, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_cast_ray_all", "origin.z is NaN", world_cast_ray_all, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_ray_all", "direction.y is NaN", world_cast_ray_all, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_ray_all", "max_distance is NaN", world_cast_ray_all, 3, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_ray_all", "result is null", world_cast_ray_all, 4, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_ray_all", "count is null", world_cast_ray_all, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray_all", "filter_value.struct_size is 0", world_cast_ray_all, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray_all", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_cast_ray_all, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray_all", "filter_value.ignored_bodies is null", world_cast_ray_all, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray_all", "result is null", world_cast_ray_all, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_ray_all", "count is null", world_cast_ray_all, 8, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_shape", "world is null", world_cast_shape, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_cast_shape", "shape is null", world_cast_shape, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_shape", "shape_value.kind is -1", world_cast_shape, 2, CAIRN_ERROR_INVALID_VALUE},
@@ -2202,13 +2376,19 @@ const struct wrong_call wrong_calls[] = {
     {"world_cast_shape", "start.position.z is NaN", world_cast_shape, 20, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_shape", "start.rotation.w is NaN", world_cast_shape, 21, CAIRN_ERROR_INVALID_VALUE},
     {"world_cast_shape", "translation.y is NaN", world_cast_shape, 22, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_shape", "result is null", world_cast_shape, 23, CAIRN_ERROR_INVALID_VALUE},
-    {"world_cast_shape", "found is null", world_cast_shape, 24, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_shape", "filter_value.struct_size is 0", world_cast_shape, 23, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_shape", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_cast_shape, 24, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_shape", "filter_value.ignored_bodies is null", world_cast_shape, 25, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_shape", "result is null", world_cast_shape, 26, CAIRN_ERROR_INVALID_VALUE},
+    {"world_cast_shape", "found is null", world_cast_shape, 27, CAIRN_ERROR_INVALID_VALUE},
     {"world_closest_point", "world is null", world_closest_point, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_closest_point", "point.z is NaN", world_closest_point, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_closest_point", "max_distance is NaN", world_closest_point, 2, CAIRN_ERROR_INVALID_VALUE},
-    {"world_closest_point", "result is null", world_closest_point, 3, CAIRN_ERROR_INVALID_VALUE},
-    {"world_closest_point", "found is null", world_closest_point, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_closest_point", "filter_value.struct_size is 0", world_closest_point, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_closest_point", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_closest_point, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_closest_point", "filter_value.ignored_bodies is null", world_closest_point, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_closest_point", "result is null", world_closest_point, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_closest_point", "found is null", world_closest_point, 7, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap", "world is null", world_overlap, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_overlap", "shape is null", world_overlap, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap", "shape_value.kind is -1", world_overlap, 2, CAIRN_ERROR_INVALID_VALUE},
@@ -2231,13 +2411,19 @@ const struct wrong_call wrong_calls[] = {
     {"world_overlap", "shape_value.as.height_field.geometry is null", world_overlap, 19, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap", "pose.position.z is NaN", world_overlap, 20, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap", "pose.rotation.w is NaN", world_overlap, 21, CAIRN_ERROR_INVALID_VALUE},
-    {"world_overlap", "result is null", world_overlap, 22, CAIRN_ERROR_INVALID_VALUE},
-    {"world_overlap", "count is null", world_overlap, 23, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap", "filter_value.struct_size is 0", world_overlap, 22, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_overlap, 23, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap", "filter_value.ignored_bodies is null", world_overlap, 24, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap", "result is null", world_overlap, 25, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap", "count is null", world_overlap, 26, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap_bounds", "world is null", world_overlap_bounds, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_overlap_bounds", "bounds.min.z is NaN", world_overlap_bounds, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap_bounds", "bounds.max.z is NaN", world_overlap_bounds, 2, CAIRN_ERROR_INVALID_VALUE},
-    {"world_overlap_bounds", "result is null", world_overlap_bounds, 3, CAIRN_ERROR_INVALID_VALUE},
-    {"world_overlap_bounds", "count is null", world_overlap_bounds, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap_bounds", "filter_value.struct_size is 0", world_overlap_bounds, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap_bounds", "filter_value.struct_size is sizeof(cairn_query_filter) + 8", world_overlap_bounds, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap_bounds", "filter_value.ignored_bodies is null", world_overlap_bounds, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap_bounds", "result is null", world_overlap_bounds, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_overlap_bounds", "count is null", world_overlap_bounds, 7, CAIRN_ERROR_INVALID_VALUE},
     {"world_broad_phase_nodes", "world is null", world_broad_phase_nodes, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_broad_phase_nodes", "result is null", world_broad_phase_nodes, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_broad_phase_nodes", "count is null", world_broad_phase_nodes, 2, CAIRN_ERROR_INVALID_VALUE},

@@ -96,6 +96,8 @@ std::vector<std::pair<const char*, std::function<void(Body)>>> calls_of_body() {
         {"apply_impulse", [](Body b) { b.apply_impulse(Vec3(1.0f)); }},
         {"apply_impulse_at", [](Body b) { b.apply_impulse_at(Vec3(1.0f), Position(0.0)); }},
         {"apply_angular_impulse", [](Body b) { b.apply_angular_impulse(Vec3(1.0f)); }},
+        {"set_character", [](Body b) { b.set_character({}); }},
+        {"character_state", [](Body b) { b.character_state(); }},
     };
 }
 

@@ -68,17 +68,20 @@ const std::map<std::string, CCallCount>& c_call_counts() {
     return counts();
 }
 
-// Three bodies with a box each, a joint and a force field, so that every call has what it may be about.
+// Four bodies with a box each, of which one is a character, a joint and a force field, so that every call has what it
+// may be about.
 static void furnish(CBytes& bytes, cairn_world* world) {
     const cairn_shape box = cairn_default_shape(CAIRN_SHAPE_BOX);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i) {
         cairn_body_def def = cairn_default_body_def();
-        def.type = i == 0 ? CAIRN_BODY_TYPE_STATIC : CAIRN_BODY_TYPE_DYNAMIC;
+        def.type = i == 0 ? CAIRN_BODY_TYPE_STATIC : i == 1 ? CAIRN_BODY_TYPE_KINEMATIC : CAIRN_BODY_TYPE_DYNAMIC;
         def.position.y = i;
         cairn_shape_id shape;
         require(cairn_world_create_body(world, &def, &bytes.bodies.emplace_back()) == CAIRN_OK, "a body");
         require(cairn_world_add_shape(world, bytes.bodies.back(), &box, nullptr, &shape) == CAIRN_OK, "a shape");
         bytes.shapes.push_back(shape);
+        const cairn_character_def walks = cairn_default_character_def();
+        if (i == 1) require(cairn_body_set_character(world, bytes.bodies.back(), &walks) == CAIRN_OK, "a character");
     }
     cairn_joint_def joint = cairn_default_joint_def();
     joint.body_a = bytes.bodies[bytes.bodies.size() - 2];

@@ -60,6 +60,44 @@ class Steps(unittest.TestCase):
         many.step(n=0)
         self.assertEqual(many.step_count, 90)
 
+    def test_a_character_walks_climbs_and_jumps(self):
+        world = cairn.World()
+        world.add_shape(world.create_body(type="static"), cairn.Plane())
+        step = world.create_body(type="static", position=(3, 0.1, 0))
+        world.add_shape(step, cairn.Box((1, 0.1, 1)))
+        figure = world.create_body(type="kinematic", position=(0, 0.82, 0))
+        world.add_shape(figure, cairn.Capsule(0.5, 0.3))
+        body = world.body(figure)
+        self.assertFalse(body.is_character)
+        body.character = cairn.CharacterDef(step_height=0.25)
+        self.assertAlmostEqual(body.character.step_height, 0.25)
+        body.walk_velocity = (2, 0, 0)
+        world.step(n=90)
+        self.assertAlmostEqual(body.position[0], 3, delta=0.05)
+        self.assertAlmostEqual(body.position[1], 1.02, delta=0.002)
+        state = body.character_state
+        self.assertEqual(state.support, cairn.CharacterSupport.ground)
+        self.assertEqual(state.ground_body, step)
+        body.jump(3)
+        world.step(n=10)
+        self.assertEqual(body.character_state.support, cairn.CharacterSupport.none)
+        self.assertGreater(body.position[1], 1.3)
+        with self.assertRaises(cairn.InvalidValueError):
+            body.character = cairn.CharacterDef(skin=-1)
+        body.remove_character()
+        self.assertFalse(body.is_character)
+
+    def test_queries_heed_their_filters(self):
+        world, ground, box = crate()
+        down = ((0, 9, 0), (0, -1, 0), 20)
+        self.assertEqual(world.cast_ray(*down).body, box)
+        self.assertEqual(world.cast_ray(*down, dynamic_bodies=False).body, ground)
+        self.assertEqual(world.cast_ray(*down, cairn.QueryFilter(ignored_bodies=[box])).body, ground)
+        self.assertIsNone(world.cast_ray(*down, layers=2))
+        self.assertEqual(len(world.cast_ray_all(*down, any=True)), 1)
+        with self.assertRaises(cairn.InvalidHandleError):
+            world.cast_ray(*down, ignored_bodies=[cairn.BodyId()])
+
     def test_other_threads_of_python_run_during_a_step_and_are_kept_from_its_world(self):
         world = cairn.load(SCENES / "13_pile.gltf")
         counted, refused, done = 0, [], threading.Event()

@@ -130,9 +130,10 @@ TEST(DamagedRecording, ThatIsCutAtAnyByteOfItsLastChunkHasAllThatCameBefore) {
         ASSERT_EQ(cut.info().steps, size < last.offset + last.size ? before : run.hashes.size() - 1) << size;
         if (size % 499 != 0) continue;
         Replay replay(cut);
-        while (replay.step()) {}
+        std::uint64_t last = 0; // after a step: it may be followed by changes
+        while (replay.step()) last = replay.world().state_hash();
         EXPECT_FALSE(replay.divergence());
-        EXPECT_EQ(replay.world().state_hash(), run.hashes[std::size_t(replay.steps())]);
+        EXPECT_EQ(last, run.hashes[std::size_t(replay.steps())]);
     }
 }
 

@@ -84,6 +84,23 @@ void RandomChanges::create(World& world) {
     }
 }
 
+void RandomChanges::change_character(Body body) {
+    if (!body.is_character() || pick(5) == 0) {
+        CharacterDef def;
+        def.step_height = 0.4f;
+        def.flies = pick(5) == 0;
+        return body.set_character(def);
+    }
+    switch (pick(4)) {
+    case 0:
+        return body.remove_character();
+    case 1:
+        return body.jump(3.0f);
+    default:
+        return body.set_walk_velocity(vector(3.0f));
+    }
+}
+
 void RandomChanges::change_body(World& world, BodyId id) {
     Body body = world.body(id);
     const bool is_dynamic = body.type() == BodyType::dynamic;
@@ -109,6 +126,7 @@ void RandomChanges::change_body(World& world, BodyId id) {
     case 9:
         return body.wake();
     case 10:
+        if (body.is_character()) body.remove_character();
         return body.set_type(BodyType(pick(3)));
     case 11:
         if (body.type() != BodyType::kinematic) return;
@@ -116,6 +134,7 @@ void RandomChanges::change_body(World& world, BodyId id) {
     default:
         break;
     }
+    if (body.type() == BodyType::kinematic) return change_character(body);
     if (!is_dynamic) return;
     switch (pick(8)) {
     case 0:

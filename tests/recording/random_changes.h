@@ -36,6 +36,7 @@ class RandomChanges {
     Shape solid();
     Joint joint();
     void create(World& world);
+    void change_character(Body body);
     void change_body(World& world, BodyId id);
     void change_shapes(World& world, BodyId id);
     void change_joints(World& world);

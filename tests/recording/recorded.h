@@ -58,6 +58,8 @@ inline RecordedRun record_changes(std::uint32_t seed, int changes, recording::Re
         random.change(world);
         if (recorder.steps() > before) run.hashes.push_back(world.state_hash());
     }
+    world.step(1.0f / 60.0f); // so that no change is left behind the last step
+    run.hashes.push_back(world.state_hash());
     recorder.close();
     run.bytes = file.bytes();
     return run;

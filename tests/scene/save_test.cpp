@@ -145,6 +145,48 @@ TEST(SceneSave, EverythingAFileCanSay) {
 }
 
 // Of bodies of any type; a body that was removed leaves its group, which ends where it leaves one alone.
+TEST(SceneSave, Characters) {
+    Scene scene{World(), {}, {}, {}, {}};
+    BodyDef def;
+    def.type = BodyType::kinematic;
+    const CharacterDef mine{.up = {0, 0, 1}, .max_slope = 0.5f, .step_height = 0.1f, .skin = 0.01f, .flies = true};
+    for (int i = 0; i < 2; ++i) {
+        const BodyId body = scene.world.create_body(def);
+        scene.world.add_shape(body, Capsule{});
+        scene.world.body(body).set_character(i == 0 ? CharacterDef{} : mine);
+    }
+    scene.world.body(scene.world.bodies()[1]).set_walk_velocity({1, 2, 3});
+    const std::string text = scene::save_to_string(scene);
+    Scene again = load_text(text);
+    EXPECT_TRUE(again.warnings.empty());
+    EXPECT_EQ(scene::save_to_string(again), text);
+    const std::vector<BodyId> all = again.world.bodies();
+    ASSERT_TRUE(again.world.body(all[0]).is_character() && again.world.body(all[1]).is_character());
+    EXPECT_EQ(again.world.body(all[0]).character().step_height, CharacterDef{}.step_height);
+    const CharacterDef read = again.world.body(all[1]).character();
+    EXPECT_EQ(read.up, mine.up);
+    EXPECT_EQ(read.max_slope, mine.max_slope);
+    EXPECT_EQ(read.step_height, mine.step_height);
+    EXPECT_EQ(read.skin, mine.skin);
+    EXPECT_TRUE(read.flies);
+    EXPECT_EQ(again.world.body(all[1]).walk_velocity(), Vec3(1, 2, 3));
+    // What no character can have is refused where it stands.
+    for (const auto& [from, to] : {std::pair("\"skin\":0.01", "\"skin\":-1"), std::pair("\"skin\":0.01", "\"skin\":7"),
+                                   std::pair("\"flies\":true", "\"flies\":3")}) {
+        std::string wrong = text;
+        const std::size_t at = wrong.find(from);
+        ASSERT_NE(at, std::string::npos) << from << " in " << text;
+        wrong.replace(at, std::string(from).size(), to);
+        try {
+            load_text(wrong);
+            ADD_FAILURE() << to << " was taken";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::invalid_file);
+            EXPECT_NE(std::string(error.what()).find("character"), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(SceneSave, GroupsOfBodies) {
     Scene scene{World(), {}, {}, {}, {}};
     std::vector<BodyId> bodies;

@@ -155,6 +155,32 @@ TEST(Stage, ASceneThatCannotBeLoadedLeavesThePresentOne) {
     EXPECT_EQ(body_count(stage), 6u);
 }
 
+TEST(Stage, WhereThereIsACharacterTheKeysOfForcesWalkIt) {
+    const auto load = [](const std::string&) {
+        LoadedScene scene = test::load_boxes("1");
+        BodyDef def;
+        def.type = BodyType::kinematic;
+        def.position = {0.0, 0.82, 5.0};
+        const BodyId walker = scene.world.create_body(def);
+        scene.world.add_shape(walker, Capsule{0.5f, 0.3f});
+        scene.world.body(walker).set_character({});
+        return scene;
+    };
+    Stage stage(load, "walk");
+    const double before = position_of(stage, 1).x;
+    stage.apply(command::SetForce{{-40.0f, 0.0f, 0.0f}});
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_NEAR(position_of(stage, 2).x, -3.0, 0.1);
+    EXPECT_NEAR(position_of(stage, 1).x, before, 1e-3) << "boxes are left alone";
+    stage.apply(command::SetForce{{0.0f, 40.0f, 0.0f}});
+    for (int i = 0; i < 20; ++i) stage.step();
+    EXPECT_GT(position_of(stage, 2).y, 1.5);
+    stage.apply(command::SetForce{});
+    for (int i = 0; i < 90; ++i) stage.step();
+    EXPECT_NEAR(position_of(stage, 2).x, -3.0, 0.1) << "and stands when it is let go";
+    EXPECT_NEAR(position_of(stage, 2).y, 0.82, 0.01);
+}
+
 TEST(Stage, ForceAcceleratesEveryBodyAlike) {
     Stage stage(test::load_boxes, "0");
     stage.apply(command::Spawn{large_sphere_preset(), {0.0, 50.0, 0.0}});

@@ -104,13 +104,13 @@ const wrong = [
     ['a ray of no direction', (w) => w.castRay([0, 9, 0], [0, 0, 0], 10), { code: 'invalidValue' }],
     [
         'layers below zero',
-        (w) => w.castRay([0, 9, 0], [0, -1, 0], 10, -1n),
-        { code: 'invalidValue', field: 'layers', value: '-1n' },
+        (w) => w.castRay([0, 9, 0], [0, -1, 0], 10, { layers: -1n }),
+        { code: 'invalidValue', field: 'QueryFilter.layers', value: '-1n' },
     ],
     [
         'layers of 65 bits',
-        (w) => w.castRay([0, 9, 0], [0, -1, 0], 10, 1n << 64n),
-        { code: 'invalidValue', field: 'layers' },
+        (w) => w.castRay([0, 9, 0], [0, -1, 0], 10, { layers: 1n << 64n }),
+        { code: 'invalidValue', field: 'QueryFilter.layers' },
     ],
     ['a handle that is a number', (w) => w.destroyBody(12), { code: 'invalidHandle', field: 'body', value: '12' }],
     ['no handle', (w) => w.destroyBody(undefined), { code: 'invalidHandle', field: 'body' }],

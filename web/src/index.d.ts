@@ -82,6 +82,12 @@ export type CombineRule = 'average' | 'minimum' | 'maximum' | 'multiply';
 export type BodyType = 'static' | 'kinematic' | 'dynamic';
 
 /**
+ * What a character is on. `none`: It is in the air, or flies. `steep`: It slides down something steeper than
+ * `CharacterDef.maxSlope`. `ground`: It stands.
+ */
+export type CharacterSupport = 'none' | 'steep' | 'ground';
+
+/**
  * What a limit or drive of a general joint is about. `linear`: A distance along axes. `angular`: An angle about axes.
  */
 export type JointAxis = 'linear' | 'angular';
@@ -314,6 +320,57 @@ export interface BodyDef {
     name?: string;
     /** Not touched by the engine. */
     userData?: bigint | number;
+}
+
+/**
+ * How a character moves. A character is a kinematic body that is moved at the beginning of each step: it slides along
+ * walls, climbs steps, stands on slopes, falls, is carried by what it stands on, and never passes through anything that
+ * its shapes collide with. Its shapes must be convex to count; a capsule along `up` is usual. It does not turn by
+ * itself, but for what it stands on.
+ */
+export interface CharacterDef {
+    /** Away from the ground; any non-zero vector, it is normalized. */
+    up?: Vec3Like;
+    /** rad, 0 to 1.57: it slides down what is steeper, and does not walk up there. */
+    maxSlope?: number;
+    /** m, >= 0: it climbs steps up to this height; 0: none. */
+    stepHeight?: number;
+    /** m, >= 0: it stays on ground that falls away by up to this in a step. */
+    stickDistance?: number;
+    /** m, 1e-4 to 1: the distance that it keeps from everything. */
+    skin?: number;
+    /** kg, >= 0: what dynamic bodies feel that it stands on, lands on or jumps off. */
+    mass?: number;
+    /** N, >= 0: it pushes dynamic bodies out of its way with no more than this. */
+    maxPushForce?: number;
+    /** m/s^2, >= 0: how fast its velocity follows the wanted one in the air. */
+    airAcceleration?: number;
+    /**
+     * It moves with the wanted velocity in all directions, without gravity, ground and steps: for swimming, ladders,
+     * flying.
+     */
+    flies?: boolean;
+}
+
+/** How a character moves, as it stood after the last step. */
+export interface CharacterState {
+    /** What it is on. */
+    support: CharacterSupport;
+    /**
+     * m/s, in world axes, that of the ground included. Unlike the velocity of its body, which is by how much the last
+     * step moved it, it is without steps that were climbed, and in the air it is that at the end of the step.
+     */
+    velocity: Vec3;
+    /** What it is on; null in the air, and when that was removed. */
+    groundShape: ShapeId;
+    /** Its body. */
+    groundBody: BodyId;
+    /** Where it touches that, m; valid unless `support` is none. */
+    groundPoint: Vec3;
+    /** Unit, out of it; likewise. */
+    groundNormal: Vec3;
+    /** m/s, of its material there; likewise. */
+    groundVelocity: Vec3;
 }
 
 /** A damped spring. It is stepped implicitly: any stiffness is stable. */
@@ -640,6 +697,29 @@ export interface SolverContact {
     color: number;
     /** Of its island in the last step in which that was awake; 0: not solved yet. */
     substeps: number;
+}
+
+/** Which shapes a query sees: those that pass all of it. */
+export interface QueryFilter {
+    /** Those that are in any of these layers (`CollisionFilter.layers`). */
+    layers?: bigint | number;
+    /** Those that collide with any of these, in which the query itself is. */
+    ownLayers?: bigint | number;
+    /** Those of static bodies. */
+    staticBodies?: boolean;
+    /** Those of kinematic bodies. */
+    kinematicBodies?: boolean;
+    /** Those of dynamic bodies. */
+    dynamicBodies?: boolean;
+    /** Triggers as well; they are seen like any other shape then. */
+    triggers?: boolean;
+    /**
+     * Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
+     * only the question is whether there is any.
+     */
+    any?: boolean;
+    /** Shapes of these are not seen. Each must exist. */
+    ignoredBodies?: readonly (BodyId | Body | null)[];
 }
 
 /** Two shapes began to touch. */
@@ -1057,6 +1137,31 @@ export class Body {
     applyImpulseAt(impulse: Vec3Like, point: Vec3Like): void;
     /** N m s. Throws invalidHandle, invalidValue, wrongState. */
     applyAngularImpulse(impulse: Vec3Like): void;
+    /** Whether the body is a character. */
+    get isCharacter(): boolean;
+    /**
+     * How the character moves (wrongState unless it is one). Setting: Makes a kinematic body a character, or changes
+     * how one moves. From then on its velocities are those with which each step moves it, and setting its linear
+     * velocity throws it: upwards, it leaves the ground.
+     */
+    get character(): Complete<CharacterDef>;
+    set character(value: CharacterDef);
+    /** It is an ordinary kinematic body again, at rest. Throws invalidHandle, wrongState. */
+    removeCharacter(): void;
+    /**
+     * Where the character wants to go, m/s. Setting: Where a character wants to go, m/s, until it is set anew: over the
+     * ground, with this speed and, seen from above, in this direction, beside the motion of the ground itself. What of
+     * it leads up or down counts for those alone that fly.
+     */
+    get walkVelocity(): Vec3;
+    set walkVelocity(value: Vec3Like);
+    /**
+     * In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
+     * Throws invalidHandle, invalidValue, wrongState.
+     */
+    jump(speed: number): void;
+    /** How the character moves and what it is on, as it stood after the last step. */
+    get characterState(): CharacterState;
     /** Those of one body, oldest first. */
     get joints(): JointId[];
     /** Those of one body. */
@@ -1193,29 +1298,33 @@ export class World {
     findJoint(name: string): JointId | null;
     /**
      * The nearest shape that the ray meets within `maxDistance`. `direction` need not be unit length. A ray that starts
-     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidValue,
-     * wrongState.
+     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidHandle,
+     * invalidValue, wrongState.
      */
-    castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit | null;
-    /** Every shape that the ray meets, nearest first. Throws invalidValue, wrongState. */
-    castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit[];
+    castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit | null;
+    /** Every shape that the ray meets, nearest first. Throws invalidHandle, invalidValue, wrongState. */
+    castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit[];
     /**
      * The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
      * turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
-     * (invalidValue). Throws invalidValue, wrongState.
+     * (invalidValue). Throws invalidHandle, invalidValue, wrongState.
      */
-    castShape(shape: Shape, start: Transform, translation: Vec3Like, layers?: bigint | number): ShapeCastHit | null;
+    castShape(shape: Shape, start: Transform, translation: Vec3Like, filter?: QueryFilter): ShapeCastHit | null;
     /**
      * The shape nearest to a point, up to `maxDistance` (meters, >= 0) away. What is below a plane is inside it; meshes
-     * and height fields have no inside. Throws invalidValue, wrongState.
+     * and height fields have no inside. Throws invalidHandle, invalidValue, wrongState.
      */
-    closestPoint(point: Vec3Like, maxDistance: number, layers?: bigint | number): ClosestPoint | null;
+    closestPoint(point: Vec3Like, maxDistance: number, filter?: QueryFilter): ClosestPoint | null;
     /**
-     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidValue, wrongState.
+     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidHandle,
+     * invalidValue, wrongState.
      */
-    overlap(shape: Shape, pose: Transform, layers?: bigint | number): ShapeId[];
-    /** Shapes whose tight bounds overlap the box, in order of slot index. Throws invalidValue, wrongState. */
-    overlapBounds(bounds: Bounds, layers?: bigint | number): ShapeId[];
+    overlap(shape: Shape, pose: Transform, filter?: QueryFilter): ShapeId[];
+    /**
+     * Shapes whose tight bounds overlap the box, in order of slot index. Throws invalidHandle, invalidValue,
+     * wrongState.
+     */
+    overlapBounds(bounds: Bounds, filter?: QueryFilter): ShapeId[];
     /**
      * The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
      * scene is slow: those of least depth first, and no more than `maxCount`. Both >= 0. Throws invalidValue,

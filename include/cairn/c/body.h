@@ -20,6 +20,14 @@ enum {
     CAIRN_BODY_TYPE_DYNAMIC = 2 ///< Moves by forces and contacts.
 };
 
+/// What a character is on.
+typedef int32_t cairn_character_support;
+enum {
+    CAIRN_CHARACTER_SUPPORT_NONE = 0, ///< It is in the air, or flies.
+    CAIRN_CHARACTER_SUPPORT_STEEP = 1, ///< It slides down something steeper than `CharacterDef.max_slope`.
+    CAIRN_CHARACTER_SUPPORT_GROUND = 2 ///< It stands.
+};
+
 /// Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertia_diagonal`, stand for
 /// what cannot be moved or turned.
 typedef struct cairn_mass_properties {
@@ -50,6 +58,39 @@ typedef struct cairn_body_def {
     uint64_t user_data; ///< Not touched by the engine.
 } cairn_body_def;
 CAIRN_C_API cairn_body_def cairn_default_body_def(void);
+
+/// How a character moves. A character is a kinematic body that is moved at the beginning of each step: it slides along
+/// walls, climbs steps, stands on slopes, falls, is carried by what it stands on, and never passes through anything
+/// that its shapes collide with. Its shapes must be convex to count; a capsule along `up` is usual. It does not turn by
+/// itself, but for what it stands on. Begin from `cairn_default_character_def()`.
+typedef struct cairn_character_def {
+    uint32_t struct_size; ///< Bytes, as `cairn_default_character_def` sets it.
+    cairn_vec3 up; ///< Away from the ground; any non-zero vector, it is normalized.
+    float max_slope; ///< rad, 0 to 1.57: it slides down what is steeper, and does not walk up there.
+    float step_height; ///< m, >= 0: it climbs steps up to this height; 0: none.
+    float stick_distance; ///< m, >= 0: it stays on ground that falls away by up to this in a step.
+    float skin; ///< m, 1e-4 to 1: the distance that it keeps from everything.
+    float mass; ///< kg, >= 0: what dynamic bodies feel that it stands on, lands on or jumps off.
+    float max_push_force; ///< N, >= 0: it pushes dynamic bodies out of its way with no more than this.
+    float air_acceleration; ///< m/s^2, >= 0: how fast its velocity follows the wanted one in the air.
+    /// It moves with the wanted velocity in all directions, without gravity, ground and steps: for swimming, ladders,
+    /// flying.
+    bool flies;
+} cairn_character_def;
+CAIRN_C_API cairn_character_def cairn_default_character_def(void);
+
+/// How a character moves, as it stood after the last step.
+typedef struct cairn_character_state {
+    cairn_character_support support; ///< What it is on.
+    /// m/s, in world axes, that of the ground included. Unlike the velocity of its body, which is by how much the last
+    /// step moved it, it is without steps that were climbed, and in the air it is that at the end of the step.
+    cairn_vec3 velocity;
+    cairn_shape_id ground_shape; ///< What it is on; null in the air, and when that was removed.
+    cairn_body_id ground_body; ///< Its body.
+    cairn_position ground_point; ///< Where it touches that, m; valid unless `support` is none.
+    cairn_vec3 ground_normal; ///< Unit, out of it; likewise.
+    cairn_vec3 ground_velocity; ///< m/s, of its material there; likewise.
+} cairn_character_state;
 
 /// Makes a body without shapes. Null for `def`: the default. Errors: invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_create_body(cairn_world* world, const cairn_body_def* def, cairn_body_id* result);
@@ -220,6 +261,39 @@ CAIRN_C_API cairn_result cairn_body_apply_impulse_at(cairn_world* world, cairn_b
 
 /// N m s. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_body_apply_angular_impulse(cairn_world* world, cairn_body_id body, cairn_vec3 impulse);
+
+/// Whether the body is a character. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_is_character(const cairn_world* world, cairn_body_id body, bool* result);
+
+/// How the character moves (wrong_state unless it is one). Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_get_character(const cairn_world* world, cairn_body_id body,
+                                                  cairn_character_def* character);
+
+/// Makes a kinematic body a character, or changes how one moves. From then on its velocities are those with which each
+/// step moves it, and setting its linear velocity throws it: upwards, it leaves the ground. Errors: invalid_handle,
+/// invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_body_set_character(cairn_world* world, cairn_body_id body,
+                                                  const cairn_character_def* def);
+
+/// It is an ordinary kinematic body again, at rest. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_remove_character(cairn_world* world, cairn_body_id body);
+
+/// Where the character wants to go, m/s. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_get_walk_velocity(const cairn_world* world, cairn_body_id body,
+                                                      cairn_vec3* walk_velocity);
+
+/// Where a character wants to go, m/s, until it is set anew: over the ground, with this speed and, seen from above, in
+/// this direction, beside the motion of the ground itself. What of it leads up or down counts for those alone that fly.
+/// Errors: invalid_handle, invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_body_set_walk_velocity(cairn_world* world, cairn_body_id body, cairn_vec3 velocity);
+
+/// In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not. Errors:
+/// invalid_handle, invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_body_jump(cairn_world* world, cairn_body_id body, float speed);
+
+/// How the character moves and what it is on, as it stood after the last step. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_character_state(const cairn_world* world, cairn_body_id body,
+                                                    cairn_character_state* result);
 
 #ifdef __cplusplus
 }

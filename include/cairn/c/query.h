@@ -71,43 +71,64 @@ typedef struct cairn_solver_contact {
     int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
 } cairn_solver_contact;
 
+/// Which shapes a query sees: those that pass all of it. Begin from `cairn_default_query_filter()`.
+typedef struct cairn_query_filter {
+    uint32_t struct_size; ///< Bytes, as `cairn_default_query_filter` sets it.
+    uint64_t layers; ///< Those that are in any of these layers (`CollisionFilter.layers`).
+    uint64_t own_layers; ///< Those that collide with any of these, in which the query itself is.
+    bool static_bodies; ///< Those of static bodies.
+    bool kinematic_bodies; ///< Those of kinematic bodies.
+    bool dynamic_bodies; ///< Those of dynamic bodies.
+    bool triggers; ///< Triggers as well; they are seen like any other shape then.
+    /// Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
+    /// only the question is whether there is any.
+    bool any;
+    const cairn_body_id* ignored_bodies; ///< Shapes of these are not seen. Each must exist.
+    size_t ignored_body_count;
+} cairn_query_filter;
+CAIRN_C_API cairn_query_filter cairn_default_query_filter(void);
+
 /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that starts
 /// inside a shape does not meet that shape's surface from within, except planes' solid side. `found` gets whether there
-/// is any. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors: invalid_value, wrong_state.
+/// is any. Null for `filter`: the default. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_ray(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
-                                              double max_distance, uint64_t layers, cairn_ray_hit* result, bool* found);
+                                              double max_distance, const cairn_query_filter* filter,
+                                              cairn_ray_hit* result, bool* found);
 
 /// Every shape that the ray meets, nearest first. `count` gets how many there are; the first `capacity` of them are
-/// written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors: invalid_value, wrong_state.
+/// written. Null for `filter`: the default. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_ray_all(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
-                                                  double max_distance, uint64_t layers, cairn_ray_hit* result,
-                                                  size_t capacity, size_t* count);
+                                                  double max_distance, const cairn_query_filter* filter,
+                                                  cairn_ray_hit* result, size_t capacity, size_t* count);
 
 /// The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
 /// turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves (invalid_value).
-/// `found` gets whether there is any. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
-/// invalid_value, wrong_state.
+/// `found` gets whether there is any. Null for `filter`: the default. Errors: invalid_handle, invalid_value,
+/// wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_shape(const cairn_world* world, const cairn_shape* shape,
-                                                cairn_transform start, cairn_vec3 translation, uint64_t layers,
-                                                cairn_shape_cast_hit* result, bool* found);
+                                                cairn_transform start, cairn_vec3 translation,
+                                                const cairn_query_filter* filter, cairn_shape_cast_hit* result,
+                                                bool* found);
 
 /// The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it; meshes
-/// and height fields have no inside. `found` gets whether there is any. `layers`: which shapes it sees, one bit each;
-/// UINT64_MAX: all. Errors: invalid_value, wrong_state.
+/// and height fields have no inside. `found` gets whether there is any. Null for `filter`: the default. Errors:
+/// invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_closest_point(const cairn_world* world, cairn_position point, double max_distance,
-                                                   uint64_t layers, cairn_closest_point* result, bool* found);
+                                                   const cairn_query_filter* filter, cairn_closest_point* result,
+                                                   bool* found);
 
 /// Shapes that overlap the given shape posed in the world, in order of slot index. `count` gets how many there are; the
-/// first `capacity` of them are written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
-/// invalid_value, wrong_state.
+/// first `capacity` of them are written. Null for `filter`: the default. Errors: invalid_handle, invalid_value,
+/// wrong_state.
 CAIRN_C_API cairn_result cairn_world_overlap(const cairn_world* world, const cairn_shape* shape, cairn_transform pose,
-                                             uint64_t layers, cairn_shape_id* result, size_t capacity, size_t* count);
+                                             const cairn_query_filter* filter, cairn_shape_id* result, size_t capacity,
+                                             size_t* count);
 
 /// Shapes whose tight bounds overlap the box, in order of slot index. `count` gets how many there are; the first
-/// `capacity` of them are written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
-/// invalid_value, wrong_state.
-CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds, uint64_t layers,
-                                                    cairn_shape_id* result, size_t capacity, size_t* count);
+/// `capacity` of them are written. Null for `filter`: the default. Errors: invalid_handle, invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds,
+                                                    const cairn_query_filter* filter, cairn_shape_id* result,
+                                                    size_t capacity, size_t* count);
 
 /// The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a scene
 /// is slow: those of least depth first, and no more than `max_count`. Both >= 0. `count` gets how many there are; the

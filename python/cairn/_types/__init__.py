@@ -2,12 +2,12 @@
 """The structs and enums of the API."""
 from .math import (Bounds, Transform)
 from .shape import (Box, Capsule, CollisionFilter, CombineRule, Cylinder, Material, Plane, Shape, ShapeDef, Sphere)
-from .body import (BodyDef, BodyType, MassProperties)
+from .body import (BodyDef, BodyType, CharacterDef, CharacterState, CharacterSupport, MassProperties)
 from .joint import (BallJoint, CylindricalJoint, DistanceJoint, FixedJoint, GearJoint, GeneralJoint, HingeJoint, Joint,
                     JointAxis, JointControl, JointDef, JointDrive, JointLimit, JointMotor, JointRange, JointSolver,
                     JointSpring, JointState, PulleyJoint, RackJoint, ServoJoint, SliderJoint, UniversalJoint,
                     WheelJoint)
-from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, RayHit, ShapeCastHit, SolverContact)
+from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, QueryFilter, RayHit, ShapeCastHit, SolverContact)
 from .events import (Contact, ContactBegin, ContactEnd, ContactHit, ContactPoint, JointEvent, SleepEvent, TriggerEvent)
 from .world import (ForceField, ForceFieldKind, Integrator, SnapshotSizes, StageTimes, Statistics, WorldDef)
 
@@ -20,6 +20,9 @@ __all__ = [
     "BroadPhaseNode",
     "BroadPhaseTree",
     "Capsule",
+    "CharacterDef",
+    "CharacterState",
+    "CharacterSupport",
     "ClosestPoint",
     "CollisionFilter",
     "CombineRule",
@@ -54,6 +57,7 @@ __all__ = [
     "Material",
     "Plane",
     "PulleyJoint",
+    "QueryFilter",
     "RackJoint",
     "RayHit",
     "ServoJoint",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
+from .._cairn import BodyId, ShapeId
 from ._members import lists_members
 from ._vector import Vector
 
@@ -18,6 +19,17 @@ class BodyType(enum.Enum):
     """Moves with the velocity it is given; nothing pushes it."""
     dynamic = 2
     """Moves by forces and contacts."""
+
+
+class CharacterSupport(enum.Enum):
+    """What a character is on."""
+
+    none = 0
+    """It is in the air, or flies."""
+    steep = 1
+    """It slides down something steeper than `CharacterDef.max_slope`."""
+    ground = 2
+    """It stands."""
 
 
 @lists_members
@@ -68,3 +80,57 @@ class BodyDef:
     """For people; need not be unique."""
     user_data: int = 0
     """Not touched by the engine."""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class CharacterDef:
+    """How a character moves. A character is a kinematic body that is moved at the beginning of each step: it slides
+    along walls, climbs steps, stands on slopes, falls, is carried by what it stands on, and never passes through
+    anything that its shapes collide with. Its shapes must be convex to count; a capsule along `up` is usual. It does
+    not turn by itself, but for what it stands on.
+    """
+
+    up: Vector = (0.0, 1.0, 0.0)
+    """Away from the ground; any non-zero vector, it is normalized."""
+    max_slope: float = 0.87
+    """rad, 0 to 1.57: it slides down what is steeper, and does not walk up there."""
+    step_height: float = 0.3
+    """m, >= 0: it climbs steps up to this height; 0: none."""
+    stick_distance: float = 0.3
+    """m, >= 0: it stays on ground that falls away by up to this in a step."""
+    skin: float = 0.02
+    """m, 1e-4 to 1: the distance that it keeps from everything."""
+    mass: float = 70.0
+    """kg, >= 0: what dynamic bodies feel that it stands on, lands on or jumps off."""
+    max_push_force: float = 500.0
+    """N, >= 0: it pushes dynamic bodies out of its way with no more than this."""
+    air_acceleration: float = 10.0
+    """m/s^2, >= 0: how fast its velocity follows the wanted one in the air."""
+    flies: bool = False
+    """It moves with the wanted velocity in all directions, without gravity, ground and steps: for swimming, ladders,
+    flying.
+    """
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class CharacterState:
+    """How a character moves, as it stood after the last step."""
+
+    support: CharacterSupport | str = CharacterSupport.none
+    """What it is on."""
+    velocity: Vector = (0.0, 0.0, 0.0)
+    """m/s, in world axes, that of the ground included. Unlike the velocity of its body, which is by how much the last
+    step moved it, it is without steps that were climbed, and in the air it is that at the end of the step.
+    """
+    ground_shape: ShapeId = ShapeId()
+    """What it is on; null in the air, and when that was removed."""
+    ground_body: BodyId = BodyId()
+    """Its body."""
+    ground_point: Vector = (0.0, 0.0, 0.0)
+    """Where it touches that, m; valid unless `support` is none."""
+    ground_normal: Vector = (0.0, 1.0, 0.0)
+    """Unit, out of it; likewise."""
+    ground_velocity: Vector = (0.0, 0.0, 0.0)
+    """m/s, of its material there; likewise."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import enum
 from dataclasses import dataclass, field
+from typing import Sequence
 
 from .._cairn import BodyId, ShapeId
 from .math import Bounds
+from .shape import CollisionFilter
 from ._members import lists_members
 from ._vector import Vector
 
@@ -106,3 +108,28 @@ class SolverContact:
     """
     substeps: int = 0
     """Of its island in the last step in which that was awake; 0: not solved yet."""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class QueryFilter:
+    """Which shapes a query sees: those that pass all of it."""
+
+    layers: int = 2**64 - 1
+    """Those that are in any of these layers (`CollisionFilter.layers`)."""
+    own_layers: int = 2**64 - 1
+    """Those that collide with any of these, in which the query itself is."""
+    static_bodies: bool = True
+    """Those of static bodies."""
+    kinematic_bodies: bool = True
+    """Those of kinematic bodies."""
+    dynamic_bodies: bool = True
+    """Those of dynamic bodies."""
+    triggers: bool = False
+    """Triggers as well; they are seen like any other shape then."""
+    any: bool = False
+    """Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
+    only the question is whether there is any.
+    """
+    ignored_bodies: Sequence[BodyId] = field(default_factory=list)
+    """Shapes of these are not seen. Each must exist."""

@@ -189,6 +189,42 @@ void add_body_calls(py::class_<PyBody>& c) {
         const auto impulse = take<Vec3>(o_impulse, "impulse");
         b.change("Body.apply_angular_impulse", [&](Body& body) { body.apply_angular_impulse(impulse); });
     }, py::arg("impulse"), "apply_angular_impulse(impulse: Vector) -> None\n\nN m s.");
+    c.def_property_readonly("is_character", [](const PyBody& b) {
+        const auto answer = b.get("Body.is_character").is_character();
+        return write(answer);
+    },
+        "Whether the body is a character.");
+    c.def_property("character", [](const PyBody& b) {
+        const auto answer = b.get("Body.character").character();
+        return write(answer);
+    }, [](const PyBody& b, py::object o) {
+        const auto value = take<CharacterDef>(o, "Body.character");
+        b.change("Body.character", [&](Body& body) { body.set_character(value); });
+    }, "How the character moves (wrong_state unless it is one). Setting: Makes a kinematic body a character, or "
+        "changes how one moves. From then on its velocities are those with which each step moves it, and setting its "
+            "linear velocity throws it: upwards, it leaves the ground.");
+    c.def("remove_character", [](const PyBody& b) {
+        b.change("Body.remove_character", [&](Body& body) { body.remove_character(); });
+    }, "remove_character() -> None\n\nIt is an ordinary kinematic body again, at rest.");
+    c.def_property("walk_velocity", [](const PyBody& b) {
+        const auto answer = b.get("Body.walk_velocity").walk_velocity();
+        return write(answer);
+    }, [](const PyBody& b, py::object o) {
+        const auto value = take<Vec3>(o, "Body.walk_velocity");
+        b.change("Body.walk_velocity", [&](Body& body) { body.set_walk_velocity(value); });
+    }, "Where the character wants to go, m/s. Setting: Where a character wants to go, m/s, until it is set anew: over "
+        "the ground, with this speed and, seen from above, in this direction, beside the motion of the ground itself. "
+            "What of it leads up or down counts for those alone that fly.");
+    c.def("jump", [](const PyBody& b, py::object o_speed) {
+        const auto speed = take<float>(o_speed, "speed");
+        b.change("Body.jump", [&](Body& body) { body.jump(speed); });
+    }, py::arg("speed"), "jump(speed: float) -> None\n\nIn the next step, a character that stands on the ground "
+        "leaves it with this speed, m/s, > 0; others do not.");
+    c.def_property_readonly("character_state", [](const PyBody& b) {
+        const auto answer = b.get("Body.character_state").character_state();
+        return write(answer);
+    },
+        "How the character moves and what it is on, as it stood after the last step.");
     c.def_property_readonly("joints", [](const PyBody& b) {
         const auto answer = b.world->use("Body.joints").joints(b.id);
         return write(answer);

@@ -9,6 +9,11 @@ void read(py::handle o, BodyType& x, const Where& where) {
 }
 py::object write(BodyType x) { return write_enum("BodyType", int(x)); }
 
+void read(py::handle o, CharacterSupport& x, const Where& where) {
+    x = CharacterSupport(read_enum(o, "CharacterSupport", where));
+}
+py::object write(CharacterSupport x) { return write_enum("CharacterSupport", int(x)); }
+
 void read(py::handle o, MassProperties& x, const Where& where) {
     if (!is_a(o, "MassProperties")) refuse_type(where, "a MassProperties", o);
     read(o.attr("mass"), x.mass, {"MassProperties", "mass"});
@@ -41,6 +46,29 @@ py::object write(const BodyDef& x) {
     return make("BodyDef", py::make_tuple(write(x.type), write(x.position), write(x.rotation), write(x.linear_velocity),
         write(x.angular_velocity), write(x.linear_damping), write(x.angular_damping), write(x.gravity_scale),
         write(x.allow_sleep), write(x.mass), write(x.mass_properties), write(x.name), write(x.user_data)));
+}
+
+void read(py::handle o, CharacterDef& x, const Where& where) {
+    if (!is_a(o, "CharacterDef")) refuse_type(where, "a CharacterDef", o);
+    read(o.attr("up"), x.up, {"CharacterDef", "up"});
+    read(o.attr("max_slope"), x.max_slope, {"CharacterDef", "max_slope"});
+    read(o.attr("step_height"), x.step_height, {"CharacterDef", "step_height"});
+    read(o.attr("stick_distance"), x.stick_distance, {"CharacterDef", "stick_distance"});
+    read(o.attr("skin"), x.skin, {"CharacterDef", "skin"});
+    read(o.attr("mass"), x.mass, {"CharacterDef", "mass"});
+    read(o.attr("max_push_force"), x.max_push_force, {"CharacterDef", "max_push_force"});
+    read(o.attr("air_acceleration"), x.air_acceleration, {"CharacterDef", "air_acceleration"});
+    read(o.attr("flies"), x.flies, {"CharacterDef", "flies"});
+}
+py::object write(const CharacterDef& x) {
+    return make("CharacterDef", py::make_tuple(write(x.up), write(x.max_slope), write(x.step_height),
+        write(x.stick_distance), write(x.skin), write(x.mass), write(x.max_push_force), write(x.air_acceleration),
+        write(x.flies)));
+}
+
+py::object write(const CharacterState& x) {
+    return make("CharacterState", py::make_tuple(write(x.support), write(x.velocity), write(x.ground_shape),
+        write(x.ground_body), write(x.ground_point), write(x.ground_normal), write(x.ground_velocity)));
 }
 
 } // namespace cairn::python

@@ -33,4 +33,20 @@ py::object write(const SolverContact& x) {
         write(x.color), write(x.substeps)));
 }
 
+void read(py::handle o, QueryFilter& x, const Where& where) {
+    if (!is_a(o, "QueryFilter")) refuse_type(where, "a QueryFilter", o);
+    read(o.attr("layers"), x.layers, {"QueryFilter", "layers"});
+    read(o.attr("own_layers"), x.own_layers, {"QueryFilter", "own_layers"});
+    read(o.attr("static_bodies"), x.static_bodies, {"QueryFilter", "static_bodies"});
+    read(o.attr("kinematic_bodies"), x.kinematic_bodies, {"QueryFilter", "kinematic_bodies"});
+    read(o.attr("dynamic_bodies"), x.dynamic_bodies, {"QueryFilter", "dynamic_bodies"});
+    read(o.attr("triggers"), x.triggers, {"QueryFilter", "triggers"});
+    read(o.attr("any"), x.any, {"QueryFilter", "any"});
+    read(o.attr("ignored_bodies"), x.ignored_bodies, {"QueryFilter", "ignored_bodies"});
+}
+py::object write(const QueryFilter& x) {
+    return make("QueryFilter", py::make_tuple(write(x.layers), write(x.own_layers), write(x.static_bodies),
+        write(x.kinematic_bodies), write(x.dynamic_bodies), write(x.triggers), write(x.any), write(x.ignored_bodies)));
+}
+
 } // namespace cairn::python

@@ -144,67 +144,70 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         return write(answer);
     }, py::arg("name"), "find_joint(name: str) -> JointId | None\n\nThe first of that name.");
     c.def("cast_ray", [](PyWorld& w, py::object o_origin, py::object o_direction, py::object o_max_distance,
-        py::object o_layers) {
+        py::object o_filter, py::kwargs members) {
         const auto origin = take<Position>(o_origin, "origin");
         const auto direction = take<Vec3>(o_direction, "direction");
         const auto max_distance = take<double>(o_max_distance, "max_distance");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.cast_ray").cast_ray(origin, direction, max_distance, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.cast_ray").cast_ray(origin, direction, max_distance, filter);
         return write(answer);
-    }, py::arg("origin"), py::arg("direction"), py::arg("max_distance"), py::arg("layers") = all_layers,
-        "cast_ray(origin: Vector, direction: Vector, max_distance: float, layers: int = ...) -> RayHit | None\n\nThe "
-            "nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that "
-                "starts inside a shape does not meet that shape's surface from within, except planes' solid side.");
+    }, py::arg("origin"), py::arg("direction"), py::arg("max_distance"), py::arg("filter") = py::none(),
+        "cast_ray(origin: Vector, direction: Vector, max_distance: float, filter: QueryFilter | None = "
+            "None, **members: Any) -> RayHit | None\n\nThe nearest shape that the ray meets within `max_distance`. "
+                "`direction` need not be unit length. A ray that starts inside a shape does not meet that shape's "
+                    "surface from within, except planes' solid side.");
     c.def("cast_ray_all", [](PyWorld& w, py::object o_origin, py::object o_direction, py::object o_max_distance,
-        py::object o_layers) {
+        py::object o_filter, py::kwargs members) {
         const auto origin = take<Position>(o_origin, "origin");
         const auto direction = take<Vec3>(o_direction, "direction");
         const auto max_distance = take<double>(o_max_distance, "max_distance");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.cast_ray_all").cast_ray_all(origin, direction, max_distance, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.cast_ray_all").cast_ray_all(origin, direction, max_distance, filter);
         return write(answer);
-    }, py::arg("origin"), py::arg("direction"), py::arg("max_distance"), py::arg("layers") = all_layers,
-        "cast_ray_all(origin: Vector, direction: Vector, max_distance: float, layers: int = ...) -> "
-            "list[RayHit]\n\nEvery shape that the ray meets, nearest first.");
+    }, py::arg("origin"), py::arg("direction"), py::arg("max_distance"), py::arg("filter") = py::none(),
+        "cast_ray_all(origin: Vector, direction: Vector, max_distance: float, filter: QueryFilter | None = "
+            "None, **members: Any) -> list[RayHit]\n\nEvery shape that the ray meets, nearest first.");
     c.def("cast_shape", [](PyWorld& w, py::object o_shape, py::object o_start, py::object o_translation, py::object
-        o_layers) {
+        o_filter, py::kwargs members) {
         const auto shape = take<Shape>(o_shape, "shape");
         const auto start = take<Transform>(o_start, "start");
         const auto translation = take<Vec3>(o_translation, "translation");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.cast_shape").cast_shape(shape, start, translation, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.cast_shape").cast_shape(shape, start, translation, filter);
         return write(answer);
-    }, py::arg("shape"), py::arg("start"), py::arg("translation"), py::arg("layers") = all_layers, "cast_shape(shape: "
-        "Shape, start: Transform, translation: Vector, layers: int = ...) -> ShapeCastHit | None\n\nThe first shape "
-            "that the given convex one meets when it moves by `translation` (meters) from `start` without turning. "
-                "Planes, meshes and height fields are met from outside only, and cannot be cast themselves "
-                    "(invalid_value).");
-    c.def("closest_point", [](PyWorld& w, py::object o_point, py::object o_max_distance, py::object o_layers) {
+    }, py::arg("shape"), py::arg("start"), py::arg("translation"), py::arg("filter") = py::none(), "cast_shape(shape: "
+        "Shape, start: Transform, translation: Vector, filter: QueryFilter | None = None, **members: Any) -> "
+            "ShapeCastHit | None\n\nThe first shape that the given convex one meets when it moves by `translation` "
+                "(meters) from `start` without turning. Planes, meshes and height fields are met from outside "
+                    "only, and cannot be cast themselves (invalid_value).");
+    c.def("closest_point", [](PyWorld& w, py::object o_point, py::object o_max_distance, py::object o_filter,
+        py::kwargs members) {
         const auto point = take<Position>(o_point, "point");
         const auto max_distance = take<double>(o_max_distance, "max_distance");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.closest_point").closest_point(point, max_distance, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.closest_point").closest_point(point, max_distance, filter);
         return write(answer);
-    }, py::arg("point"), py::arg("max_distance"), py::arg("layers") = all_layers, "closest_point(point: "
-        "Vector, max_distance: float, layers: int = ...) -> ClosestPoint | None\n\nThe shape nearest to a point, up "
-            "to `max_distance` (meters, >= 0) away. What is below a plane is inside it; meshes and height fields have "
-                "no inside.");
-    c.def("overlap", [](PyWorld& w, py::object o_shape, py::object o_pose, py::object o_layers) {
+    }, py::arg("point"), py::arg("max_distance"), py::arg("filter") = py::none(), "closest_point(point: "
+        "Vector, max_distance: float, filter: QueryFilter | None = None, **members: Any) -> ClosestPoint | "
+            "None\n\nThe shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is "
+                "inside it; meshes and height fields have no inside.");
+    c.def("overlap", [](PyWorld& w, py::object o_shape, py::object o_pose, py::object o_filter, py::kwargs members) {
         const auto shape = take<Shape>(o_shape, "shape");
         const auto pose = take<Transform>(o_pose, "pose");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.overlap").overlap(shape, pose, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.overlap").overlap(shape, pose, filter);
         return write(answer);
-    }, py::arg("shape"), py::arg("pose"), py::arg("layers") = all_layers, "overlap(shape: Shape, pose: "
-        "Transform, layers: int = ...) -> list[ShapeId]\n\nShapes that overlap the given shape posed in the world, in "
-            "order of slot index.");
-    c.def("overlap_bounds", [](PyWorld& w, py::object o_bounds, py::object o_layers) {
+    }, py::arg("shape"), py::arg("pose"), py::arg("filter") = py::none(), "overlap(shape: Shape, pose: "
+        "Transform, filter: QueryFilter | None = None, **members: Any) -> list[ShapeId]\n\nShapes that overlap the "
+            "given shape posed in the world, in order of slot index.");
+    c.def("overlap_bounds", [](PyWorld& w, py::object o_bounds, py::object o_filter, py::kwargs members) {
         const auto bounds = take<Bounds>(o_bounds, "bounds");
-        const auto layers = take<std::uint64_t>(o_layers, "layers");
-        const auto answer = w.use("World.overlap_bounds").overlap_bounds(bounds, layers);
+        const auto filter = take_definition<QueryFilter>(o_filter, members, "QueryFilter");
+        const auto answer = w.use("World.overlap_bounds").overlap_bounds(bounds, filter);
         return write(answer);
-    }, py::arg("bounds"), py::arg("layers") = all_layers, "overlap_bounds(bounds: Bounds, layers: int = ...) -> "
-        "list[ShapeId]\n\nShapes whose tight bounds overlap the box, in order of slot index.");
+    }, py::arg("bounds"), py::arg("filter") = py::none(), "overlap_bounds(bounds: Bounds, filter: QueryFilter | None "
+        "= None, **members: Any) -> list[ShapeId]\n\nShapes whose tight bounds overlap the box, in order of slot "
+            "index.");
     c.def("broad_phase_nodes", [](PyWorld& w, py::object o_max_depth, py::object o_max_count) {
         const auto max_depth = take<int>(o_max_depth, "max_depth");
         const auto max_count = take<int>(o_max_count, "max_count");

@@ -320,3 +320,56 @@ cairn_result cairn_body_apply_angular_impulse(cairn_world* world, cairn_body_id 
         world_of(world).body(to_cpp(body)).apply_angular_impulse(to_cpp(impulse));
     });
 }
+
+cairn_result cairn_body_is_character(const cairn_world* world, cairn_body_id body, bool* result) {
+    return guarded([&] {
+        required(result, "result");
+        *result = world_of(world).body(to_cpp(body)).is_character();
+    });
+}
+
+cairn_result cairn_body_get_character(const cairn_world* world, cairn_body_id body, cairn_character_def* character) {
+    return guarded([&] {
+        require_versioned(character, "character");
+        write_versioned(to_c(world_of(world).body(to_cpp(body)).character()), character);
+    });
+}
+
+cairn_result cairn_body_set_character(cairn_world* world, cairn_body_id body, const cairn_character_def* def) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).set_character(to_cpp(versioned(required(def, "def"), "def",
+            cairn_default_character_def())));
+    });
+}
+
+cairn_result cairn_body_remove_character(cairn_world* world, cairn_body_id body) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).remove_character();
+    });
+}
+
+cairn_result cairn_body_get_walk_velocity(const cairn_world* world, cairn_body_id body, cairn_vec3* walk_velocity) {
+    return guarded([&] {
+        required(walk_velocity, "walk_velocity");
+        *walk_velocity = to_c(world_of(world).body(to_cpp(body)).walk_velocity());
+    });
+}
+
+cairn_result cairn_body_set_walk_velocity(cairn_world* world, cairn_body_id body, cairn_vec3 velocity) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).set_walk_velocity(to_cpp(velocity));
+    });
+}
+
+cairn_result cairn_body_jump(cairn_world* world, cairn_body_id body, float speed) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).jump(speed);
+    });
+}
+
+cairn_result cairn_body_character_state(const cairn_world* world, cairn_body_id body, cairn_character_state* result) {
+    return guarded([&] {
+        required(result, "result");
+        *result = to_c(world_of(world).body(to_cpp(body)).character_state());
+    });
+}

@@ -8,6 +8,7 @@ namespace cairn::c_api {
 
 CombineRule to_combine_rule(cairn_combine_rule value, const char* field);
 BodyType to_body_type(cairn_body_type value, const char* field);
+CharacterSupport to_character_support(cairn_character_support value, const char* field);
 JointAxis to_joint_axis(cairn_joint_axis value, const char* field);
 JointSolver to_joint_solver(cairn_joint_solver value, const char* field);
 BroadPhaseTree to_broad_phase_tree(cairn_broad_phase_tree value, const char* field);
@@ -38,6 +39,9 @@ MassProperties to_cpp(const cairn_mass_properties& c);
 cairn_mass_properties to_c(const MassProperties& x);
 BodyDef to_cpp(const cairn_body_def& c);
 cairn_body_def to_c(const BodyDef& x);
+CharacterDef to_cpp(const cairn_character_def& c);
+cairn_character_def to_c(const CharacterDef& x);
+cairn_character_state to_c(const CharacterState& x);
 JointSpring to_cpp(const cairn_joint_spring& c);
 cairn_joint_spring to_c(const JointSpring& x);
 JointRange to_cpp(const cairn_joint_range& c);
@@ -84,6 +88,8 @@ cairn_shape_cast_hit to_c(const ShapeCastHit& x);
 cairn_closest_point to_c(const ClosestPoint& x);
 cairn_broad_phase_node to_c(const BroadPhaseNode& x);
 cairn_solver_contact to_c(const SolverContact& x);
+QueryFilter to_cpp(const cairn_query_filter& c);
+cairn_query_filter to_c(const QueryFilter& x);
 cairn_contact_begin to_c(const ContactBegin& x);
 cairn_contact_end to_c(const ContactEnd& x);
 cairn_contact_hit to_c(const ContactHit& x);

@@ -13,6 +13,12 @@ BodyType to_body_type(cairn_body_type value, const char* field) {
     return BodyType(value);
 }
 
+CharacterSupport to_character_support(cairn_character_support value, const char* field) {
+    if (value < 0 || value > 2)
+        throw Error(ErrorCode::invalid_value, field, std::to_string(value), "must be 0 to 2 (none, steep, ground)");
+    return CharacterSupport(value);
+}
+
 MassProperties to_cpp(const cairn_mass_properties& c) {
     MassProperties x;
     x.mass = c.mass;
@@ -64,6 +70,46 @@ cairn_body_def to_c(const BodyDef& x) {
     c.has_mass_properties = x.mass_properties.has_value();
     if (x.mass_properties) c.mass_properties = to_c(*x.mass_properties);
     c.user_data = x.user_data;
+    return c;
+}
+
+CharacterDef to_cpp(const cairn_character_def& c) {
+    CharacterDef x;
+    x.up = to_cpp(c.up);
+    x.max_slope = c.max_slope;
+    x.step_height = c.step_height;
+    x.stick_distance = c.stick_distance;
+    x.skin = c.skin;
+    x.mass = c.mass;
+    x.max_push_force = c.max_push_force;
+    x.air_acceleration = c.air_acceleration;
+    x.flies = c.flies;
+    return x;
+}
+cairn_character_def to_c(const CharacterDef& x) {
+    cairn_character_def c{};
+    c.struct_size = sizeof c;
+    c.up = to_c(x.up);
+    c.max_slope = x.max_slope;
+    c.step_height = x.step_height;
+    c.stick_distance = x.stick_distance;
+    c.skin = x.skin;
+    c.mass = x.mass;
+    c.max_push_force = x.max_push_force;
+    c.air_acceleration = x.air_acceleration;
+    c.flies = x.flies;
+    return c;
+}
+
+cairn_character_state to_c(const CharacterState& x) {
+    cairn_character_state c{};
+    c.support = cairn_character_support(x.support);
+    c.velocity = to_c(x.velocity);
+    c.ground_shape = to_c(x.ground_shape);
+    c.ground_body = to_c(x.ground_body);
+    c.ground_point = to_c(x.ground_point);
+    c.ground_normal = to_c(x.ground_normal);
+    c.ground_velocity = to_c(x.ground_velocity);
     return c;
 }
 

@@ -64,4 +64,31 @@ cairn_solver_contact to_c(const SolverContact& x) {
     return c;
 }
 
+QueryFilter to_cpp(const cairn_query_filter& c) {
+    QueryFilter x;
+    x.layers = c.layers;
+    x.own_layers = c.own_layers;
+    x.static_bodies = c.static_bodies;
+    x.kinematic_bodies = c.kinematic_bodies;
+    x.dynamic_bodies = c.dynamic_bodies;
+    x.triggers = c.triggers;
+    x.any = c.any;
+    require_list(c.ignored_bodies, c.ignored_body_count, "QueryFilter.ignored_bodies");
+    for (std::size_t i = 0; i < c.ignored_body_count; ++i) x.ignored_bodies.push_back(to_cpp(c.ignored_bodies[i]));
+    return x;
+}
+cairn_query_filter to_c(const QueryFilter& x) {
+    cairn_query_filter c{};
+    c.struct_size = sizeof c;
+    c.layers = x.layers;
+    c.own_layers = x.own_layers;
+    c.static_bodies = x.static_bodies;
+    c.kinematic_bodies = x.kinematic_bodies;
+    c.dynamic_bodies = x.dynamic_bodies;
+    c.triggers = x.triggers;
+    c.any = x.any;
+    c.ignored_body_count = x.ignored_bodies.size();
+    return c;
+}
+
 } // namespace cairn::c_api

@@ -51,6 +51,9 @@ cairn_mass_properties cairn_default_mass_properties(void) {
 cairn_body_def cairn_default_body_def(void) {
     return to_c(cairn::BodyDef{});
 }
+cairn_character_def cairn_default_character_def(void) {
+    return to_c(cairn::CharacterDef{});
+}
 cairn_joint_spring cairn_default_joint_spring(void) {
     return to_c(cairn::JointSpring{});
 }
@@ -110,6 +113,9 @@ cairn_general_joint cairn_default_general_joint(void) {
 }
 cairn_joint_def cairn_default_joint_def(void) {
     return to_c(cairn::JointDef{});
+}
+cairn_query_filter cairn_default_query_filter(void) {
+    return to_c(cairn::QueryFilter{});
 }
 cairn_world_def cairn_default_world_def(void) {
     return to_c(cairn::WorldDef{});

@@ -9,64 +9,72 @@ using namespace cairn::c_api;
 using namespace cairn;
 
 cairn_result cairn_world_cast_ray(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
-                                  double max_distance, uint64_t layers, cairn_ray_hit* result, bool* found) {
+                                  double max_distance, const cairn_query_filter* filter, cairn_ray_hit* result,
+                                  bool* found) {
     return guarded([&] {
         required(result, "result");
         required(found, "found");
-        const auto answer = world_of(world).cast_ray(to_cpp(origin), to_cpp(direction), max_distance, layers);
+        const auto answer = world_of(world).cast_ray(to_cpp(origin), to_cpp(direction), max_distance, filter
+            ? to_cpp(versioned(*filter, "filter", cairn_default_query_filter())) : QueryFilter{});
         *found = answer.has_value();
         if (answer) *result = to_c(*answer);
     });
 }
 
 cairn_result cairn_world_cast_ray_all(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
-                                      double max_distance, uint64_t layers, cairn_ray_hit* result, size_t capacity,
-                                      size_t* count) {
+                                      double max_distance, const cairn_query_filter* filter, cairn_ray_hit* result,
+                                      size_t capacity, size_t* count) {
     return guarded([&] {
         require_room(result, capacity, count, "result");
-        write_list(world_of(world).cast_ray_all(to_cpp(origin), to_cpp(direction), max_distance, layers), result,
-            capacity, count, [](const auto& x) { return to_c(x); });
+        write_list(world_of(world).cast_ray_all(to_cpp(origin), to_cpp(direction), max_distance, filter
+            ? to_cpp(versioned(*filter, "filter", cairn_default_query_filter())) : QueryFilter{}), result, capacity,
+            count, [](const auto& x) { return to_c(x); });
     });
 }
 
 cairn_result cairn_world_cast_shape(const cairn_world* world, const cairn_shape* shape, cairn_transform start,
-                                    cairn_vec3 translation, uint64_t layers, cairn_shape_cast_hit* result,
-                                    bool* found) {
+                                    cairn_vec3 translation, const cairn_query_filter* filter,
+                                    cairn_shape_cast_hit* result, bool* found) {
     return guarded([&] {
         required(result, "result");
         required(found, "found");
         const auto answer = world_of(world).cast_shape(to_cpp(required(shape, "shape")), to_cpp(start),
-            to_cpp(translation), layers);
+            to_cpp(translation), filter ? to_cpp(versioned(*filter, "filter", cairn_default_query_filter()))
+            : QueryFilter{});
         *found = answer.has_value();
         if (answer) *result = to_c(*answer);
     });
 }
 
 cairn_result cairn_world_closest_point(const cairn_world* world, cairn_position point, double max_distance,
-                                       uint64_t layers, cairn_closest_point* result, bool* found) {
+                                       const cairn_query_filter* filter, cairn_closest_point* result, bool* found) {
     return guarded([&] {
         required(result, "result");
         required(found, "found");
-        const auto answer = world_of(world).closest_point(to_cpp(point), max_distance, layers);
+        const auto answer = world_of(world).closest_point(to_cpp(point), max_distance, filter
+            ? to_cpp(versioned(*filter, "filter", cairn_default_query_filter())) : QueryFilter{});
         *found = answer.has_value();
         if (answer) *result = to_c(*answer);
     });
 }
 
 cairn_result cairn_world_overlap(const cairn_world* world, const cairn_shape* shape, cairn_transform pose,
-                                 uint64_t layers, cairn_shape_id* result, size_t capacity, size_t* count) {
+                                 const cairn_query_filter* filter, cairn_shape_id* result, size_t capacity,
+                                 size_t* count) {
     return guarded([&] {
         require_room(result, capacity, count, "result");
-        write_list(world_of(world).overlap(to_cpp(required(shape, "shape")), to_cpp(pose), layers), result, capacity,
+        write_list(world_of(world).overlap(to_cpp(required(shape, "shape")), to_cpp(pose), filter
+            ? to_cpp(versioned(*filter, "filter", cairn_default_query_filter())) : QueryFilter{}), result, capacity,
             count, [](const auto& x) { return to_c(x); });
     });
 }
 
-cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds, uint64_t layers,
+cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds, const cairn_query_filter* filter,
                                         cairn_shape_id* result, size_t capacity, size_t* count) {
     return guarded([&] {
         require_room(result, capacity, count, "result");
-        write_list(world_of(world).overlap_bounds(to_cpp(bounds), layers), result, capacity, count,
+        write_list(world_of(world).overlap_bounds(to_cpp(bounds), filter ? to_cpp(versioned(*filter, "filter",
+            cairn_default_query_filter())) : QueryFilter{}), result, capacity, count,
             [](const auto& x) { return to_c(x); });
     });
 }

@@ -283,5 +283,33 @@ struct WorldSetJointStrength {
     using Arguments = std::tuple<JointId, float, float>;
 };
 inline constexpr WorldSetJointStrength world_set_joint_strength{};
+struct BodySetCharacter {
+    static constexpr std::uint32_t code = 38;
+    static constexpr const char* name = "Body::set_character";
+    static constexpr bool moves_only = true;
+    using Arguments = std::tuple<BodyId, CharacterDef>;
+};
+inline constexpr BodySetCharacter body_set_character{};
+struct BodyRemoveCharacter {
+    static constexpr std::uint32_t code = 39;
+    static constexpr const char* name = "Body::remove_character";
+    static constexpr bool moves_only = true;
+    using Arguments = std::tuple<BodyId>;
+};
+inline constexpr BodyRemoveCharacter body_remove_character{};
+struct BodySetWalkVelocity {
+    static constexpr std::uint32_t code = 40;
+    static constexpr const char* name = "Body::set_walk_velocity";
+    static constexpr bool moves_only = true;
+    using Arguments = std::tuple<BodyId, Vec3>;
+};
+inline constexpr BodySetWalkVelocity body_set_walk_velocity{};
+struct BodyJump {
+    static constexpr std::uint32_t code = 41;
+    static constexpr const char* name = "Body::jump";
+    static constexpr bool moves_only = true;
+    using Arguments = std::tuple<BodyId, float>;
+};
+inline constexpr BodyJump body_jump{};
 
 } // namespace cairn::commands

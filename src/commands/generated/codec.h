@@ -31,6 +31,8 @@ void write(CommandWriter& to, const MassProperties& x);
 void read(CommandReader& from, MassProperties& x);
 void write(CommandWriter& to, const BodyDef& x);
 void read(CommandReader& from, BodyDef& x);
+void write(CommandWriter& to, const CharacterDef& x);
+void read(CommandReader& from, CharacterDef& x);
 void write(CommandWriter& to, const JointSpring& x);
 void read(CommandReader& from, JointSpring& x);
 void write(CommandWriter& to, const JointRange& x);

@@ -339,6 +339,40 @@ static bool execute_body(World& world, std::uint64_t code, CommandReader& from) 
         world.body(body).apply_angular_impulse(impulse);
         return true;
     }
+    case BodySetCharacter::code: {
+        BodyId body{};
+        read(from, body);
+        CharacterDef def{};
+        read(from, def);
+        from.finish();
+        world.body(body).set_character(def);
+        return true;
+    }
+    case BodyRemoveCharacter::code: {
+        BodyId body{};
+        read(from, body);
+        from.finish();
+        world.body(body).remove_character();
+        return true;
+    }
+    case BodySetWalkVelocity::code: {
+        BodyId body{};
+        read(from, body);
+        Vec3 velocity{};
+        read(from, velocity);
+        from.finish();
+        world.body(body).set_walk_velocity(velocity);
+        return true;
+    }
+    case BodyJump::code: {
+        BodyId body{};
+        read(from, body);
+        float speed{};
+        read(from, speed);
+        from.finish();
+        world.body(body).jump(speed);
+        return true;
+    }
     default: return false;
     }
 }
@@ -386,6 +420,10 @@ std::string_view name_of(std::uint64_t code) {
     case 35: return "World::destroy_joint";
     case 36: return "World::set_joint";
     case 37: return "World::set_joint_strength";
+    case 38: return "Body::set_character";
+    case 39: return "Body::remove_character";
+    case 40: return "Body::set_walk_velocity";
+    case 41: return "Body::jump";
     default: return {};
     }
 }

@@ -100,6 +100,19 @@ void read(CommandReader& from, BodyDef& x) {
     if (members > 12) read(from, x.user_data);
 }
 
+void read(CommandReader& from, CharacterDef& x) {
+    const std::size_t members = from.member_count(9, "CharacterDef");
+    if (members > 0) read(from, x.up);
+    if (members > 1) read(from, x.max_slope);
+    if (members > 2) read(from, x.step_height);
+    if (members > 3) read(from, x.stick_distance);
+    if (members > 4) read(from, x.skin);
+    if (members > 5) read(from, x.mass);
+    if (members > 6) read(from, x.max_push_force);
+    if (members > 7) read(from, x.air_acceleration);
+    if (members > 8) read(from, x.flies);
+}
+
 void read(CommandReader& from, JointSpring& x) {
     const std::size_t members = from.member_count(3, "JointSpring");
     if (members > 0) read(from, x.stiffness);

@@ -100,6 +100,19 @@ void write(CommandWriter& to, const BodyDef& x) {
     write(to, x.user_data);
 }
 
+void write(CommandWriter& to, const CharacterDef& x) {
+    to.number(9);
+    write(to, x.up);
+    write(to, x.max_slope);
+    write(to, x.step_height);
+    write(to, x.stick_distance);
+    write(to, x.skin);
+    write(to, x.mass);
+    write(to, x.max_push_force);
+    write(to, x.air_acceleration);
+    write(to, x.flies);
+}
+
 void write(CommandWriter& to, const JointSpring& x) {
     to.number(3);
     write(to, x.stiffness);

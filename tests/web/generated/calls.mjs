@@ -1,5 +1,5 @@
 // Made by tools/api.py from api/: change those, and run it.
-export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
+export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CharacterSupport', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
 export const CALLS = [
     { owner: 'World', name: 'addShape', isSetter: false, types: ['BodyId', 'Shape', 'ShapeDef'] },
     { owner: 'World', name: 'removeShape', isSetter: false, types: ['ShapeId'] },
@@ -18,12 +18,12 @@ export const CALLS = [
     { owner: 'World', name: 'setJointStrength', isSetter: false, types: ['JointId', 'float', 'float'] },
     { owner: 'World', name: 'jointState', isSetter: false, types: ['JointId'] },
     { owner: 'World', name: 'findJoint', isSetter: false, types: ['string'] },
-    { owner: 'World', name: 'castRay', isSetter: false, types: ['Position', 'Vec3', 'double', 'u64'] },
-    { owner: 'World', name: 'castRayAll', isSetter: false, types: ['Position', 'Vec3', 'double', 'u64'] },
-    { owner: 'World', name: 'castShape', isSetter: false, types: ['Shape', 'Transform', 'Vec3', 'u64'] },
-    { owner: 'World', name: 'closestPoint', isSetter: false, types: ['Position', 'double', 'u64'] },
-    { owner: 'World', name: 'overlap', isSetter: false, types: ['Shape', 'Transform', 'u64'] },
-    { owner: 'World', name: 'overlapBounds', isSetter: false, types: ['Bounds', 'u64'] },
+    { owner: 'World', name: 'castRay', isSetter: false, types: ['Position', 'Vec3', 'double', 'QueryFilter'] },
+    { owner: 'World', name: 'castRayAll', isSetter: false, types: ['Position', 'Vec3', 'double', 'QueryFilter'] },
+    { owner: 'World', name: 'castShape', isSetter: false, types: ['Shape', 'Transform', 'Vec3', 'QueryFilter'] },
+    { owner: 'World', name: 'closestPoint', isSetter: false, types: ['Position', 'double', 'QueryFilter'] },
+    { owner: 'World', name: 'overlap', isSetter: false, types: ['Shape', 'Transform', 'QueryFilter'] },
+    { owner: 'World', name: 'overlapBounds', isSetter: false, types: ['Bounds', 'QueryFilter'] },
     { owner: 'World', name: 'broadPhaseNodes', isSetter: false, types: ['int', 'int'] },
     { owner: 'World', name: 'settings', isSetter: true, types: ['WorldDef'] },
     { owner: 'World', name: 'usualSubsteps', isSetter: false, types: ['float'] },
@@ -53,4 +53,8 @@ export const CALLS = [
     { owner: 'Body', name: 'applyImpulse', isSetter: false, types: ['Vec3'] },
     { owner: 'Body', name: 'applyImpulseAt', isSetter: false, types: ['Vec3', 'Position'] },
     { owner: 'Body', name: 'applyAngularImpulse', isSetter: false, types: ['Vec3'] },
+    { owner: 'Body', name: 'character', isSetter: true, types: ['CharacterDef'] },
+    { owner: 'Body', name: 'removeCharacter', isSetter: false, types: [] },
+    { owner: 'Body', name: 'walkVelocity', isSetter: true, types: ['Vec3'] },
+    { owner: 'Body', name: 'jump', isSetter: false, types: ['float'] },
 ];

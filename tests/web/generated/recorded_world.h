@@ -14,6 +14,10 @@ inline std::string js(BodyType x) {
     constexpr const char* names[] = {"'static'", "'kinematic'", "'dynamic'"};
     return names[std::size_t(x)];
 }
+inline std::string js(CharacterSupport x) {
+    constexpr const char* names[] = {"'none'", "'steep'", "'ground'"};
+    return names[std::size_t(x)];
+}
 inline std::string js(JointAxis x) {
     constexpr const char* names[] = {"'linear'", "'angular'"};
     return names[std::size_t(x)];
@@ -46,6 +50,7 @@ std::string js(const CollisionFilter& x);
 std::string js(const ShapeDef& x);
 std::string js(const MassProperties& x);
 std::string js(const BodyDef& x);
+std::string js(const CharacterDef& x);
 std::string js(const JointSpring& x);
 std::string js(const JointRange& x);
 std::string js(const JointMotor& x);
@@ -66,6 +71,7 @@ std::string js(const JointLimit& x);
 std::string js(const JointDrive& x);
 std::string js(const GeneralJoint& x);
 std::string js(const JointDef& x);
+std::string js(const QueryFilter& x);
 std::string js(const WorldDef& x);
 std::string js(const ForceField& x);
 std::string js(const Shape& x);
@@ -82,6 +88,7 @@ inline std::string js(const CollisionFilter& x) { return object({{"layers", js(x
 inline std::string js(const ShapeDef& x) { return object({{"position", js(x.position)}, {"rotation", js(x.rotation)}, {"density", js(x.density)}, {"material", js(x.material)}, {"filter", js(x.filter)}, {"isTrigger", js(x.is_trigger)}, {"surfaceVelocity", js(x.surface_velocity)}, {"userData", js(x.user_data)}}); }
 inline std::string js(const MassProperties& x) { return object({{"mass", js(x.mass)}, {"centerOfMass", js(x.center_of_mass)}, {"inertiaDiagonal", js(x.inertia_diagonal)}, {"inertiaOrientation", js(x.inertia_orientation)}}); }
 inline std::string js(const BodyDef& x) { return object({{"type", js(x.type)}, {"position", js(x.position)}, {"rotation", js(x.rotation)}, {"linearVelocity", js(x.linear_velocity)}, {"angularVelocity", js(x.angular_velocity)}, {"linearDamping", js(x.linear_damping)}, {"angularDamping", js(x.angular_damping)}, {"gravityScale", js(x.gravity_scale)}, {"allowSleep", js(x.allow_sleep)}, {"mass", js(x.mass)}, {"massProperties", js(x.mass_properties)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const CharacterDef& x) { return object({{"up", js(x.up)}, {"maxSlope", js(x.max_slope)}, {"stepHeight", js(x.step_height)}, {"stickDistance", js(x.stick_distance)}, {"skin", js(x.skin)}, {"mass", js(x.mass)}, {"maxPushForce", js(x.max_push_force)}, {"airAcceleration", js(x.air_acceleration)}, {"flies", js(x.flies)}}); }
 inline std::string js(const JointSpring& x) { return object({{"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}, {"isAcceleration", js(x.is_acceleration)}}); }
 inline std::string js(const JointRange& x) { return object({{"lower", js(x.lower)}, {"upper", js(x.upper)}, {"spring", js(x.spring)}}); }
 inline std::string js(const JointMotor& x) { return object({{"velocity", js(x.velocity)}, {"position", js(x.position)}, {"spring", js(x.spring)}, {"maxForce", js(x.max_force)}}); }
@@ -102,6 +109,7 @@ inline std::string js(const JointLimit& x) { return object({{"kind", js(x.kind)}
 inline std::string js(const JointDrive& x) { return object({{"kind", js(x.kind)}, {"isAcceleration", js(x.is_acceleration)}, {"axis", js(x.axis)}, {"maxForce", js(x.max_force)}, {"positionTarget", js(x.position_target)}, {"velocityTarget", js(x.velocity_target)}, {"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}}); }
 inline std::string js(const GeneralJoint& x) { return object({{"limits", js(x.limits)}, {"drives", js(x.drives)}}); }
 inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)}, {"bodyB", js(x.body_b)}, {"frameA", js(x.frame_a)}, {"frameB", js(x.frame_b)}, {"joint", js(x.joint)}, {"enableCollision", js(x.enable_collision)}, {"breakForce", js(x.break_force)}, {"breakTorque", js(x.break_torque)}, {"solver", js(x.solver)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const QueryFilter& x) { return object({{"layers", js(x.layers)}, {"ownLayers", js(x.own_layers)}, {"staticBodies", js(x.static_bodies)}, {"kinematicBodies", js(x.kinematic_bodies)}, {"dynamicBodies", js(x.dynamic_bodies)}, {"triggers", js(x.triggers)}, {"any", js(x.any)}, {"ignoredBodies", js(x.ignored_bodies)}}); }
 inline std::string js(const WorldDef& x) { return object({{"gravity", js(x.gravity)}, {"substeps", js(x.substeps)}, {"adaptiveSubsteps", js(x.adaptive_substeps)}, {"integrator", js(x.integrator)}, {"enableSleep", js(x.enable_sleep)}, {"sleepSpeed", js(x.sleep_speed)}, {"sleepTime", js(x.sleep_time)}, {"restitutionSpeed", js(x.restitution_speed)}, {"hitSpeed", js(x.hit_speed)}, {"recoverySpeed", js(x.recovery_speed)}, {"maxLinearSpeed", js(x.max_linear_speed)}, {"maxAngularSpeed", js(x.max_angular_speed)}}); }
 inline std::string js(const ForceField& x) { return object({{"kind", js(x.kind)}, {"direction", js(x.direction)}, {"center", js(x.center)}, {"strength", js(x.strength)}, {"exponent", js(x.exponent)}, {"isForce", js(x.is_force)}}); }
 inline std::string js(const Shape& x) {
@@ -179,12 +187,12 @@ class RecordedWorld : public Recording {
     auto joints() const { return world_.joints(); }
     auto joints(BodyId body) const { return world_.joints(body); }
     auto find_joint(std::string_view name) const { return world_.find_joint(name); }
-    auto cast_ray(const Position& origin, const Vec3& direction, double max_distance, std::uint64_t layers = all_layers) const { return world_.cast_ray(origin, direction, max_distance, layers); }
-    auto cast_ray_all(const Position& origin, const Vec3& direction, double max_distance, std::uint64_t layers = all_layers) const { return world_.cast_ray_all(origin, direction, max_distance, layers); }
-    auto cast_shape(const Shape& shape, const Transform& start, const Vec3& translation, std::uint64_t layers = all_layers) const { return world_.cast_shape(shape, start, translation, layers); }
-    auto closest_point(const Position& point, double max_distance, std::uint64_t layers = all_layers) const { return world_.closest_point(point, max_distance, layers); }
-    auto overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const { return world_.overlap(shape, pose, layers); }
-    auto overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const { return world_.overlap_bounds(bounds, layers); }
+    auto cast_ray(const Position& origin, const Vec3& direction, double max_distance, const QueryFilter& filter = {}) const { return world_.cast_ray(origin, direction, max_distance, filter); }
+    auto cast_ray_all(const Position& origin, const Vec3& direction, double max_distance, const QueryFilter& filter = {}) const { return world_.cast_ray_all(origin, direction, max_distance, filter); }
+    auto cast_shape(const Shape& shape, const Transform& start, const Vec3& translation, const QueryFilter& filter = {}) const { return world_.cast_shape(shape, start, translation, filter); }
+    auto closest_point(const Position& point, double max_distance, const QueryFilter& filter = {}) const { return world_.closest_point(point, max_distance, filter); }
+    auto overlap(const Shape& shape, const Transform& pose, const QueryFilter& filter = {}) const { return world_.overlap(shape, pose, filter); }
+    auto overlap_bounds(const Bounds& bounds, const QueryFilter& filter = {}) const { return world_.overlap_bounds(bounds, filter); }
     auto broad_phase_nodes(int max_depth, int max_count) const { return world_.broad_phase_nodes(max_depth, max_count); }
     auto solver_contacts() const { return world_.solver_contacts(); }
     auto contact_begins() const { return world_.contact_begins(); }
@@ -335,6 +343,26 @@ class RecordedBody : public RecordedBodyBase {
         real().apply_angular_impulse(impulse);
         note("" + body_text() + ".applyAngularImpulse(" + js(impulse) + ")" + ";");
     }
+    auto is_character() const { return real().is_character(); }
+    auto character() const { return real().character(); }
+    auto set_character(const CharacterDef& def) {
+        real().set_character(def);
+        note("" + body_text() + ".character = " + js(def) + ";");
+    }
+    auto remove_character() {
+        real().remove_character();
+        note("" + body_text() + ".removeCharacter(" + ")" + ";");
+    }
+    auto walk_velocity() const { return real().walk_velocity(); }
+    auto set_walk_velocity(const Vec3& velocity) {
+        real().set_walk_velocity(velocity);
+        note("" + body_text() + ".walkVelocity = " + js(velocity) + ";");
+    }
+    auto jump(float speed) {
+        real().jump(speed);
+        note("" + body_text() + ".jump(" + js(speed) + ")" + ";");
+    }
+    auto character_state() const { return real().character_state(); }
 };
 
 inline RecordedBody RecordedWorld::body(BodyId body) { return {*this, body}; }

@@ -234,7 +234,7 @@ export class WorldCalls {
         }
     }
 
-    castRay(origin, direction, maxDistance, layers = ALL_LAYERS) {
+    castRay(origin, direction, maxDistance, filter = {}) {
         const mark = enter();
         try {
             const $origin = room(24);
@@ -242,16 +242,18 @@ export class WorldCalls {
             const $direction = room(12);
             fields.putVec3($direction, direction, 'direction');
             const $maxDistance = numberOf(maxDistance, 'maxDistance');
-            const $layers = u64Of(layers, 'layers');
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
             const out = room(64), found = room(1);
-            check(M._cairn_world_cast_ray(use(this), $origin, $direction, $maxDistance, $layers[0], $layers[1], out, found));
+            check(M._cairn_world_cast_ray(use(this), $origin, $direction, $maxDistance, $filter, out, found));
             return fields.getBool(found) ? values.getRayHit(out) : null;
         } finally {
             leave(mark);
         }
     }
 
-    castRayAll(origin, direction, maxDistance, layers = ALL_LAYERS) {
+    castRayAll(origin, direction, maxDistance, filter = {}) {
         const mark = enter();
         try {
             const $origin = room(24);
@@ -259,14 +261,16 @@ export class WorldCalls {
             const $direction = room(12);
             fields.putVec3($direction, direction, 'direction');
             const $maxDistance = numberOf(maxDistance, 'maxDistance');
-            const $layers = u64Of(layers, 'layers');
-            return listOf(64, (list, capacity, count) => M._cairn_world_cast_ray_all(use(this), $origin, $direction, $maxDistance, $layers[0], $layers[1], list, capacity, count), (at) => values.getRayHit(at));
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
+            return listOf(64, (list, capacity, count) => M._cairn_world_cast_ray_all(use(this), $origin, $direction, $maxDistance, $filter, list, capacity, count), (at) => values.getRayHit(at));
         } finally {
             leave(mark);
         }
     }
 
-    castShape(shape, start, translation, layers = ALL_LAYERS) {
+    castShape(shape, start, translation, filter = {}) {
         const mark = enter();
         try {
             const $shape = room(100);
@@ -276,31 +280,35 @@ export class WorldCalls {
             values.putTransform($start, start, 'Transform');
             const $translation = room(12);
             fields.putVec3($translation, translation, 'translation');
-            const $layers = u64Of(layers, 'layers');
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
             const out = room(64), found = room(1);
-            check(M._cairn_world_cast_shape(use(this), $shape, $start, $translation, $layers[0], $layers[1], out, found));
+            check(M._cairn_world_cast_shape(use(this), $shape, $start, $translation, $filter, out, found));
             return fields.getBool(found) ? values.getShapeCastHit(out) : null;
         } finally {
             leave(mark);
         }
     }
 
-    closestPoint(point, maxDistance, layers = ALL_LAYERS) {
+    closestPoint(point, maxDistance, filter = {}) {
         const mark = enter();
         try {
             const $point = room(24);
             fields.putPosition($point, point, 'point');
             const $maxDistance = numberOf(maxDistance, 'maxDistance');
-            const $layers = u64Of(layers, 'layers');
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
             const out = room(48), found = room(1);
-            check(M._cairn_world_closest_point(use(this), $point, $maxDistance, $layers[0], $layers[1], out, found));
+            check(M._cairn_world_closest_point(use(this), $point, $maxDistance, $filter, out, found));
             return fields.getBool(found) ? values.getClosestPoint(out) : null;
         } finally {
             leave(mark);
         }
     }
 
-    overlap(shape, pose, layers = ALL_LAYERS) {
+    overlap(shape, pose, filter = {}) {
         const mark = enter();
         try {
             const $shape = room(100);
@@ -308,21 +316,25 @@ export class WorldCalls {
             const $pose = room(40);
             M._cairn_default_transform($pose);
             values.putTransform($pose, pose, 'Transform');
-            const $layers = u64Of(layers, 'layers');
-            return listOf(8, (list, capacity, count) => M._cairn_world_overlap(use(this), $shape, $pose, $layers[0], $layers[1], list, capacity, count), (at) => fields.getU64(at));
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
+            return listOf(8, (list, capacity, count) => M._cairn_world_overlap(use(this), $shape, $pose, $filter, list, capacity, count), (at) => fields.getU64(at));
         } finally {
             leave(mark);
         }
     }
 
-    overlapBounds(bounds, layers = ALL_LAYERS) {
+    overlapBounds(bounds, filter = {}) {
         const mark = enter();
         try {
             const $bounds = room(48);
             M._cairn_default_bounds($bounds);
             values.putBounds($bounds, bounds, 'Bounds');
-            const $layers = u64Of(layers, 'layers');
-            return listOf(8, (list, capacity, count) => M._cairn_world_overlap_bounds(use(this), $bounds, $layers[0], $layers[1], list, capacity, count), (at) => fields.getU64(at));
+            const $filter = room(40);
+            M._cairn_default_query_filter($filter);
+            values.putQueryFilter($filter, filter, 'QueryFilter');
+            return listOf(8, (list, capacity, count) => M._cairn_world_overlap_bounds(use(this), $bounds, $filter, list, capacity, count), (at) => fields.getU64(at));
         } finally {
             leave(mark);
         }
@@ -1064,6 +1076,93 @@ export class BodyCalls {
             const $impulse = room(12);
             fields.putVec3($impulse, impulse, 'impulse');
             check(M._cairn_body_apply_angular_impulse(use(this.world), this.low, this.high, $impulse));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get isCharacter() {
+        const mark = enter();
+        try {
+            const out = room(1);
+            check(M._cairn_body_is_character(use(this.world), this.low, this.high, out));
+            return fields.getBool(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get character() {
+        const mark = enter();
+        try {
+            const out = room(48);
+            M._cairn_default_character_def(out);
+            check(M._cairn_body_get_character(use(this.world), this.low, this.high, out));
+            return values.getCharacterDef(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    set character(definition) {
+        const mark = enter();
+        try {
+            const $def = room(48);
+            M._cairn_default_character_def($def);
+            values.putCharacterDef($def, definition, 'CharacterDef');
+            check(M._cairn_body_set_character(use(this.world), this.low, this.high, $def));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    removeCharacter() {
+        const mark = enter();
+        try {
+            check(M._cairn_body_remove_character(use(this.world), this.low, this.high));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get walkVelocity() {
+        const mark = enter();
+        try {
+            const out = room(12);
+            check(M._cairn_body_get_walk_velocity(use(this.world), this.low, this.high, out));
+            return fields.getVec3(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    set walkVelocity(velocity) {
+        const mark = enter();
+        try {
+            const $velocity = room(12);
+            fields.putVec3($velocity, velocity, 'velocity');
+            check(M._cairn_body_set_walk_velocity(use(this.world), this.low, this.high, $velocity));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    jump(speed) {
+        const mark = enter();
+        try {
+            const $speed = numberOf(speed, 'speed');
+            check(M._cairn_body_jump(use(this.world), this.low, this.high, $speed));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get characterState() {
+        const mark = enter();
+        try {
+            const out = room(80);
+            check(M._cairn_body_character_state(use(this.world), this.low, this.high, out));
+            return values.getCharacterState(out);
         } finally {
             leave(mark);
         }

@@ -43,6 +43,8 @@ export const COMBINE_RULE = ['average', 'minimum', 'maximum', 'multiply'];
 
 export const BODY_TYPE = ['static', 'kinematic', 'dynamic'];
 
+export const CHARACTER_SUPPORT = ['none', 'steep', 'ground'];
+
 export const JOINT_AXIS = ['linear', 'angular'];
 
 export const JOINT_SOLVER = ['automatic', 'iterative', 'direct'];
@@ -387,6 +389,51 @@ export function getBodyDef(p) {
         massProperties: getBool(p + 92) ? getMassProperties(p + 96) : null,
         name: getString(p + 140),
         userData: getU64(p + 144),
+    };
+}
+
+export function putCharacterDef(p, value, where) {
+    for (const key of keysOf(value, where)) {
+        const x = value[key];
+        if (x === undefined) continue;
+        switch (key) {
+        case 'up': putVec3(p + 4, x, 'CharacterDef.up'); break;
+        case 'maxSlope': putFloat(p + 16, x, 'CharacterDef.maxSlope'); break;
+        case 'stepHeight': putFloat(p + 20, x, 'CharacterDef.stepHeight'); break;
+        case 'stickDistance': putFloat(p + 24, x, 'CharacterDef.stickDistance'); break;
+        case 'skin': putFloat(p + 28, x, 'CharacterDef.skin'); break;
+        case 'mass': putFloat(p + 32, x, 'CharacterDef.mass'); break;
+        case 'maxPushForce': putFloat(p + 36, x, 'CharacterDef.maxPushForce'); break;
+        case 'airAcceleration': putFloat(p + 40, x, 'CharacterDef.airAcceleration'); break;
+        case 'flies': putBool(p + 44, x, 'CharacterDef.flies'); break;
+        default: unknown('CharacterDef', key, ['up', 'maxSlope', 'stepHeight', 'stickDistance', 'skin', 'mass', 'maxPushForce', 'airAcceleration', 'flies']);
+        }
+    }
+}
+
+export function getCharacterDef(p) {
+    return {
+        up: getVec3(p + 4),
+        maxSlope: getFloat(p + 16),
+        stepHeight: getFloat(p + 20),
+        stickDistance: getFloat(p + 24),
+        skin: getFloat(p + 28),
+        mass: getFloat(p + 32),
+        maxPushForce: getFloat(p + 36),
+        airAcceleration: getFloat(p + 40),
+        flies: getBool(p + 44),
+    };
+}
+
+export function getCharacterState(p) {
+    return {
+        support: CHARACTER_SUPPORT[getInt(p)],
+        velocity: getVec3(p + 4),
+        groundShape: getU64(p + 16),
+        groundBody: getU64(p + 24),
+        groundPoint: getPosition(p + 32),
+        groundNormal: getVec3(p + 56),
+        groundVelocity: getVec3(p + 68),
     };
 }
 
@@ -878,6 +925,37 @@ export function getSolverContact(p) {
         bodyB: getU64(p + 24),
         color: getInt(p + 32),
         substeps: getInt(p + 36),
+    };
+}
+
+export function putQueryFilter(p, value, where) {
+    for (const key of keysOf(value, where)) {
+        const x = value[key];
+        if (x === undefined) continue;
+        switch (key) {
+        case 'layers': putU64(p + 8, x, 'QueryFilter.layers'); break;
+        case 'ownLayers': putU64(p + 16, x, 'QueryFilter.ownLayers'); break;
+        case 'staticBodies': putBool(p + 24, x, 'QueryFilter.staticBodies'); break;
+        case 'kinematicBodies': putBool(p + 25, x, 'QueryFilter.kinematicBodies'); break;
+        case 'dynamicBodies': putBool(p + 26, x, 'QueryFilter.dynamicBodies'); break;
+        case 'triggers': putBool(p + 27, x, 'QueryFilter.triggers'); break;
+        case 'any': putBool(p + 28, x, 'QueryFilter.any'); break;
+        case 'ignoredBodies': putList(p + 32, p + 36, x, 8, 'QueryFilter.ignoredBodies', (at, x, place) => { M._cairn_default_body_id(at); putHandle(at, x, place); }); break;
+        default: unknown('QueryFilter', key, ['layers', 'ownLayers', 'staticBodies', 'kinematicBodies', 'dynamicBodies', 'triggers', 'any', 'ignoredBodies']);
+        }
+    }
+}
+
+export function getQueryFilter(p) {
+    return {
+        layers: getU64(p + 8),
+        ownLayers: getU64(p + 16),
+        staticBodies: getBool(p + 24),
+        kinematicBodies: getBool(p + 25),
+        dynamicBodies: getBool(p + 26),
+        triggers: getBool(p + 27),
+        any: getBool(p + 28),
+        ignoredBodies: getList(p + 32, p + 36, 8, (at) => getU64(at)),
     };
 }
 

@@ -1,0 +1,23 @@
+// Characters walk at the beginning of a step (docs/decisions/characters.md).
+#pragma once
+
+#include "state/state.h"
+#include "state/step_scratch.h"
+
+namespace cairn {
+
+// What moving characters reads, and what it changes: their bodies, which the step then moves by the velocity that they
+// have been given, and forces on dynamic bodies.
+struct CharacterContext {
+    const WorldDef& settings;
+    Bodies& bodies;
+    Shapes& shapes;
+    Islands& islands;
+    BroadPhase& broad_phase;
+    StepEvents& events;
+    Characters& characters;
+};
+
+void move_characters(const CharacterContext& context, CharacterScratch& scratch, float dt);
+
+} // namespace cairn
