@@ -2,6 +2,7 @@
 
 #include "bodies/motion_budget.h"
 #include "contacts/patches.h"
+#include "contacts/record_owners.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
         const ContactInfo& c = in.contacts.info[contact];
         pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
         if (c.point_count > 0) {
-            const DVec3 n = math::to_double(math::to_vec(in.contacts.records[std::size_t(contact)].normal));
+            const DVec3 n = math::to_double(normal_of(in.contacts, std::uint32_t(contact), in.ranks));
             pair.axis = c.shape_a == shape ? n : -n;
         }
     }

@@ -18,6 +18,7 @@ struct SweptInput {
     const std::vector<std::uint32_t>& solved;
     const std::vector<std::int32_t>&fast, &strayed; // of SolverScratch
     ThreadPool& thread_pool;
+    Communicator* ranks;
 };
 
 class SweptPairs {

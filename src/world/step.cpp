@@ -5,6 +5,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
+#include "contacts/record_owners.h"
 #include "impacts/resolve_impacts.h"
 #include "islands/islands.h"
 #include "joints/joints.h"
@@ -71,6 +72,7 @@ void World::Impl::make_step(float dt) {
     if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
     state.events.begin_step();
     times = {};
+    if (communicator && state.contacts.records.is_whole()) leave_records_to_owners(state.contacts);
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
     wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
@@ -79,7 +81,7 @@ void World::Impl::make_step(float dt) {
     times.broad_phase = clock.lap();
     state.statistics.tested_pairs =
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.fields, state.broad_phase,
-                        state.events, state.settings, step, dt);
+                        state.events, state.settings, step, communicator.get(), dt);
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, dt);
     times.islands = clock.lap();
@@ -91,12 +93,13 @@ void World::Impl::make_step(float dt) {
     times.solve = solve - times.prepare;
     finalize_kinematics(state.bodies, state.shapes, state.broad_phase, dt);
     resolve_impacts({state.settings, state.joints, state.fields, state.bodies, state.shapes, state.contacts,
-                     state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds},
+                     state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds,
+                     communicator.get()},
                     step, dt);
     wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
     state.statistics.max_penetration =
         report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
-                        step.solver, step.narrow, *step.thread_pool, dt);
+                        step.solver, step.narrow, *step.thread_pool, communicator.get(), dt);
     break_joints();
     update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events, step.solved,
                  step.solver);

@@ -1,0 +1,215 @@
+#include "contacts/shared_tests.h"
+
+#include "bodies/motion_budget.h"
+#include "contacts/contact_update.h"
+#include "contacts/internal_edges.h"
+#include "contacts/patches.h"
+#include "contacts/record_owners.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cairn {
+
+namespace {
+
+// Bytes of one rank for all.
+class Stream {
+  public:
+    template <class T> void put(const T& value) {
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + sizeof value);
+        std::memcpy(bytes_.data() + at, &value, sizeof value);
+    }
+    template <class T> T take() {
+        T value;
+        std::memcpy(&value, bytes_.data() + next_, sizeof value);
+        next_ += sizeof value;
+        return value;
+    }
+    void broadcast(int root, Communicator& ranks) {
+        std::uint64_t size = bytes_.size();
+        ranks.broadcast(root, std::as_writable_bytes(std::span(&size, 1)));
+        bytes_.resize(std::size_t(size));
+        if (size > 0) ranks.broadcast(root, bytes_);
+    }
+
+  private:
+    std::vector<std::byte> bytes_;
+    std::size_t next_ = 0;
+};
+
+bool has_points(std::uint8_t outcome) { return outcome == begun || outcome == goes_on || outcome == may_wake; }
+
+// What a test has found, from the rank that made it to the others. Both go through pairs, patches and members in the
+// same order.
+class TestTeller {
+  public:
+    TestTeller(const NarrowInput& in, const FollowUpContext& context, Stream& stream, float dt)
+        : in(in), s(context), stream_(stream), dt_(dt) {}
+
+    void tell(std::uint32_t place) {
+        const std::uint32_t id = s.narrow.candidates[place];
+        const std::uint8_t outcome = s.narrow.outcomes[place];
+        stream_.put(outcome);
+        if (!is_group(s.contacts.info[id])) return tell_contact(s.contacts, id, outcome);
+        tell_answer(s.contacts, id);
+        if (outcome != tested_patches) return;
+        for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
+            stream_.put(s.narrow.patch_outcomes[patch]);
+            tell_contact(s.contacts, patch, s.narrow.patch_outcomes[patch]);
+        });
+        tell_fresh(place, id);
+    }
+
+  private:
+    void tell_answer(const Contacts& contacts, std::uint32_t id) {
+        const Travel placed = contacts.info[id].placed_at, until = contacts.answers[id].until;
+        const bool is_of_now = placed == travel_of(in.bodies, contacts.info[id]) && until == placed;
+        stream_.put(is_of_now);
+        if (!is_of_now) stream_.put(placed), stream_.put(until);
+    }
+    void tell_contact(const Contacts& contacts, std::uint32_t id, std::uint8_t outcome) {
+        tell_answer(contacts, id);
+        if (!has_points(outcome)) return;
+        stream_.put(contacts.info[id].point_count);
+        if (outcome == begun) stream_.put(how_it_begins(contacts, id, dt_));
+    }
+    // Patches that the group gets when all is followed up: as if they had their contacts already.
+    void tell_fresh(std::uint32_t place, std::uint32_t group) {
+        const auto is_before = [](const FreshPatch& fresh, std::uint32_t place) { return fresh.place < place; };
+        auto fresh = std::lower_bound(s.narrow.fresh.begin(), s.narrow.fresh.end(), place, is_before);
+        for (; fresh != s.narrow.fresh.end() && fresh->place == place; ++fresh) {
+            Contacts one;
+            one.info.push_back(s.contacts.info[group]);
+            one.info[0].kind = PairKind::patch, one.info[0].point_count = 0, one.info[0].touching = 0;
+            one.answers.emplace_back();
+            one.records.open(0, true);
+            take_manifold(in.bodies, in.shapes, one, in.islands, 0, fresh->manifold,
+                          fresh->is_ahead ? &fresh->touch : nullptr);
+            stream_.put(true);
+            stream_.put(fresh->is_ahead);
+            stream_.put(one.info[0].point_count);
+            stream_.put(how_it_begins(one, 0, dt_));
+        }
+        stream_.put(false);
+    }
+
+    const NarrowInput& in;
+    const FollowUpContext& s;
+    Stream& stream_;
+    const float dt_;
+};
+
+class TestHearer {
+  public:
+    TestHearer(const NarrowInput& in, const FollowUpContext& context) : in(in), s(context) {}
+
+    void hear(std::uint32_t place, Stream& stream) {
+        const std::uint32_t id = s.narrow.candidates[place];
+        const auto outcome = stream.take<std::uint8_t>();
+        s.narrow.outcomes[place] = outcome;
+        if (outcome == may_fly_by) s.narrow.at_work.front().flights.add(place, nullptr, 0);
+        if (!is_group(s.contacts.info[id])) return hear_contact(id, outcome, stream);
+        hear_answer(id, stream);
+        if (outcome != tested_patches) return;
+        for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
+            s.narrow.patch_outcomes[patch] = stream.take<std::uint8_t>();
+            hear_contact(patch, s.narrow.patch_outcomes[patch], stream);
+        });
+        for (std::uint32_t order = 0; stream.take<bool>(); ++order) {
+            FreshPatch fresh{place, order, {}, stream.take<bool>(), {}};
+            fresh.manifold.count = stream.take<std::uint8_t>();
+            s.narrow.fresh.push_back(fresh);
+            s.narrow.begun.push_back(stream.take<BegunContact>());
+        }
+    }
+
+  private:
+    void hear_answer(std::uint32_t id, Stream& stream) {
+        Travel &placed = s.contacts.info[id].placed_at, &until = s.contacts.answers[id].until;
+        if (stream.take<bool>())
+            placed = until = travel_of(in.bodies, s.contacts.info[id]);
+        else
+            placed = stream.take<Travel>(), until = stream.take<Travel>();
+    }
+    void hear_contact(std::uint32_t id, std::uint8_t outcome, Stream& stream) {
+        hear_answer(id, stream);
+        if (!has_points(outcome)) return;
+        s.contacts.info[id].point_count = stream.take<std::uint8_t>();
+        if (outcome == begun) s.narrow.begun.push_back(stream.take<BegunContact>());
+    }
+
+    const NarrowInput& in;
+    const FollowUpContext& s;
+};
+
+} // namespace
+
+void leave_pairs_to_owners(const Contacts& contacts, NarrowScratch& narrow) {
+    narrow.shared.clear();
+    for (const std::uint32_t place : narrow.open)
+        if (narrow.outcomes[place] >= to_test && owner_of(contacts, narrow.candidates[place]) != every_rank)
+            narrow.shared.push_back(place);
+    for (std::vector<std::uint32_t>& list : narrow.lists)
+        std::erase_if(list, [&](std::uint32_t place) { return !contacts.records.has(narrow.candidates[place]); });
+}
+
+void exchange_tests(const NarrowInput& in, const FollowUpContext& s, std::span<const std::uint32_t> places, float dt) {
+    NarrowScratch& narrow = s.narrow;
+    narrow.begun.clear();
+    narrow.next_begun = 0;
+    if (places.empty()) return;
+    std::vector<Stream> streams(std::size_t(s.ranks->size()));
+    TestTeller teller(in, s, streams[std::size_t(s.ranks->rank())], dt);
+    for (const std::uint32_t place : places)
+        if (s.contacts.records.has(narrow.candidates[place])) teller.tell(place);
+    for (int root = 0; root < s.ranks->size(); ++root) streams[std::size_t(root)].broadcast(root, *s.ranks);
+    TestHearer hearer(in, s);
+    for (const std::uint32_t place : places) {
+        const std::uint32_t id = narrow.candidates[place];
+        if (!s.contacts.records.has(id)) hearer.hear(place, streams[std::size_t(owner_of(s.contacts, id))]);
+    }
+    std::sort(narrow.fresh.begin(), narrow.fresh.end(), comes_before);
+}
+
+void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, Communicator& ranks) {
+    std::erase_if(narrow.dropped, [&](std::uint32_t id) { return owner_of(contacts, id) == every_rank; });
+    if (ranks.sum(narrow.dropped.size()) == 0) return;
+    for (int root = 0; root < ranks.size(); ++root) {
+        Stream stream;
+        if (root == ranks.rank()) {
+            for (const std::uint32_t id : narrow.dropped) stream.put(true), stream.put(id);
+            stream.put(false);
+        }
+        stream.broadcast(root, ranks);
+        if (root == ranks.rank()) continue;
+        while (stream.take<bool>()) drop_internal_edge(bodies, contacts, narrow, stream.take<std::uint32_t>());
+    }
+}
+
+const TouchPoint* exchange_touches(const Contacts& contacts, const SolverScratch& solver, NarrowScratch& narrow,
+                                   Communicator& ranks) {
+    std::vector<std::vector<std::size_t>> of_rank(std::size_t(ranks.size())); // their places in the list
+    narrow.touches.clear();
+    for (std::size_t k = 0; k < narrow.changes.size(); ++k) {
+        const std::uint32_t id = solver.of_batches[k].id;
+        if (narrow.changes[k] == 0 || contacts.info[id].touching) continue;
+        const bool is_here = contacts.records.has(id);
+        if (const std::int32_t owner = owner_of(contacts, id); owner != every_rank)
+            of_rank[std::size_t(owner)].push_back(narrow.touches.size());
+        narrow.touches.push_back(is_here ? touch_point_of(contacts, id) : TouchPoint{});
+    }
+    std::vector<TouchPoint> part;
+    for (int root = 0; root < ranks.size(); ++root) {
+        const std::vector<std::size_t>& places = of_rank[std::size_t(root)];
+        if (places.empty()) continue;
+        part.clear();
+        for (const std::size_t place : places) part.push_back(narrow.touches[place]);
+        ranks.broadcast(root, std::as_writable_bytes(std::span(part)));
+        for (std::size_t k = 0; k < places.size(); ++k) narrow.touches[places[k]] = part[k];
+    }
+    return narrow.touches.data();
+}
+
+} // namespace cairn
