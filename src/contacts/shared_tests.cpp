@@ -5,6 +5,7 @@
 #include "contacts/internal_edges.h"
 #include "contacts/patches.h"
 #include "contacts/record_owners.h"
+#include "core/cache.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,9 +18,9 @@ namespace {
 class Stream {
   public:
     template <class T> void put(const T& value) {
-        const std::size_t at = bytes_.size();
-        bytes_.resize(at + sizeof value);
-        std::memcpy(bytes_.data() + at, &value, sizeof value);
+        if (bytes_.size() < next_ + sizeof value) bytes_.resize(2 * next_ + 4096);
+        std::memcpy(bytes_.data() + next_, &value, sizeof value);
+        next_ += sizeof value;
     }
     template <class T> T take() {
         T value;
@@ -28,10 +29,11 @@ class Stream {
         return value;
     }
     void broadcast(int root, Communicator& ranks) {
-        std::uint64_t size = bytes_.size();
+        std::uint64_t size = next_; // of the root
         ranks.broadcast(root, std::as_writable_bytes(std::span(&size, 1)));
         bytes_.resize(std::size_t(size));
         if (size > 0) ranks.broadcast(root, bytes_);
+        next_ = 0;
     }
 
   private:
@@ -39,7 +41,10 @@ class Stream {
     std::size_t next_ = 0;
 };
 
-bool has_points(std::uint8_t outcome) { return outcome == begun || outcome == goes_on || outcome == may_wake; }
+// The first byte of what is told of a contact; of most it is the only one. An Outcome, how many points it has, and
+// whether it was tested where its bodies are, and is not known to stay apart.
+constexpr std::uint8_t outcome_bits = 15, points_shift = 4, is_open = 128;
+static_assert(to_test <= outcome_bits);
 
 // What a test has found, from the rank that made it to the others. Both go through pairs, patches and members in the
 // same order.
@@ -50,30 +55,21 @@ class TestTeller {
 
     void tell(std::uint32_t place) {
         const std::uint32_t id = s.narrow.candidates[place];
-        const std::uint8_t outcome = s.narrow.outcomes[place];
-        stream_.put(outcome);
-        if (!is_group(s.contacts.info[id])) return tell_contact(s.contacts, id, outcome);
-        tell_answer(s.contacts, id);
-        if (outcome != tested_patches) return;
-        for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
-            stream_.put(s.narrow.patch_outcomes[patch]);
-            tell_contact(s.contacts, patch, s.narrow.patch_outcomes[patch]);
-        });
+        tell_contact(id, s.narrow.outcomes[place]);
+        if (s.narrow.outcomes[place] != tested_patches) return;
+        for_each_patch(s.contacts, id,
+                       [&](std::uint32_t patch) { tell_contact(patch, s.narrow.patch_outcomes[patch]); });
         tell_fresh(place, id);
     }
 
   private:
-    void tell_answer(const Contacts& contacts, std::uint32_t id) {
-        const Travel placed = contacts.info[id].placed_at, until = contacts.answers[id].until;
-        const bool is_of_now = placed == travel_of(in.bodies, contacts.info[id]) && until == placed;
-        stream_.put(is_of_now);
-        if (!is_of_now) stream_.put(placed), stream_.put(until);
-    }
-    void tell_contact(const Contacts& contacts, std::uint32_t id, std::uint8_t outcome) {
-        tell_answer(contacts, id);
-        if (!has_points(outcome)) return;
-        stream_.put(contacts.info[id].point_count);
-        if (outcome == begun) stream_.put(how_it_begins(contacts, id, dt_));
+    void tell_contact(std::uint32_t id, std::uint8_t outcome) {
+        const ContactInfo& c = s.contacts.info[id];
+        const Travel until = s.contacts.answers[id].until;
+        const bool is_of_now = c.placed_at == travel_of(in.bodies, c) && until == c.placed_at;
+        stream_.put(std::uint8_t(outcome | c.point_count << points_shift | (is_of_now ? is_open : 0)));
+        if (!is_of_now) stream_.put(c.placed_at), stream_.put(until);
+        if (outcome == begun) stream_.put(how_it_begins(s.contacts, id, dt_));
     }
     // Patches that the group gets when all is followed up: as if they had their contacts already.
     void tell_fresh(std::uint32_t place, std::uint32_t group) {
@@ -107,16 +103,11 @@ class TestHearer {
 
     void hear(std::uint32_t place, Stream& stream) {
         const std::uint32_t id = s.narrow.candidates[place];
-        const auto outcome = stream.take<std::uint8_t>();
-        s.narrow.outcomes[place] = outcome;
+        const std::uint8_t outcome = s.narrow.outcomes[place] = hear_contact(id, stream);
         if (outcome == may_fly_by) s.narrow.at_work.front().flights.add(place, nullptr, 0);
-        if (!is_group(s.contacts.info[id])) return hear_contact(id, outcome, stream);
-        hear_answer(id, stream);
         if (outcome != tested_patches) return;
-        for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
-            s.narrow.patch_outcomes[patch] = stream.take<std::uint8_t>();
-            hear_contact(patch, s.narrow.patch_outcomes[patch], stream);
-        });
+        for_each_patch(s.contacts, id,
+                       [&](std::uint32_t patch) { s.narrow.patch_outcomes[patch] = hear_contact(patch, stream); });
         for (std::uint32_t order = 0; stream.take<bool>(); ++order) {
             FreshPatch fresh{place, order, {}, stream.take<bool>(), {}};
             fresh.manifold.count = stream.take<std::uint8_t>();
@@ -126,18 +117,18 @@ class TestHearer {
     }
 
   private:
-    void hear_answer(std::uint32_t id, Stream& stream) {
-        Travel &placed = s.contacts.info[id].placed_at, &until = s.contacts.answers[id].until;
-        if (stream.take<bool>())
-            placed = until = travel_of(in.bodies, s.contacts.info[id]);
+    std::uint8_t hear_contact(std::uint32_t id, Stream& stream) {
+        ContactInfo& c = s.contacts.info[id];
+        Travel& until = s.contacts.answers[id].until;
+        const auto head = stream.take<std::uint8_t>();
+        const std::uint8_t outcome = head & outcome_bits;
+        if ((head & is_open) != 0)
+            c.placed_at = until = travel_of(in.bodies, c);
         else
-            placed = stream.take<Travel>(), until = stream.take<Travel>();
-    }
-    void hear_contact(std::uint32_t id, std::uint8_t outcome, Stream& stream) {
-        hear_answer(id, stream);
-        if (!has_points(outcome)) return;
-        s.contacts.info[id].point_count = stream.take<std::uint8_t>();
+            c.placed_at = stream.take<Travel>(), until = stream.take<Travel>();
+        c.point_count = head >> points_shift & 7;
         if (outcome == begun) s.narrow.begun.push_back(stream.take<BegunContact>());
+        return outcome;
     }
 
     const NarrowInput& in;
@@ -166,9 +157,10 @@ void exchange_tests(const NarrowInput& in, const FollowUpContext& s, std::span<c
         if (s.contacts.records.has(narrow.candidates[place])) teller.tell(place);
     for (int root = 0; root < s.ranks->size(); ++root) streams[std::size_t(root)].broadcast(root, *s.ranks);
     TestHearer hearer(in, s);
-    for (const std::uint32_t place : places) {
-        const std::uint32_t id = narrow.candidates[place];
-        if (!s.contacts.records.has(id)) hearer.hear(place, streams[std::size_t(owner_of(s.contacts, id))]);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k + contacts_ahead < places.size()) ask_cache(&s.contacts.info[narrow.candidates[places[k + contacts_ahead]]]);
+        const std::uint32_t id = narrow.candidates[places[k]];
+        if (!s.contacts.records.has(id)) hearer.hear(places[k], streams[std::size_t(owner_of(s.contacts, id))]);
     }
     std::sort(narrow.fresh.begin(), narrow.fresh.end(), comes_before);
 }

@@ -179,6 +179,20 @@ void choose_owners(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>
 
 } // namespace
 
+void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& solver, Communicator& ranks) {
+    if (!contacts.records.is_whole()) return;
+    if (!contacts.owners.of_body.empty()) return leave_records_to_owners(contacts);
+    RankCut& cut = solver.cut;
+    cut.rank = ranks.rank(), cut.size = ranks.size();
+    std::vector<std::int32_t> members;
+    for (std::int32_t b = 0; b < std::int32_t(bodies.links.size()); ++b)
+        if (bodies.slots.is_live(std::uint32_t(b)) && bodies.is_dynamic(b) && bodies.links[b].first_joint == none)
+            members.push_back(b);
+    cut.owner.assign(bodies.links.size(), every_rank);
+    cut_along_curve(bodies, members, cut, cut.owner);
+    change_owners(contacts, cut.owner, ranks);
+}
+
 void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
                  Communicator& ranks, SolverScratch& solver) {
     RankCut& cut = solver.cut;

@@ -21,6 +21,9 @@
 
 namespace cairn {
 
+// Before a step: each rank keeps the records of its bodies alone. Before the first one, the bodies are shared out.
+void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& solver, Communicator& ranks);
+
 // Shares out the batches, and weighs the islands of those that another rank solves. The same on all ranks. Records go
 // to where bodies have gone.
 void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,

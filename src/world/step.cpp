@@ -5,11 +5,11 @@
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
-#include "contacts/record_owners.h"
 #include "impacts/resolve_impacts.h"
 #include "islands/islands.h"
 #include "joints/joints.h"
 #include "solver/island_batches.h"
+#include "solver/rank_cut.h"
 #include "solver/solve.h"
 #include "state/state.h"
 #include "state/substeps.h"
@@ -72,7 +72,7 @@ void World::Impl::make_step(float dt) {
     if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
     state.events.begin_step();
     times = {};
-    if (communicator && state.contacts.records.is_whole()) leave_records_to_owners(state.contacts);
+    if (communicator) share_out_records(state.bodies, state.contacts, step.solver, *communicator);
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
     wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
