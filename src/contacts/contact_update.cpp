@@ -267,8 +267,7 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
     const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(touch.arm);
     const float until_touch = separation > 0 ? std::min(separation / touch.approach_speed, dt) : 0.0f;
     const math::Vec3 n = touch.normal;
-    events.hits.push_back(
-        {a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, touch.approach_speed, until_touch});
+    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, touch.approach_speed, until_touch});
 }
 
 // Whether the step has made a contact begin or cease to touch.

@@ -366,7 +366,7 @@ void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& c
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
         std::int32_t& last = last_of_body[std::size_t(contacts.info[fixed[k].contact].body_a)];
-        if (last == none) continue; // its body is done
+        if (last == none) continue;                                                // its body is done
         if (fixed[last].on_several && contacts.records.has(fixed[last].contact)) { // which its body's others go with
             narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);

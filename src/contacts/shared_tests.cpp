@@ -158,7 +158,8 @@ void exchange_tests(const NarrowInput& in, const FollowUpContext& s, std::span<c
     for (int root = 0; root < s.ranks->size(); ++root) streams[std::size_t(root)].broadcast(root, *s.ranks);
     TestHearer hearer(in, s);
     for (std::size_t k = 0; k < places.size(); ++k) {
-        if (k + contacts_ahead < places.size()) ask_cache(&s.contacts.info[narrow.candidates[places[k + contacts_ahead]]]);
+        if (k + contacts_ahead < places.size())
+            ask_cache(&s.contacts.info[narrow.candidates[places[k + contacts_ahead]]]);
         const std::uint32_t id = narrow.candidates[places[k]];
         if (!s.contacts.records.has(id)) hearer.hear(places[k], streams[std::size_t(owner_of(s.contacts, id))]);
     }

@@ -20,7 +20,8 @@ void exchange_tests(const NarrowInput& in, const FollowUpContext& context, std::
 // Internal edges, NarrowScratch::dropped, which each rank has found among the contacts of its bodies.
 void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, Communicator& ranks);
 
-// After the solver: NarrowScratch::touches, of the contacts that begin to touch, in the order of NarrowScratch::changes.
+// After the solver: NarrowScratch::touches, of the contacts that begin to touch, in the order of
+// NarrowScratch::changes.
 const TouchPoint* exchange_touches(const Contacts& contacts, const SolverScratch& solver, NarrowScratch& narrow,
                                    Communicator& ranks);
 

@@ -105,16 +105,10 @@ void list_bodies(const Bodies& bodies, Islands& islands, const WorldDef& setting
             for (const std::int32_t b : touching) owners[std::size_t(b)] = every_rank;
             continue;
         }
-        cut.bodies_of_batch[i] = {std::int32_t(cut.touching.size()), std::int32_t(touching.size()),
-                                  std::int32_t(cut.free_bodies.size()), std::int32_t(free.size())};
+        cut.bodies_of_batch[i] = {std::int32_t(cut.touching.size()), std::int32_t(touching.size())};
         cut.touching.insert(cut.touching.end(), touching.begin(), touching.end());
         cut.free_bodies.insert(cut.free_bodies.end(), free.begin(), free.end());
     }
-}
-
-std::span<const std::int32_t> touching_of(const RankCut& cut, std::size_t batch) {
-    const BatchBodies& list = cut.bodies_of_batch[batch];
-    return std::span(cut.touching).subspan(std::size_t(list.first_touching), std::size_t(list.touching));
 }
 
 // The greatest share of a rank, over the mean; infinite while bodies belong to none.
@@ -156,8 +150,7 @@ void unite_batches(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>
         const std::span<const std::int32_t> touching = touching_of(cut, i);
         if (cut.owner_of_batch[i] < 0 || touching.empty()) continue;
         cut.weights.assign(std::size_t(cut.size), 0);
-        for (const std::int32_t b : touching)
-            cut.weights[std::size_t(owners[std::size_t(b)])] += weight_of(bodies, b);
+        for (const std::int32_t b : touching) cut.weights[std::size_t(owners[std::size_t(b)])] += weight_of(bodies, b);
         const auto most = std::max_element(cut.weights.begin(), cut.weights.end()) - cut.weights.begin();
         cut.owner_of_batch[i] = std::int32_t(most);
         for (const std::int32_t b : touching) owners[std::size_t(b)] = std::int32_t(most);

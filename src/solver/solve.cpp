@@ -234,9 +234,6 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    // Each rank moves all those: telling the others takes longer.
-    if (s.ranks && s.solver.cut.owner_of_batch[&batch - s.solver.batches.data()] != every_rank)
-        scratch.free_bodies.clear();
     empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
 }
 
@@ -288,6 +285,7 @@ std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float 
     for (BatchScratch& own : scratch.at_work) clamped_speeds += std::exchange(own.clamped_speeds, 0);
     clamped_speeds = s.ranks->sum(clamped_speeds);
     exchange_results(*s.ranks, s.bodies, s.shapes, s.broad_phase, s.settings, scratch, thread_pool, dt);
+    // Each rank moves all those: telling the others takes longer.
     move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, scratch.cut.free_bodies,
                      scratch.at_work[0], &thread_pool, dt);
     return clamped_speeds;

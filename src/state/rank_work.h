@@ -20,17 +20,17 @@ struct RankPart {
 // Who solves which batch: a rank, every_rank, or this: all together, each the contacts of the bodies that it owns.
 inline constexpr std::int32_t cut_by_body = -2;
 
-// The bodies of a batch, in RankCut::touching and ::free_bodies.
+// The bodies of a batch, in RankCut::touching.
 struct BatchBodies {
-    std::int32_t first_touching, touching, first_free, free;
+    std::int32_t first, count;
 };
 
 struct RankCut {
     int rank = 0, size = 1;
     std::vector<std::int32_t> owner_of_batch;
     std::vector<BatchBodies> bodies_of_batch;
-    std::vector<std::int32_t> touching, free_bodies; // of batches that are shared out, by batch
-    std::vector<std::int32_t> owner;                 // by body, of those that are touched
+    std::vector<std::int32_t> touching, free_bodies; // of batches that are shared out: with and without a contact
+    std::vector<std::int32_t> owner;                 // by body
     std::vector<RankPart> parts;                     // by rank
     std::vector<std::uint64_t> keys;                 // along the curve
     std::vector<double> weights;                     // of batches, of ranks
