@@ -283,7 +283,7 @@ TouchPoint touch_point_of(const Contacts& contacts, std::uint32_t id) {
     int deepest = 0;
     for (int i = 1; i < contacts.info[id].point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
-    return {r.approach_speed, to_vec(r.normal), to_vec(point_of(r, deepest))};
+    return {id, r.approach_speed, to_vec(r.normal), to_vec(point_of(r, deepest))};
 }
 
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,

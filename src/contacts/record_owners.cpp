@@ -65,6 +65,13 @@ math::Vec3 normal_of(const Contacts& contacts, std::uint32_t contact, Communicat
     return normal;
 }
 
+void exchange_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator& ranks) {
+    exchange_of_owners(list, ranks, [&](ContactNormal& c) {
+        if (contacts.records.has(c.contact)) c.normal = math::to_vec(contacts.records[c.contact].normal);
+        return owner_of(contacts, c.contact);
+    });
+}
+
 void change_owners(Contacts& contacts, const std::vector<std::int32_t>& owners, Communicator& ranks) {
     if (!contacts.records.is_whole()) {
         const auto size = std::size_t(ranks.size());
@@ -87,24 +94,14 @@ void change_owners(Contacts& contacts, const std::vector<std::int32_t>& owners, 
 
 void gather_records(Contacts& contacts, Communicator& ranks) {
     if (contacts.records.is_whole()) return;
-    Lists lists(std::size_t(ranks.size()));
     std::vector<ContactRecord> all;
     set_size(all, contacts.info.size());
-    for (std::uint32_t id = 0; id < contacts.info.size(); ++id) {
-        if (!contacts.info[id].in_use) continue;
-        if (contacts.records.has(id)) all[id] = contacts.records[id];
-        if (const std::int32_t owner = owner_of(contacts, id); owner != every_rank)
-            lists[std::size_t(owner)].push_back(id);
-    }
-    std::vector<ContactRecord> part;
-    for (int root = 0; root < ranks.size(); ++root) {
-        const std::vector<std::uint32_t>& ids = lists[std::size_t(root)];
-        if (ids.empty()) continue;
-        part.clear();
-        for (const std::uint32_t id : ids) part.push_back(all[id]);
-        ranks.broadcast(root, std::as_writable_bytes(std::span(part)));
-        for (std::size_t k = 0; k < ids.size(); ++k) all[ids[k]] = part[k];
-    }
+    exchange_of_owners(all, ranks, [&](ContactRecord& record) {
+        const auto id = std::uint32_t(&record - all.data());
+        if (!contacts.info[id].in_use) return every_rank;
+        if (contacts.records.has(id)) record = contacts.records[id];
+        return owner_of(contacts, id);
+    });
     contacts.records.make_whole(std::move(all));
 }
 

@@ -183,25 +183,16 @@ void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScr
 
 const TouchPoint* exchange_touches(const Contacts& contacts, const SolverScratch& solver, NarrowScratch& narrow,
                                    Communicator& ranks) {
-    std::vector<std::vector<std::size_t>> of_rank(std::size_t(ranks.size())); // their places in the list
     narrow.touches.clear();
     for (std::size_t k = 0; k < narrow.changes.size(); ++k) {
         const std::uint32_t id = solver.of_batches[k].id;
-        if (narrow.changes[k] == 0 || contacts.info[id].touching) continue;
-        const bool is_here = contacts.records.has(id);
-        if (const std::int32_t owner = owner_of(contacts, id); owner != every_rank)
-            of_rank[std::size_t(owner)].push_back(narrow.touches.size());
-        narrow.touches.push_back(is_here ? touch_point_of(contacts, id) : TouchPoint{});
+        if (narrow.changes[k] != 0 && !contacts.info[id].touching) narrow.touches.push_back({id, {}, {}, {}});
     }
-    std::vector<TouchPoint> part;
-    for (int root = 0; root < ranks.size(); ++root) {
-        const std::vector<std::size_t>& places = of_rank[std::size_t(root)];
-        if (places.empty()) continue;
-        part.clear();
-        for (const std::size_t place : places) part.push_back(narrow.touches[place]);
-        ranks.broadcast(root, std::as_writable_bytes(std::span(part)));
-        for (std::size_t k = 0; k < places.size(); ++k) narrow.touches[places[k]] = part[k];
-    }
+    exchange_of_owners(narrow.touches, ranks, [&](TouchPoint& touch) {
+        const std::uint32_t id = touch.contact;
+        if (contacts.records.has(id)) touch = touch_point_of(contacts, id);
+        return owner_of(contacts, id);
+    });
     return narrow.touches.data();
 }
 

@@ -2,7 +2,6 @@
 
 #include "bodies/motion_budget.h"
 #include "contacts/patches.h"
-#include "contacts/record_owners.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -121,6 +120,23 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
     return found;
 }
 
+// On several ranks, of all pairs that may pass, with one message: what is met on the way is asked for one by one.
+void SweptPairs::ask_for_normals() {
+    for (const PassingPair& pair : scratch_.passing)
+        if (in.contacts.info[pair.contact].point_count > 0) normals_.push_back({pair.contact, {}});
+    exchange_normals(in.contacts, normals_, *in.ranks);
+    std::sort(normals_.begin(), normals_.end(),
+              [](const ContactNormal& a, const ContactNormal& b) { return a.contact < b.contact; });
+}
+
+math::Vec3 SweptPairs::contact_normal(std::uint32_t contact) const {
+    const auto found =
+        std::lower_bound(normals_.begin(), normals_.end(), contact,
+                         [](const ContactNormal& c, std::uint32_t contact) { return c.contact < contact; });
+    if (found != normals_.end() && found->contact == contact) return found->normal;
+    return normal_of(in.contacts, contact, in.ranks);
+}
+
 // In one order, whichever of two movers was looked at first.
 void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact) {
     SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact};
@@ -128,7 +144,7 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
         const ContactInfo& c = in.contacts.info[contact];
         pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
         if (c.point_count > 0) {
-            const DVec3 n = math::to_double(normal_of(in.contacts, std::uint32_t(contact), in.ranks));
+            const DVec3 n = math::to_double(contact_normal(std::uint32_t(contact)));
             pair.axis = c.shape_a == shape ? n : -n;
         }
     }
@@ -166,6 +182,7 @@ void SweptPairs::find() {
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
     if (in.fast.empty()) return;
     list_passing();
+    if (in.ranks) ask_for_normals();
     for (const PassingPair& pair : scratch_.passing) {
         if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
         if (!is_listed(pair.mover, pair.shape, pair.other))

@@ -1,6 +1,7 @@
 // Which shapes may meet in a step, and when: pairs of movers with each other and with all else.
 #pragma once
 
+#include "contacts/record_owners.h"
 #include "impacts/assemblies.h"
 #include "impacts/movers.h"
 
@@ -52,6 +53,8 @@ class SweptPairs {
 
   private:
     void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact);
+    void ask_for_normals();
+    math::Vec3 contact_normal(std::uint32_t contact) const;
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
@@ -74,6 +77,7 @@ class SweptPairs {
     Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
+    std::vector<ContactNormal> normals_; // on several ranks, by contact
 };
 
 } // namespace cairn

@@ -48,6 +48,7 @@ struct BegunContact {
 
 // What is asked of the record of a contact that begins to touch.
 struct TouchPoint {
+    std::uint32_t contact;
     float approach_speed;
     math::Vec3 normal, arm; // arm: of the deepest point, from the center of mass of A
 };
