@@ -105,6 +105,14 @@ TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
             expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
             EXPECT_GT(courses[rank].exchanges, 1000); // it was cut
         }
+        // Each has told the others of its share of the records, and of no more.
+        std::size_t whole = 0;
+        for (const Course& course : courses) whole += course.bytes_of_end;
+        EXPECT_GT(whole, 150 * world.statistics().candidate_pairs);
+        for (const Course& course : courses) {
+            EXPECT_GT(course.bytes_of_end, whole / std::size_t(2 * ranks));
+            EXPECT_LT(course.bytes_of_end, 3 * whole / std::size_t(2 * ranks));
+        }
     }
 }
 
