@@ -53,8 +53,8 @@ class SweptPairs {
 
   private:
     void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact);
-    void ask_for_normals();
-    math::Vec3 contact_normal(std::uint32_t contact) const;
+    void set_axis(SweptPair& pair, math::Vec3 normal) const;
+    void ask_for_axes();
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
@@ -77,7 +77,7 @@ class SweptPairs {
     Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
-    std::vector<ContactNormal> normals_; // on several ranks, by contact
+    std::vector<std::int32_t> without_axis_; // pairs, on several ranks, until their owners are asked
 };
 
 } // namespace cairn
