@@ -18,7 +18,7 @@ import tempfile
 
 FACES = 6  # neighbors of a cube of bodies among cubes
 SWEEPS = 12  # of the colors in a step: two in each of six substeps
-ROW, BODY, CONTACT = 32, 128, 156  # bytes: a velocity, a body's result, a contact's
+ROW, BODY, CONTACT = 32, 150, 12  # bytes: a velocity, a body's result with what tests of its pairs tell, a contact's
 
 
 def write_pit(bodies, path):

@@ -130,10 +130,12 @@ class World {
     void set_threads(int count);
     int threads() const;
 
-    /// The processes that step this world together from now on; null, or one of size 1: this one alone. Each has the
-    /// whole world, and shall have made the same calls since it was empty or restored; each makes the same calls from
-    /// then on, `step` in all of them at a time. Results do not depend on how many there are. Snapshots do not hold it.
-    /// Throws on a rank that is not below the size (docs/scale.md).
+    /// The processes that step this world together from now on; null, or one of size 1: this one alone. Each shall have
+    /// made the same calls since the world was empty or restored, and makes the same calls from then on, `step` in all
+    /// of them at a time. Each has all bodies, but the points and impulses of its own contacts alone: `contacts`,
+    /// `save`, `restore`, `SnapshotRing::push` and `set_communicator` itself ask the others for theirs, and are called
+    /// by all of them, too, by one thread at a time. Results do not depend on how many there are. Snapshots do not hold
+    /// it. Throws on a rank that is not below the size (docs/scale.md).
     void set_communicator(std::shared_ptr<Communicator> communicator);
 
     // --- bodies and shapes

@@ -4,6 +4,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/patches.h"
+#include "contacts/shared_tests.h"
 #include "core/cache.h"
 #include "core/room.h"
 #include "islands/coloring.h"
@@ -109,6 +110,21 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
                              [&](int i) { return center + to_vec(m.points[i]); });
 }
 
+BegunContact how_it_begins(const Contacts& contacts, std::uint32_t id, float dt) {
+    const ContactRecord& r = contacts.records[id];
+    return {to_vec(r.normal), min_separation(contacts.info[id], r) > dt * r.approach_speed};
+}
+
+namespace {
+
+// Of one that another rank owns, as that has told.
+BegunContact start_of(const FollowUpContext& s, std::uint32_t id, float dt) {
+    if (s.contacts.records.has(id)) return how_it_begins(s.contacts, id, dt);
+    return s.narrow.begun[s.narrow.next_begun++];
+}
+
+} // namespace
+
 void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
@@ -125,16 +141,16 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
     }
     if (outcome != goes_on) {
         ContactInfo& c = s.contacts.info[id];
-        const ContactRecord& r = s.contacts.records[id];
+        const BegunContact start = outcome == begun ? start_of(s, id, dt) : BegunContact{};
         const bool asleep = is_asleep(s.bodies, s.islands, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
-        if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
+        if (outcome == begun && asleep && start.passes_by) {
             c.point_count = 0;
             drop_answer(s.bodies, s.contacts, id);
             return;
         }
         if (outcome == begun)
-            begin_contact(s.bodies, s.islands, s.events, s.settings, c, to_vec(r.normal));
+            begin_contact(s.bodies, s.islands, s.events, s.settings, c, start.normal);
         else if (asleep)
             wake_body(s.bodies, s.islands, s.events, c.body_a);
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
@@ -236,24 +252,22 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
 
 namespace {
 
-// The contact began to touch. `separation`: at the beginning of the step.
+// The contact began to touch. `separation`: at the beginning of the step. `told`: what its owner says of its record;
+// null: it is here.
 void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, StepEvents& events,
-                 const WorldDef& settings, std::uint32_t id, float separation, float dt) {
+                 const WorldDef& settings, std::uint32_t id, float separation, const TouchPoint* told, float dt) {
     ContactInfo& c = contacts.info[id];
     c.touching = 1;
     if (pair_touches_elsewhere(contacts, c)) return;
     const ShapeId a = shapes.slots.id(c.shape_a), b = shapes.slots.id(c.shape_b);
     const BodyId body_a = bodies.id(c.body_a), body_b = bodies.id(c.body_b);
     events.begins.push_back({a, b, body_a, body_b});
-    const ContactRecord& r = contacts.records[id];
-    if (r.approach_speed < settings.hit_speed) return;
-    int deepest = 0;
-    for (int i = 1; i < c.point_count; ++i)
-        if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
-    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(r, deepest)));
-    const float until_touch = separation > 0 ? std::min(separation / r.approach_speed, dt) : 0.0f;
-    const Vec3 normal{r.normal[0], r.normal[1], r.normal[2]};
-    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, normal, r.approach_speed, until_touch});
+    const TouchPoint touch = told ? *told : touch_point_of(contacts, id);
+    if (touch.approach_speed < settings.hit_speed) return;
+    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(touch.arm);
+    const float until_touch = separation > 0 ? std::min(separation / touch.approach_speed, dt) : 0.0f;
+    const math::Vec3 n = touch.normal;
+    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, touch.approach_speed, until_touch});
 }
 
 // Whether the step has made a contact begin or cease to touch.
@@ -264,9 +278,17 @@ bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
 
 } // namespace
 
+TouchPoint touch_point_of(const Contacts& contacts, std::uint32_t id) {
+    const ContactRecord& r = contacts.records[id];
+    int deepest = 0;
+    for (int i = 1; i < contacts.info[id].point_count; ++i)
+        if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
+    return {id, r.approach_speed, to_vec(r.normal), to_vec(point_of(r, deepest))};
+}
+
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
-                      ThreadPool& thread_pool, float dt) {
+                      ThreadPool& thread_pool, Communicator* ranks, float dt) {
     float deepest = 0; // raised by all threads
     const std::vector<SortedContact>& solved = solver.of_batches;
     std::vector<std::uint8_t>& changes = narrow.changes;
@@ -290,7 +312,8 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
             // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
             const bool is_finite = std::isfinite(report.impulse);
             ContactInfo& c = info[list[k].id];
-            if (!is_finite) forget_impulses(contacts.records[list[k].id], c.point_count);
+            if (!is_finite && contacts.records.has(list[k].id))
+                forget_impulses(contacts.records[list[k].id], c.point_count);
             note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass, gain);
             change[k] = begins_or_ends(c, report);
             own = std::max(own, -report.separation);
@@ -299,13 +322,15 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
     });
     const std::uint8_t* const end = changes.data() + changes.size();
     const auto next_change = [&](const std::uint8_t* from) { return std::find(from, end, 1); };
+    const TouchPoint* told = ranks ? exchange_touches(contacts, solver, narrow, *ranks) : nullptr;
     for (const std::uint8_t* at = next_change(changes.data()); at != end; at = next_change(at + 1)) {
         const std::uint32_t id = solved[std::size_t(at - changes.data())].id;
         ContactInfo& c = contacts.info[id];
         if (c.touching)
             end_touch(bodies, shapes, contacts, events, c);
         else
-            begin_touch(bodies, shapes, contacts, events, settings, id, solver.reports[id].separation, dt);
+            begin_touch(bodies, shapes, contacts, events, settings, id, solver.reports[id].separation,
+                        told ? told++ : nullptr, dt);
     }
     return deepest;
 }

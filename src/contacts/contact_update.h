@@ -48,6 +48,8 @@ std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t 
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
+// Of a contact whose record was written in this step, and which had no points before.
+BegunContact how_it_begins(const Contacts& contacts, std::uint32_t contact, float dt);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
 void follow_up(const FollowUpContext& context, std::uint32_t contact, std::uint8_t outcome, float dt);
 
@@ -58,10 +60,13 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
 // Of the points of a record, the greatest speed at which they approach.
 float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 
+// Where a contact that begins to touch does so, for hit events.
+TouchPoint touch_point_of(const Contacts& contacts, std::uint32_t contact);
+
 // After the solver: begin, end and hit events, sustained loads. Returns the deepest overlap, m.
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
-                      ThreadPool& thread_pool, float dt);
+                      ThreadPool& thread_pool, Communicator* ranks, float dt);
 
 inline bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
     return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));

@@ -4,6 +4,8 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
+#include <cairn/communicator.h>
+
 namespace cairn {
 
 // What tests of pairs read beside the contact at hand. Threads that test other pairs read the same: nothing of it
@@ -28,6 +30,7 @@ struct FollowUpContext {
     StepEvents& events;
     NarrowScratch& narrow;
     std::vector<std::uint32_t>& solved;
+    Communicator* ranks; // that step this world together; null: none but this one
 };
 
 } // namespace cairn

@@ -5,6 +5,8 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/patches.h"
+#include "contacts/record_owners.h"
+#include "contacts/shared_tests.h"
 #include "contacts/touch.h"
 
 #include <algorithm>
@@ -175,6 +177,7 @@ class FlightList {
                 const FlightPair& f = flights_[std::size_t(k)];
                 if (f.is_free) continue;
                 const std::uint32_t id = contact_of(f);
+                if (!s.contacts.records.has(id)) continue; // its owner tells
                 const Manifold* const first = s.narrow.flights.hits.data() + f.first_hit;
                 NarrowBatch& own = s.narrow.at_work[thread];
                 if (is_group(s.contacts.info[id])) {
@@ -186,6 +189,12 @@ class FlightList {
             }
         });
         collect_fresh_patches(s.narrow);
+        if (!s.ranks) return;
+        std::vector<std::uint32_t>& shared = s.narrow.shared;
+        shared.clear();
+        for (const FlightPair& f : flights_)
+            if (!f.is_free && owner_of(s.contacts, contact_of(f)) != every_rank) shared.push_back(f.place);
+        exchange_tests(in, s, shared, dt_);
     }
     void follow(const FlightPair& f) {
         if (is_group(s.contacts.info[contact_of(f)]))

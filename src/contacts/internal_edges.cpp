@@ -11,6 +11,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
+#include "contacts/shared_tests.h"
 #include "core/cache.h"
 #include "core/key_tree.h"
 #include "jobs/ordered_list.h"
@@ -181,15 +182,9 @@ class EdgeTest {
     std::optional<Extent> other_, own_;
 };
 
-// The next step finds it as if for the first time: its face is not preferred once the body is over it, and as it is not
-// solved, its points are not moved along.
-void drop(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
-    narrow.is_internal_edge[c] = 1;
-    narrow.any_internal_edges = true;
-    forget_impulses(contacts.records[c], contacts.info[c].point_count);
-    contacts.records[c].features = no_features;
-    const ContactInfo& info = contacts.info[c];
-    stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
+void drop_own_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
+    drop_internal_edge(bodies, contacts, narrow, c);
+    narrow.dropped.push_back(c);
 }
 
 // Whether the points of `c` lie on the line that another contact with the same normal carries.
@@ -243,7 +238,7 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
         if (count <= 2 && tree.any(may_be_covered, [&](std::uint32_t i) {
                 return lines[i] != c && !narrow.is_internal_edge[lines[i]] && is_covered(bodies, contacts, lines[i], c);
             })) {
-            drop(bodies, contacts, narrow, c);
+            drop_own_edge(bodies, contacts, narrow, c);
             if (is_line) tree.remove(next);
         }
         next += is_line ? 1 : 0;
@@ -301,7 +296,7 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
                                  edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
                       }))
             return;
-        drop(bodies, contacts, narrow, planes[k].contact);
+        drop_own_edge(bodies, contacts, narrow, planes[k].contact);
         tree.remove(k);
     };
     const std::uint32_t count = std::uint32_t(planes.size());
@@ -325,8 +320,21 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
 
 } // namespace
 
+// The next step finds it as if for the first time: its face is not preferred once the body is over it, and as it is not
+// solved, its points are not moved along.
+void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
+    narrow.is_internal_edge[c] = 1;
+    narrow.any_internal_edges = true;
+    const ContactInfo& info = contacts.info[c];
+    if (contacts.records.has(c)) {
+        forget_impulses(contacts.records[c], info.point_count);
+        contacts.records[c].features = no_features;
+    }
+    stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
+}
+
 void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool) {
+                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool, Communicator* ranks) {
     list_in_order(&thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
                   [&](int begin, int end, std::uint32_t* next) {
                       for (int k = begin; k < end; ++k) {
@@ -342,6 +350,7 @@ void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& c
     last_of_body.resize(bodies.links.size(), none);
     narrow.is_internal_edge.resize(contacts.info.size());
     fixed.clear();
+    narrow.dropped.clear();
     narrow.any_internal_edges = false;
     for (const std::uint32_t id : narrow.fixed_ids) {
         const ContactInfo& c = contacts.info[id];
@@ -357,14 +366,15 @@ void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& c
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
         std::int32_t& last = last_of_body[std::size_t(contacts.info[fixed[k].contact].body_a)];
-        if (last == none) continue; // its body is done
-        if (fixed[last].on_several) {
+        if (last == none) continue;                                                // its body is done
+        if (fixed[last].on_several && contacts.records.has(fixed[last].contact)) { // which its body's others go with
             narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);
             drop_internal_edges_of_body(bodies, shapes, contacts, narrow, narrow.of_body);
         }
         last = none;
     }
+    if (ranks) exchange_internal_edges(bodies, contacts, narrow, *ranks);
     if (!narrow.any_internal_edges) return;
     std::erase_if(solved,
                   [&](std::uint32_t id) { return !contacts.info[id].b_moves && narrow.is_internal_edge[id] != 0; });

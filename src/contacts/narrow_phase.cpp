@@ -11,6 +11,7 @@
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "contacts/prefetch.h"
+#include "contacts/shared_tests.h"
 #include "contacts/touch.h"
 #include "core/cache.h"
 #include "core/room.h"
@@ -224,8 +225,9 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
 std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     for_each_patch(contacts, id, [&](std::uint32_t contact) {
         ContactInfo& c = contacts.info[contact];
+        if (c.touching || !contacts.records.has(contact)) return;
         ContactRecord& r = contacts.records[contact];
-        if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
+        r.approach_speed = approach_speed(bodies, c, r);
     });
     return going_on(bodies, islands, contacts.info[id]);
 }
@@ -389,21 +391,23 @@ void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) 
 
 std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                             const ForceFields& fields, const BroadPhase& broad_phase, StepEvents& events,
-                            const WorldDef& settings, StepScratch& step, float dt) {
+                            const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
     NarrowScratch& narrow = step.narrow;
     ThreadPool& thread_pool = *step.thread_pool;
     const NarrowInput in{settings, bodies, shapes, islands, fields, substeps_of(settings, dt)};
-    const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved};
+    const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved, ranks};
     count_motion(bodies, islands, settings, narrow, thread_pool, dt);
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
     const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, narrow, thread_pool);
+    if (ranks) leave_pairs_to_owners(contacts, narrow);
     pose_midway(bodies, shapes, narrow, thread_pool, midway_time(in.substeps, dt));
     test_all(in, contacts, narrow, thread_pool, dt);
+    if (ranks) exchange_tests(in, follow, narrow.shared, dt);
     follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);
-    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool);
+    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool, ranks);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
     };

@@ -88,7 +88,7 @@ struct Sink final : PairSink {
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        const std::uint32_t id = new_contact(contacts);
+        const std::uint32_t id = new_contact(contacts, shapes.links[shape_a].body);
         ContactInfo& c = contacts.info[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
         c.body_a = shapes.links[shape_a].body, c.body_b = shapes.links[shape_b].body;
@@ -135,24 +135,25 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
 
 CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
-std::uint32_t new_contact(Contacts& contacts) {
+std::uint32_t new_contact(Contacts& contacts, std::int32_t body_a) {
     std::uint32_t id;
     if (contacts.free.empty()) {
         id = std::uint32_t(contacts.info.size());
-        set_size(contacts.info, id + 1), set_size(contacts.records, id + 1), set_size(contacts.answers, id + 1);
+        set_size(contacts.info, id + 1), set_size(contacts.answers, id + 1);
     } else {
         id = contacts.free.back();
         contacts.free.pop_back();
     }
     contacts.info[id] = {};
     contacts.info[id].in_use = 1;
-    contacts.records[id] = {};
+    contacts.records.open(id, contacts.owners.has(body_a));
     contacts.answers[id] = {};
     return id;
 }
 
 void free_contact(Contacts& contacts, std::uint32_t id) {
     contacts.info[id].in_use = 0;
+    contacts.records.drop(id);
     contacts.free.push_back(id);
 }
 
@@ -170,12 +171,13 @@ PairMaterial combined_material(const Material& a, const Material& b) {
 
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact) {
     ContactInfo& c = contacts.info[contact];
-    ContactRecord& r = contacts.records[contact];
     const PairMaterial m = combined_material(shapes.materials[c.shape_a], shapes.materials[c.shape_b]);
+    c.bounces = m.restitution > 0;
+    if (!contacts.records.has(contact)) return;
+    ContactRecord& r = contacts.records[contact];
     r.friction = m.friction;
     r.static_friction = m.static_friction;
     r.restitution = m.restitution;
-    c.bounces = r.restitution > 0;
     r.rolling_radius = m.rolling_radius;
     r.torsion_radius = m.torsion_radius;
 }

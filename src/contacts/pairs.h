@@ -33,8 +33,8 @@ bool has_wide_kernels(const Geometry& geometry);
 std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
 CollideKernel wide_kernel(PairKind kind);
 
-// An empty contact, in use; and its end.
-std::uint32_t new_contact(Contacts& contacts);
+// An empty contact, in use, whose body A this is; and its end.
+std::uint32_t new_contact(Contacts& contacts, std::int32_t body_a);
 void free_contact(Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

@@ -7,6 +7,7 @@
 #include "contacts/flight.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
+#include "contacts/record_owners.h"
 #include "contacts/touch.h"
 #include "core/cache.h"
 #include "islands/coloring.h"
@@ -71,7 +72,7 @@ bool look_ahead(const NarrowInput& in, const ContactInfo& group, float margin, f
 }
 
 std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(contacts);
+    const std::uint32_t id = new_contact(contacts, contacts.info[group_id].body_a);
     ContactInfo &patch = contacts.info[id], &group = contacts.info[group_id];
     patch = group;
     patch.kind = PairKind::patch;
@@ -107,6 +108,19 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
         return;
     }
     take_group(in, contacts, narrow, place, own, dt);
+}
+
+// On a rank that does not own it, what the owner has told is all there is.
+std::uint8_t take_fresh_patch(const FollowUpContext& s, std::uint32_t patch, const FreshPatch& fresh) {
+    if (s.contacts.records.has(patch))
+        return take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
+                             fresh.is_ahead ? &fresh.touch : nullptr);
+    if (fresh.is_ahead)
+        drop_answer(s.bodies, s.contacts, patch);
+    else
+        keep_answer(s.bodies, s.contacts, patch, 0);
+    s.contacts.info[patch].point_count = std::uint8_t(fresh.manifold.count);
+    return begun;
 }
 
 } // namespace
@@ -163,9 +177,7 @@ void collect_fresh_patches(NarrowScratch& narrow) {
     all.clear();
     narrow.next_fresh = 0;
     for (const NarrowBatch& own : narrow.at_work) all.insert(all.end(), own.fresh.begin(), own.fresh.end());
-    std::sort(all.begin(), all.end(), [](const FreshPatch& a, const FreshPatch& b) {
-        return a.place != b.place ? a.place < b.place : a.order < b.order;
-    });
+    std::sort(all.begin(), all.end(), comes_before);
 }
 
 void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
@@ -184,11 +196,7 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
     });
     for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
         const std::uint32_t patch = create_patch(s.shapes, s.contacts, id);
-        const FreshPatch& fresh = narrow.fresh[k];
-        follow_up(s, patch,
-                  take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
-                                fresh.is_ahead ? &fresh.touch : nullptr),
-                  dt);
+        follow_up(s, patch, take_fresh_patch(s, patch, narrow.fresh[k]), dt);
         if (s.contacts.info[patch].point_count > 0) continue;
         end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
         drop_answer(s.bodies, s.contacts, id);
@@ -196,9 +204,10 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
     s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;
 }
 
-std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, std::uint32_t group, math::Vec3 normal) {
+std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, std::uint32_t group, math::Vec3 normal,
+                          Communicator* ranks) {
     for (std::int32_t p = contacts.info[group].related; p != none; p = contacts.info[p].next)
-        if (math::dot(to_vec(contacts.records[p].normal), normal) > same_patch) return std::uint32_t(p);
+        if (math::dot(normal_of(contacts, std::uint32_t(p), ranks), normal) > same_patch) return std::uint32_t(p);
     return create_patch(shapes, contacts, group);
 }
 

@@ -39,7 +39,7 @@ class ImpactQueue {
                   step.solver.sweep, dt),
           assemblies_(s.bodies, s.joints, step.solver.sweep),
           pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow, step.solved,
-                  step.solver.fast, step.solver.strayed, *step.thread_pool},
+                  step.solver.fast, step.solver.strayed, *step.thread_pool, s.ranks},
                  step.solver.sweep, movers_, assemblies_) {
         meetings_.clear();
     }
@@ -414,13 +414,14 @@ class ImpactQueue {
         if (is_group(s.contacts.info[id])) {
             for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
                 has_touched |= s.contacts.info[p].touching != 0;
-            id = patch_along(s.shapes, s.contacts, id, normal);
+            id = patch_along(s.shapes, s.contacts, id, normal, s.ranks);
         }
         s.contacts.info[id].touching = 1;
         if (s.contacts.info[id].point_count > 0) { // the solver has had it, and will report what it bore
             step.solver.reports[id].impulse += float(outcome.impulse);
             return !has_touched;
         }
+        if (!s.contacts.records.has(id)) return !has_touched;
         ContactRecord& r = s.contacts.records[id];
         forget_impulses(r, 0);
         math::put(r.normal, normal);

@@ -19,6 +19,7 @@ struct ImpactContext {
     StepEvents& events;
     Statistics& statistics;
     std::uint64_t& clamped_speeds;
+    Communicator* ranks; // that step this world together; null: none but this one
 };
 
 // After the solver has moved all bodies by what holds or touches them. Of what flies, and of what moved so far that its

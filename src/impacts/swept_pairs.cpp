@@ -120,22 +120,40 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
     return found;
 }
 
+// The search for a meeting begins along the normal of the contact.
+void SweptPairs::set_axis(SweptPair& pair, math::Vec3 normal) const {
+    const DVec3 n = math::to_double(normal);
+    pair.axis = in.contacts.info[std::size_t(pair.contact)].shape_a == pair.shape ? n : -n;
+}
+
+// On several ranks, of the pairs that were found last.
+void SweptPairs::ask_for_axes() {
+    if (without_axis_.empty()) return;
+    std::vector<ContactNormal> normals;
+    for (const std::int32_t k : without_axis_) normals.push_back({std::uint32_t((*this)[k].contact), {}});
+    exchange_normals(in.contacts, normals, *in.ranks);
+    for (std::size_t i = 0; i < normals.size(); ++i) set_axis((*this)[without_axis_[i]], normals[i].normal);
+    without_axis_.clear();
+}
+
 // In one order, whichever of two movers was looked at first.
 void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact) {
     SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact};
+    bool has_axis = false;
     if (contact != none) {
         const ContactInfo& c = in.contacts.info[contact];
         pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
-        if (c.point_count > 0) {
-            const DVec3 n = math::to_double(math::to_vec(in.contacts.records[std::size_t(contact)].normal));
-            pair.axis = c.shape_a == shape ? n : -n;
-        }
+        has_axis = c.point_count > 0;
     }
     if (pair.second != none && other < shape) {
         std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
         pair.axis = -pair.axis;
     }
     const std::int32_t k = count();
+    if (has_axis && in.ranks)
+        without_axis_.push_back(k);
+    else if (has_axis)
+        set_axis(pair, math::to_vec(in.contacts.records[std::size_t(contact)].normal));
     pairs_.push_back(pair);
     link(k, pair.first);
     if (pair.second != none) return link(k, pair.second);
@@ -164,7 +182,7 @@ void SweptPairs::find() {
         pairs_.back().flies = true;
     }
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
-    if (in.fast.empty()) return;
+    if (in.fast.empty()) return ask_for_axes();
     list_passing();
     for (const PassingPair& pair : scratch_.passing) {
         if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
@@ -172,6 +190,7 @@ void SweptPairs::find() {
             add(pair.mover, pair.shape, pair.other, std::int32_t(pair.contact));
     }
     find_near_strayed();
+    ask_for_axes();
 }
 
 // Of the pairs that the narrow phase had, those of a fast body that may pass the other.
@@ -321,6 +340,7 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
     list_pairs_of(mover);
     for (const std::uint32_t other : near) add_near(mover, other);
     note_way({bounds.lo.x, mover, bounds});
+    ask_for_axes();
 }
 
 namespace {

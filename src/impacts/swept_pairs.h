@@ -1,6 +1,7 @@
 // Which shapes may meet in a step, and when: pairs of movers with each other and with all else.
 #pragma once
 
+#include "contacts/record_owners.h"
 #include "impacts/assemblies.h"
 #include "impacts/movers.h"
 
@@ -18,6 +19,7 @@ struct SweptInput {
     const std::vector<std::uint32_t>& solved;
     const std::vector<std::int32_t>&fast, &strayed; // of SolverScratch
     ThreadPool& thread_pool;
+    Communicator* ranks;
 };
 
 class SweptPairs {
@@ -51,6 +53,8 @@ class SweptPairs {
 
   private:
     void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact);
+    void set_axis(SweptPair& pair, math::Vec3 normal) const;
+    void ask_for_axes();
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
@@ -73,6 +77,7 @@ class SweptPairs {
     Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
+    std::vector<std::int32_t> without_axis_; // pairs, on several ranks, until their owners are asked
 };
 
 } // namespace cairn

@@ -259,10 +259,27 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& setti
     list(true, scratch.free_bodies);
 }
 
+namespace {
+
+// Of a batch that ranks share out, which `cut_batches` has gathered.
+bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const IslandBatch& batch,
+                        BatchScratch& scratch) {
+    const auto number = std::size_t(&batch - solver.batches.data());
+    if (solver.cut.owner_of_batch.empty() || solver.cut.owner_of_batch[number] == every_rank) return false;
+    const std::span<const std::int32_t> touching = touching_of(solver.cut, number);
+    scratch.row_of_body.resize(bodies.links.size(), none);
+    scratch.touching_bodies.assign(touching.begin(), touching.end());
+    scratch.free_bodies.clear(); // all ranks move those
+    return true;
+}
+
+} // namespace
+
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
                 BatchScratch& scratch, ThreadPool* thread_pool) {
-    gather_bodies(bodies, islands, settings, solver, batch, scratch, thread_pool);
+    if (!take_listed_bodies(bodies, solver, batch, scratch))
+        gather_bodies(bodies, islands, settings, solver, batch, scratch, thread_pool);
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;

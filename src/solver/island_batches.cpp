@@ -21,8 +21,9 @@ constexpr std::int32_t batch_bodies = 4096;
 constexpr int contacts_per_chunk = 512, max_chunks = 64; // for threads
 
 // Impulses are those of one substep: with another length of substep they are others.
-void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
-    if (c.substep_time > 0) {
+void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h) {
+    if (c.substep_time > 0 && records.has(id)) {
+        ContactRecord& r = records[id];
         const float ratio = h / c.substep_time;
         const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
         for (float& impulse : r.impulses) impulse *= factor;
@@ -73,7 +74,7 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
             const bool moves = c.b_moves || settings[c.body_b].type == BodyType::kinematic;
             const std::int32_t island = links[c.body_a].island;
             const float h = dt / float(all[island].substeps);
-            if (c.substep_time != h) rescale_impulses(c, contacts.records[id], h);
+            if (c.substep_time != h) rescale_impulses(c, contacts.records, id, h);
             out[k] = {id, c.body_a, moves ? c.body_b : none, island, key_of(c), c.bounces, c.is_conveyor};
         }
         count_contacts(out + begin, out + end, scratch);

@@ -1,12 +1,14 @@
-// Which rank solves what.
+// Which rank solves what, and owns what.
 #include "solver/rank_cut.h"
 
+#include "contacts/record_owners.h"
 #include "core/order.h"
 #include "math/vec.h"
 #include "solver/batch_rows.h"
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace cairn {
 
@@ -14,6 +16,9 @@ namespace {
 
 // Batches with fewer contacts are not worth being cut: what their ranks would tell each other takes longer.
 constexpr std::int32_t min_cut_contacts = 512;
+// The cut is made anew where some rank has more than the mean by that factor, and would have less by the other one: to
+// give records to other ranks takes about as long as the tests of some steps.
+constexpr double max_overload = 1.1, min_relief = 1.05;
 
 // To which of `ranks` equal parts of the whole something belongs that lies at this place of it.
 std::int32_t part_at(double place, double whole, int ranks) {
@@ -33,8 +38,12 @@ std::uint64_t morton_key(math::DVec3 p) {
     return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// Gives the bodies to the ranks, each the same share of their contacts, along the curve.
-void cut_along_curve(const Bodies& bodies, const std::vector<std::int32_t>& members, RankCut& cut) {
+double weight_of(const Bodies& bodies, std::int32_t body) { return 1.0 + bodies.links[body].contact_count; }
+
+// Gives bodies to the ranks, each the same share of their contacts, along the curve.
+void cut_along_curve(const Bodies& bodies, std::span<const std::int32_t> members, RankCut& cut,
+                     std::vector<std::int32_t>& owners) {
+    if (members.empty()) return;
     math::DVec3 low = bodies.motion[members[0]].x, high = low;
     for (const std::int32_t b : members) {
         const math::DVec3 x = bodies.motion[b].x;
@@ -46,13 +55,13 @@ void cut_along_curve(const Bodies& bodies, const std::vector<std::int32_t>& memb
     double whole = 0;
     for (const std::int32_t b : members) {
         cut.keys.push_back(morton_key((1 / size) * (bodies.motion[b].x - low)));
-        whole += 1.0 + bodies.links[b].contact_count;
+        whole += weight_of(bodies, b);
     }
     double place = 0;
     for (const std::uint32_t k : order_by(cut.keys)) {
         const std::int32_t b = members[k];
-        const double weight = 1.0 + bodies.links[b].contact_count;
-        cut.owner[b] = part_at(place + 0.5 * weight, whole, cut.size);
+        const double weight = weight_of(bodies, b);
+        owners[std::size_t(b)] = part_at(place + 0.5 * weight, whole, cut.size);
         place += weight;
     }
 }
@@ -81,34 +90,120 @@ void share_out_whole(const std::vector<IslandBatch>& batches, RankCut& cut) {
     }
 }
 
-} // namespace
-
-void cut_batches(const Bodies& bodies, Islands& islands, const WorldDef& settings, const Communicator& ranks,
-                 SolverScratch& solver) {
+// Lists the bodies of batches that are shared out, and weighs the islands of these. The others' go to every rank.
+void list_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, SolverScratch& solver,
+                 std::vector<std::int32_t>& owners) {
     RankCut& cut = solver.cut;
     BatchScratch& scratch = solver.at_work[0];
-    cut.rank = ranks.rank(), cut.size = ranks.size();
-    share_out_whole(solver.batches, cut);
-    cut.owner.resize(bodies.links.size());
-    cut.parts.resize(std::size_t(cut.size));
-    cut.free_bodies.clear();
-    for (RankPart& part : cut.parts) part.bodies.clear(), part.contacts.clear();
+    cut.bodies_of_batch.assign(solver.batches.size(), {});
+    cut.touching.clear(), cut.free_bodies.clear();
     for (std::size_t i = 0; i < solver.batches.size(); ++i) {
         const IslandBatch& batch = solver.batches[i];
-        const std::int32_t owner = cut.owner_of_batch[i];
-        if (owner == every_rank) continue;
         gather_bodies(bodies, islands, settings, solver, batch, scratch, nullptr);
-        cut.free_bodies.insert(cut.free_bodies.end(), scratch.free_bodies.begin(), scratch.free_bodies.end());
-        const std::vector<std::int32_t>& members = scratch.touching_bodies;
-        if (members.empty()) continue;
-        if (owner == cut_by_body)
-            cut_along_curve(bodies, members, cut);
-        else
-            for (const std::int32_t b : members) cut.owner[b] = owner;
-        for (const std::int32_t b : members) cut.parts[std::size_t(cut.owner[b])].bodies.push_back(b);
-        const SortedContact* const first = solver.of_batches.data() + batch.first_contact;
-        for (const SortedContact* c = first; c != first + batch.contact_count; ++c)
-            cut.parts[std::size_t(cut.owner[c->body_a])].contacts.push_back(c->id);
+        const std::vector<std::int32_t>&touching = scratch.touching_bodies, &free = scratch.free_bodies;
+        if (cut.owner_of_batch[i] == every_rank) {
+            for (const std::int32_t b : touching) owners[std::size_t(b)] = every_rank;
+            continue;
+        }
+        cut.bodies_of_batch[i] = {std::int32_t(cut.touching.size()), std::int32_t(touching.size())};
+        cut.touching.insert(cut.touching.end(), touching.begin(), touching.end());
+        cut.free_bodies.insert(cut.free_bodies.end(), free.begin(), free.end());
+    }
+}
+
+// The greatest share of a rank, over the mean; infinite while bodies belong to none.
+double overload_of(const Bodies& bodies, RankCut& cut, const std::vector<std::int32_t>& owners) {
+    cut.weights.assign(std::size_t(cut.size), 0);
+    for (const std::vector<std::int32_t>* const list : {&cut.touching, &cut.free_bodies})
+        for (const std::int32_t b : *list) {
+            const std::int32_t owner = owners[std::size_t(b)];
+            if (owner == every_rank) return std::numeric_limits<double>::infinity();
+            cut.weights[std::size_t(owner)] += weight_of(bodies, b);
+        }
+    const double whole = std::accumulate(cut.weights.begin(), cut.weights.end(), 0.0);
+    const double greatest = *std::max_element(cut.weights.begin(), cut.weights.end());
+    return whole > 0 ? greatest * double(cut.size) / whole : 1.0;
+}
+
+// All bodies anew: those of batches that are cut, and those that nothing touches, along the curve.
+void cut_anew(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
+    std::vector<std::int32_t> members = cut.free_bodies;
+    for (std::size_t i = 0; i < cut.owner_of_batch.size(); ++i) {
+        const std::span<const std::int32_t> touching = touching_of(cut, i);
+        if (cut.owner_of_batch[i] == cut_by_body) members.insert(members.end(), touching.begin(), touching.end());
+        if (cut.owner_of_batch[i] >= 0)
+            for (const std::int32_t b : touching) owners[std::size_t(b)] = cut.owner_of_batch[i];
+    }
+    cut_along_curve(bodies, members, cut, owners);
+}
+
+// Bodies that belonged to none get the owner that they have in `anew`.
+void adopt(const RankCut& cut, const std::vector<std::int32_t>& anew, std::vector<std::int32_t>& owners) {
+    for (const std::vector<std::int32_t>* const list : {&cut.touching, &cut.free_bodies})
+        for (const std::int32_t b : *list)
+            if (owners[std::size_t(b)] == every_rank) owners[std::size_t(b)] = anew[std::size_t(b)];
+}
+
+// A batch that is not cut is solved by the rank that has most of it: the others give it their bodies.
+void unite_batches(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
+    for (std::size_t i = 0; i < cut.owner_of_batch.size(); ++i) {
+        const std::span<const std::int32_t> touching = touching_of(cut, i);
+        if (cut.owner_of_batch[i] < 0 || touching.empty()) continue;
+        cut.weights.assign(std::size_t(cut.size), 0);
+        for (const std::int32_t b : touching) cut.weights[std::size_t(owners[std::size_t(b)])] += weight_of(bodies, b);
+        const auto most = std::max_element(cut.weights.begin(), cut.weights.end()) - cut.weights.begin();
+        cut.owner_of_batch[i] = std::int32_t(most);
+        for (const std::int32_t b : touching) owners[std::size_t(b)] = std::int32_t(most);
+    }
+}
+
+// The owners of the last step, as far as they will do.
+void choose_owners(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
+    const double overload = overload_of(bodies, cut, owners);
+    if (overload > max_overload) {
+        std::vector<std::int32_t> anew = owners;
+        cut_anew(bodies, cut, anew);
+        adopt(cut, anew, owners);
+        const double now = overload_of(bodies, cut, owners);
+        if (now > max_overload && now > min_relief * overload_of(bodies, cut, anew)) owners.swap(anew);
+    }
+    unite_batches(bodies, cut, owners);
+}
+
+} // namespace
+
+void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& solver, Communicator& ranks) {
+    if (!contacts.records.is_whole()) return;
+    if (!contacts.owners.of_body.empty()) return leave_records_to_owners(contacts);
+    RankCut& cut = solver.cut;
+    cut.rank = ranks.rank(), cut.size = ranks.size();
+    std::vector<std::int32_t> members;
+    for (std::int32_t b = 0; b < std::int32_t(bodies.links.size()); ++b)
+        if (bodies.slots.is_live(std::uint32_t(b)) && bodies.is_dynamic(b) && bodies.links[b].first_joint == none)
+            members.push_back(b);
+    cut.owner.assign(bodies.links.size(), every_rank);
+    cut_along_curve(bodies, members, cut, cut.owner);
+    change_owners(contacts, cut.owner, ranks);
+}
+
+void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
+                 Communicator& ranks, SolverScratch& solver) {
+    RankCut& cut = solver.cut;
+    cut.rank = ranks.rank(), cut.size = ranks.size();
+    share_out_whole(solver.batches, cut);
+    cut.owner = contacts.owners.of_body;
+    cut.owner.resize(bodies.links.size(), every_rank);
+    list_bodies(bodies, islands, settings, solver, cut.owner);
+    choose_owners(bodies, cut, cut.owner);
+    if (cut.owner != contacts.owners.of_body) change_owners(contacts, cut.owner, ranks);
+    cut.parts.resize(std::size_t(cut.size));
+    for (RankPart& part : cut.parts) part.bodies.clear(), part.contacts.clear();
+    for (const std::int32_t b : cut.touching) cut.parts[std::size_t(cut.owner[std::size_t(b)])].bodies.push_back(b);
+    for (std::size_t i = 0; i < solver.batches.size(); ++i) {
+        if (cut.owner_of_batch[i] == every_rank) continue;
+        const SortedContact* const first = solver.of_batches.data() + solver.batches[i].first_contact;
+        for (const SortedContact* c = first; c != first + solver.batches[i].contact_count; ++c)
+            cut.parts[std::size_t(cut.owner[std::size_t(c->body_a)])].contacts.push_back(c->id);
     }
 }
 

@@ -5,10 +5,9 @@
 
 namespace cairn {
 
-// Touched bodies as they have moved, and the impulses of contacts, of each rank for all others, which finalize the
+// Touched bodies as they have moved, and the reports of contacts, of each rank for all others, which finalize the
 // bodies as their own.
-void exchange_results(Communicator& ranks, Bodies& bodies, Shapes& shapes, Contacts& contacts,
-                      const BroadPhase& broad_phase, const WorldDef& settings, SolverScratch& solver,
-                      ThreadPool& thread_pool, float dt);
+void exchange_results(Communicator& ranks, Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase,
+                      const WorldDef& settings, SolverScratch& solver, ThreadPool& thread_pool, float dt);
 
 } // namespace cairn

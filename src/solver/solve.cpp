@@ -189,12 +189,30 @@ struct BatchContext {
     Communicator* ranks; // null: none but this one
 };
 
+// The kernels find records and reports by one number: where the records are not those of all contacts, by the place of
+// the record.
+ContactReport* reports_by_place(const BatchContext& s) {
+    return (s.contacts.records.is_whole() ? s.solver.reports : s.solver.own_reports).data();
+}
+void number_places(const Contacts& contacts, BatchScratch& scratch) {
+    for (LaneLists* const lanes : {&scratch.one_lanes, &scratch.four_lanes})
+        for (std::int32_t& record : lanes->record)
+            if (record >= 0) record = std::int32_t(contacts.records.place_of(std::size_t(record)));
+}
+void return_reports(const Contacts& contacts, SolverScratch& solver, const IslandBatch& batch) {
+    const SortedContact* contact = solver.of_batches.data() + batch.first_contact;
+    for (const SortedContact* const end = contact + batch.contact_count; contact != end; ++contact)
+        if (contacts.records.has(contact->id))
+            solver.reports[contact->id] = solver.own_reports[contacts.records.place_of(contact->id)];
+}
+
 void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
     fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, s.solver, s.direct, batch, scratch,
                thread_pool);
     if (scratch.row_count() > 0) {
+        if (!s.contacts.records.is_whole()) number_places(s.contacts, scratch);
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
@@ -210,14 +228,12 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         leave_belts_in_place(s.bodies, s.shapes, s.contacts, scratch, dt);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), scratch.pose.data(),
-                    s.contacts.records.data(), s.solver.reports.data(), dt);
+                    s.contacts.records.data(), reports_by_place(s), dt);
         });
+        if (!s.contacts.records.is_whole()) return_reports(s.contacts, s.solver, batch);
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    // Each rank moves all those: telling the others takes longer.
-    if (s.ranks && s.solver.cut.owner_of_batch[&batch - s.solver.batches.data()] != every_rank)
-        scratch.free_bodies.clear();
     empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
 }
 
@@ -254,7 +270,8 @@ void solve_alone(const BatchContext& s, ThreadPool& thread_pool, std::int32_t ow
 // What the ranks share out among them. Returns how often a speed was cut in it.
 std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float dt) {
     SolverScratch& scratch = s.solver;
-    cut_batches(s.bodies, s.islands, s.settings, *s.ranks, scratch);
+    cut_batches(s.bodies, s.contacts, s.islands, s.settings, *s.ranks, scratch);
+    set_size_anew(scratch.own_reports, s.contacts.records.is_whole() ? 0 : s.contacts.records.places());
     for (std::size_t i = 0; i < scratch.batches.size(); ++i) {
         if (scratch.cut.owner_of_batch[i] != cut_by_body) continue;
         sort_contacts(scratch, scratch.batches[i], scratch.at_work[0], &thread_pool);
@@ -267,7 +284,8 @@ std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float 
     std::uint64_t clamped_speeds = 0;
     for (BatchScratch& own : scratch.at_work) clamped_speeds += std::exchange(own.clamped_speeds, 0);
     clamped_speeds = s.ranks->sum(clamped_speeds);
-    exchange_results(*s.ranks, s.bodies, s.shapes, s.contacts, s.broad_phase, s.settings, scratch, thread_pool, dt);
+    exchange_results(*s.ranks, s.bodies, s.shapes, s.broad_phase, s.settings, scratch, thread_pool, dt);
+    // Each rank moves all those: telling the others takes longer.
     move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, scratch.cut.free_bodies,
                      scratch.at_work[0], &thread_pool, dt);
     return clamped_speeds;
@@ -317,7 +335,7 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     SolverScratch& scratch = step.solver;
     update_direct_sets(bodies, joints, step.direct);
     ThreadPool* const thread_pool = step.thread_pool.get();
-    set_size(scratch.reports, contacts.records.size());
+    set_size(scratch.reports, contacts.info.size());
     scratch.at_work.resize(std::size_t(thread_pool->threads()));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {

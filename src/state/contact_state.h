@@ -3,6 +3,7 @@
 
 #include "collision/wide_pairs.h"
 #include "kernels/solve/solver_data.h"
+#include "state/contact_records.h"
 #include "state/none.h"
 #include "state/travel.h"
 
@@ -70,7 +71,8 @@ struct PairAnswer {
 
 // All contacts; vectors are by contact.
 struct Contacts {
-    std::vector<ContactRecord> records;
+    ContactRecords records;
+    BodyOwners owners;
     std::vector<ContactInfo> info;
     std::vector<PairAnswer> answers;
     std::vector<std::uint32_t> free; // contacts that are not in use

@@ -35,6 +35,24 @@ struct FreshPatch {
     Touch touch;
 };
 
+// In the order in which they are followed up.
+inline bool comes_before(const FreshPatch& a, const FreshPatch& b) {
+    return a.place != b.place ? a.place < b.place : a.order < b.order;
+}
+
+// What is asked of the record of a contact that begins.
+struct BegunContact {
+    math::Vec3 normal;
+    bool passes_by; // as its bodies move, it will not touch within the step
+};
+
+// What is asked of the record of a contact that begins to touch.
+struct TouchPoint {
+    std::uint32_t contact;
+    float approach_speed;
+    math::Vec3 normal, arm; // arm: of the deepest point, from the center of mass of A
+};
+
 // A pair that may meet in flight (contacts/flight.h), at this place among the candidates, and what its test has found.
 struct FlightPair {
     std::uint32_t place;
@@ -99,6 +117,11 @@ struct NarrowScratch {
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
+    // On several ranks (contacts/shared_tests.h).
+    std::vector<std::uint32_t> shared; // places among the candidates of pairs that one rank alone tests
+    std::vector<BegunContact> begun;   // contacts that begin on other ranks, in the order in which they are followed up
+    std::size_t next_begun = 0;        // the first of those that have not been
+    std::vector<TouchPoint> touches;   // of contacts that begin to touch
     // In the middle of the step, by shape, of the bodies that move (contacts/midway.h).
     std::vector<ShapePose> midway_poses;
     std::vector<math::Vec3> midway_arms; // from the body's center of mass to the shape's origin
@@ -119,6 +142,7 @@ struct NarrowScratch {
     KeyTree<9> line_tree;
     std::vector<std::uint8_t> is_internal_edge; // by contact, of those with what does not move by forces
     bool any_internal_edges = false;            // among those
+    std::vector<std::uint32_t> dropped;         // those that are
 };
 
 } // namespace cairn

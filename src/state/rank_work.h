@@ -1,6 +1,8 @@
 // Working memory of a step that several ranks make together (solver/rank_cut.h).
 #pragma once
 
+#include "state/contact_records.h"
+
 #include <cairn/communicator.h>
 
 #include <cstddef>
@@ -15,18 +17,23 @@ struct RankPart {
     std::vector<std::uint32_t> contacts;
 };
 
-// Who solves which batch: a rank, or one of these.
-inline constexpr std::int32_t every_rank = -1;  // each for itself
-inline constexpr std::int32_t cut_by_body = -2; // together: each has the bodies that are its own
+// Who solves which batch: a rank, every_rank, or this: all together, each the contacts of the bodies that it owns.
+inline constexpr std::int32_t cut_by_body = -2;
+
+// The bodies of a batch, in RankCut::touching.
+struct BatchBodies {
+    std::int32_t first, count;
+};
 
 struct RankCut {
     int rank = 0, size = 1;
     std::vector<std::int32_t> owner_of_batch;
-    std::vector<std::int32_t> owner;       // by body, of batches that are cut
-    std::vector<RankPart> parts;           // by rank
-    std::vector<std::int32_t> free_bodies; // of batches that are shared out, those that nothing touches
-    std::vector<std::uint64_t> keys;       // along the curve
-    std::vector<double> weights;           // of batches
+    std::vector<BatchBodies> bodies_of_batch;
+    std::vector<std::int32_t> touching, free_bodies; // of batches that are shared out: with and without a contact
+    std::vector<std::int32_t> owner;                 // by body
+    std::vector<RankPart> parts;                     // by rank
+    std::vector<std::uint64_t> keys;                 // along the curve
+    std::vector<double> weights;                     // of batches, of ranks
 };
 
 // A body that a rank other than its own needs as well, for a contact that it solves.

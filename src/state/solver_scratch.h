@@ -210,6 +210,7 @@ struct SolverScratch {
     std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key
     std::vector<std::uint32_t> key_ends;           // by batch and key: where its contacts end among the sorted
     std::vector<ContactReport> reports;            // by contact, of those that were solved
+    std::vector<ContactReport> own_reports;        // by place of the record, where a rank has some records alone
     std::vector<JointLayout> joint_layouts;        // by batch
     std::vector<std::int32_t> shared, alone;       // batches that all threads solve together, and those that one does
     std::vector<BatchScratch> at_work;             // one per thread

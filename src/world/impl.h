@@ -99,6 +99,7 @@ struct World::Impl {
     template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
 
     void make_step(float dt);
+    void gather_records(); // of contacts, from all ranks, which do so together
 
     // A call that changes the world, with its arguments: one of the table (api), or it does not compile. It is allowed
     // between steps only. What has been checked is done; from `begin` on, of which the listener is told, only running

@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "contacts/contact_record.h"
 #include "contacts/prefetch.h"
+#include "contacts/record_owners.h"
 #include "core/digest.h"
 #include "core/hash.h"
 #include "islands/coloring.h"
@@ -112,8 +113,13 @@ std::vector<BodyId> World::bodies_that_differ(const StateDigest& other) const {
     return ids;
 }
 
+void World::Impl::gather_records() {
+    if (communicator) cairn::gather_records(state.contacts, *communicator);
+}
+
 std::vector<Contact> World::contacts() const {
     const State& s = impl_->whole("World::contacts");
+    impl_->gather_records();
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
         if (is_touching(s.contacts.info[id])) all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
@@ -123,6 +129,7 @@ std::vector<Contact> World::contacts() const {
 std::vector<Contact> World::contacts(BodyId body) const {
     const std::int32_t b = impl_->index_of(body);
     const State& s = impl_->whole("World::contacts");
+    impl_->gather_records();
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id) {
         const ContactInfo& c = s.contacts.info[id];

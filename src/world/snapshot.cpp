@@ -157,6 +157,8 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
 }
 
 void World::Impl::restore_in_place(ImageReader& reader) {
+    gather_records();
+    state.contacts.owners = {};
     failed_call = "World::restore"; // in case that memory runs out
     state.statistics = {};
     serialize_state(reader, state, [](StatePart) {});
@@ -167,6 +169,8 @@ void World::Impl::restore_in_place(ImageReader& reader) {
 }
 
 template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&& tell_of_it) {
+    gather_records();
+    state.contacts.owners = {};
     const auto go_through = [&](SetAside::Mode mode) {
         set_aside.begin(mode);
         serialize_state(set_aside, state, [](StatePart) {});
@@ -233,6 +237,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
 Snapshot World::save() const {
     impl_->require_idle("World::save");
     impl_->require_whole("World::save");
+    impl_->gather_records();
     Snapshot snapshot;
     snapshot.definitions = impl_->definitions();
     Header header;

@@ -35,6 +35,7 @@ void SnapshotRing::push(const World& world) {
     impl.require_whole("SnapshotRing::push");
     Ring& ring = *ring_;
     try {
+        impl.gather_records();
         std::shared_ptr<const SnapshotDefinitions> definitions = impl.definitions();
         if (ring.frames.size() == ring.capacity) ring.frames.pop_front();
         ImageWriter archive(ring.image, ring.room);

@@ -38,7 +38,7 @@ inline ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::
 CAIRN_ARCHIVES_MEMBERS(14, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
-CAIRN_ARCHIVES_MEMBERS(4, Contacts);
+CAIRN_ARCHIVES_MEMBERS(5, Contacts);
 CAIRN_ARCHIVES_MEMBERS(5, Islands);
 CAIRN_ARCHIVES_MEMBERS(4, Joints);
 CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
@@ -94,7 +94,7 @@ template <class Archive> void serialize_contacts(Archive& archive, State& s) {
             return room = {};
         };
     };
-    archive.used_part(s.contacts.records, [&](std::size_t i, ContactRecord& room) -> const ContactRecord& {
+    archive.used_part(s.contacts.records.whole(), [&](std::size_t i, ContactRecord& room) -> const ContactRecord& {
         return used_record(contacts.info[i], contacts.records[i], room);
     });
     archive.used_part(s.contacts.info, used(contacts.info)),

@@ -53,7 +53,7 @@ class StateCheck final : PairReader {
             require_count("bodies", size, body_count_);
         require_count("shapes.links", shapes_.links.size(), shape_count_);
         require_count("shapes.poses", shapes_.poses.size(), shape_count_);
-        require_count("contacts.records", contacts_.records.size(), contacts_.info.size());
+        require_count("contacts.records", contacts_.records.places(), contacts_.info.size());
         require_count("contacts.answers", contacts_.answers.size(), contacts_.info.size());
     }
 

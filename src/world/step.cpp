@@ -10,6 +10,7 @@
 #include "islands/islands.h"
 #include "joints/joints.h"
 #include "solver/island_batches.h"
+#include "solver/rank_cut.h"
 #include "solver/solve.h"
 #include "state/state.h"
 #include "state/substeps.h"
@@ -72,6 +73,7 @@ void World::Impl::make_step(float dt) {
     if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
     state.events.begin_step();
     times = {};
+    if (communicator) share_out_records(state.bodies, state.contacts, step.solver, *communicator);
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
     move_characters(
@@ -83,7 +85,7 @@ void World::Impl::make_step(float dt) {
     times.broad_phase = clock.lap();
     state.statistics.tested_pairs =
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.fields, state.broad_phase,
-                        state.events, state.settings, step, dt);
+                        state.events, state.settings, step, communicator.get(), dt);
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, dt);
     times.islands = clock.lap();
@@ -95,12 +97,13 @@ void World::Impl::make_step(float dt) {
     times.solve = solve - times.prepare;
     finalize_kinematics(state.bodies, state.shapes, state.broad_phase, dt);
     resolve_impacts({state.settings, state.joints, state.fields, state.bodies, state.shapes, state.contacts,
-                     state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds},
+                     state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds,
+                     communicator.get()},
                     step, dt);
     wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
     state.statistics.max_penetration =
         report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
-                        step.solver, step.narrow, *step.thread_pool, dt);
+                        step.solver, step.narrow, *step.thread_pool, communicator.get(), dt);
     break_joints();
     update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events, step.solved,
                  step.solver);

@@ -134,6 +134,8 @@ void World::set_communicator(std::shared_ptr<Communicator> communicator) {
             refuse("World::set_communicator rank", std::to_string(rank), "must be 0 to size - 1, " + to_text(size - 1));
     }
     const bool is_alone = !communicator || communicator->size() == 1;
+    impl_->gather_records(); // from those that were
+    impl_->state.contacts.owners = {};
     impl_->communicator = is_alone ? nullptr : std::move(communicator);
 }
 

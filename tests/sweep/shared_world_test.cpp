@@ -24,9 +24,10 @@ class SharedWorld : public CliSweep {
     }
 };
 
-// A pile of 1,000, which is cut among the ranks as soon as it has landed, and ragdolls, which are not.
+// A pile of 1,000, which is cut among the ranks as soon as it has landed; ragdolls, which are not; and bullets, whose
+// impacts ask the owners of contacts for their normals.
 TEST_F(SharedWorld, AnyNumberOfRanksGivesTheSameStateAndTheSameFile) {
-    for (const std::string scene : {"13_pile --frames 75", "25_ragdolls --frames 15"}) {
+    for (const std::string scene : {"13_pile --frames 75", "25_ragdolls --frames 15", "33_bullets --frames 40"}) {
         const Result alone = cairn("run " + scene + " --every 10 --json --csv alone.csv");
         ASSERT_EQ(alone.code, 0) << alone.err;
         const auto hash = nlohmann::json::parse(alone.out)["hash"];

@@ -1,6 +1,8 @@
 // All instruction sets give the same bits, for every narrow-phase kernel.
 #include "collide_test_support.h"
 
+#include "collision/wide_pairs.h"
+
 #include <cstring>
 #include <string>
 
@@ -81,7 +83,46 @@ void expect_equal_bits(cairn::CollideKernel cairn::KernelTable::*kernel, Kind fi
     expect_equal_bits(kernel, any_pairs(first, second, 77));
 }
 
+// What is said of a pair: what lies beyond its points is nobody's business.
+void expect_same(const Manifold& one, const Manifold& other, const std::string& who) {
+    ASSERT_EQ(one.count, other.count) << who;
+    if (one.count == 0) {
+        ASSERT_EQ(one.points[0][3], other.points[0][3]) << who;
+        return;
+    }
+    ASSERT_EQ(std::memcmp(one.normal, other.normal, sizeof one.normal), 0) << who;
+    const auto count = static_cast<std::size_t>(one.count);
+    ASSERT_EQ(std::memcmp(one.points, other.points, count * sizeof one.points[0]), 0) << who;
+    ASSERT_EQ(std::memcmp(one.features, other.features, count * sizeof one.features[0]), 0) << who;
+}
+
+// Each pair among others of all kinds, and in a block of its own.
+void expect_blind_lanes(cairn::CollideKernel cairn::KernelTable::*kernel, Kind first, Kind second) {
+    const Pairs pairs = any_pairs(first, second, 79);
+    for (const cairn::KernelTable* table : backends()) {
+        const std::vector<Manifold> together = run(table->*kernel, pairs);
+        for (int i = 0; i < pairs.count(); i += 5) {
+            Pairs alone;
+            alone.add(pairs.first(i), pairs.second(i), pairs.margins[static_cast<std::size_t>(i)]);
+            expect_same(together[static_cast<std::size_t>(i)], run(table->*kernel, alone)[0],
+                        std::string(table->name) + ", pair " + std::to_string(i));
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
+}
+
 } // namespace
+
+// Ranks share out the pairs: who is tested beside whom is up to their number.
+TEST(CollideBackends, APairDoesNotSeeTheOthersOfItsBlock){
+#define CAIRN_EXPECT_BLIND(first, second)                                                                              \
+    {                                                                                                                  \
+        SCOPED_TRACE(#first " and " #second);                                                                          \
+        expect_blind_lanes(&cairn::KernelTable::first##_##second, Kind::first, Kind::second);                          \
+    }
+    CAIRN_WIDE_PAIRS(CAIRN_EXPECT_BLIND)
+#undef CAIRN_EXPECT_BLIND
+}
 
 TEST(CollideBackends, SphereSphere) {
     expect_equal_bits(&cairn::KernelTable::sphere_sphere, Kind::sphere, Kind::sphere);

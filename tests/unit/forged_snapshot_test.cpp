@@ -137,7 +137,7 @@ TEST_F(ForgedSnapshot, OfSoundStructureWithNumbersThatLeadNowhereIsRefused) {
         [](State& s) { s.islands.all[std::size_t(s.bodies.links[1].island)].joint_count = 0; },
         [](State& s) { s.contacts.free = {1 << 20}; },
         [](State& s) { s.contacts.free = {0}; },
-        [](State& s) { s.contacts.records.clear(); },
+        [](State& s) { s.contacts.records.whole().clear(); },
         [](State& s) { s.contacts.info[0].body_b = 1 << 20; },
         [](State& s) { s.contacts.info[0].shape_a = 1 << 20; },
         [](State& s) { s.contacts.info[0].kind = PairKind::group; },

@@ -60,8 +60,11 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
                 edge_separation = select(m, s, edge_separation);
                 edge = select(m, splat(static_cast<float>(3 * i + j)), edge);
             }
+        // Where the faces say enough, they alone say how far apart the two are: it must not depend on the other pairs
+        // of the eight whether edges were looked at.
+        const f32x8 apart = select(touching, max(greatest, edge_separation), greatest);
         touching = touching & (edge_separation <= margin);
-        clear_manifolds(batch.out + k, touching, max(greatest, edge_separation));
+        clear_manifolds(batch.out + k, touching, apart);
         const mask8 by_edge = edge_separation > greatest + (splat(edge_tolerance) * p.smallest + p.error);
         const CornerNormalx8 corner = corner_normal(p, q, separation, greatest);
         if (const mask8 meet = and_not(touching & corner.holds, by_edge); any(meet)) {
