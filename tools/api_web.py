@@ -83,8 +83,9 @@ def member_put(table, layout, struct, member):
         return f"if (x === null) continue;{default} {put(table, inner, at, 'x', where)} putBool({plus('p', place.flag)}, true, {where});"
     if kind.endswith("[]"):
         inner, size = kind[:-2], layout.size(kind[:-2])[0]
+        default = f"{default_call(inner, 'at')} " if inner in table.structs else ""
         return f"putList({at}, {plus('p', place.count)}, x, {size}, {where}, (at, x, place) => " \
-               f"{{ {default_call(inner, 'at')} {put(table, inner, 'at', 'x', 'place')} }});"
+               f"{{ {default}{put(table, inner, 'at', 'x', 'place')} }});"
     return put(table, kind, at, "x", where)
 
 

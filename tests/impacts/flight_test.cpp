@@ -3,6 +3,7 @@
 #include "core_watch.h"
 
 #include "impacts/impact_law.h"
+#include "impacts/rebounds.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,36 @@ TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
             through += shoot(cell).through;
         }
     EXPECT_LE(through, 8);
+}
+
+// A corner of A touches a face of B, and both go on: against the second difference of the gap. Where A's turn asks for
+// more than that of B, as if A had the face, that is taken.
+TEST(Rebounds, TheAccelerationOfTheGapIsFoundAndNeverTooSmall) {
+    using cairn::math::cross, cairn::math::dot, cairn::math::DVec3;
+    Random random(4);
+    const auto vector = [&](double size) {
+        const Position p = size * random.direction();
+        return DVec3{p.x, p.y, p.z};
+    };
+    int equal = 0;
+    for (int k = 0; k < 1000; ++k) {
+        const DVec3 normal = vector(1), point = vector(1);
+        const cairn::MovingState a{point - vector(0.3), {}, vector(3), k % 2 ? vector(20) : DVec3{}};
+        const cairn::MovingState b{point + vector(0.3), {}, vector(3), vector(20)};
+        const auto turned = [](DVec3 v, DVec3 w, double t) { // to second order in the time
+            return v + t * cross(w, v) + (0.5 * t * t) * cross(w, cross(w, v));
+        };
+        const auto gap = [&](double t) {
+            const DVec3 corner = a.x + t * a.v + turned(point - a.x, a.w, t);
+            const DVec3 on_face = b.x + t * b.v + turned(point - b.x, b.w, t);
+            return dot(turned(normal, b.w, t), on_face - corner);
+        };
+        const double h = 1e-4, measured = -(gap(h) - 2 * gap(0) + gap(-h)) / (h * h);
+        const double found = cairn::closing_acceleration({a, false}, {b, false}, point, normal);
+        EXPECT_GT(found, measured - 0.1) << k;
+        equal += std::fabs(found - measured) < 0.1;
+    }
+    EXPECT_GT(equal, 300);
 }
 
 // A ball is thrown down beside a box that stands there: something that the ground holds. The contact of the two was the

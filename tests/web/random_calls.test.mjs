@@ -88,6 +88,14 @@ function player(seed) {
             MassProperties: () => ({ mass: size() }),
             Material: () => ({ restitution: size() }),
             CollisionFilter: () => ({ layers: BigInt(next(4)) }),
+            QueryFilter: () => ({
+                layers: BigInt(next(4)),
+                any: next(2) === 0,
+                triggers: next(2) === 0,
+                dynamicBodies: next(4) !== 0,
+                ignoredBodies: Array.from({ length: next(3) }, () => one('BodyId')),
+            }),
+            CharacterDef: () => ({ up: vector(3), stepHeight: size(), mass: size(), skin: size() }),
         };
         return others[type]();
     };

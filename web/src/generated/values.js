@@ -940,7 +940,7 @@ export function putQueryFilter(p, value, where) {
         case 'dynamicBodies': putBool(p + 26, x, 'QueryFilter.dynamicBodies'); break;
         case 'triggers': putBool(p + 27, x, 'QueryFilter.triggers'); break;
         case 'any': putBool(p + 28, x, 'QueryFilter.any'); break;
-        case 'ignoredBodies': putList(p + 32, p + 36, x, 8, 'QueryFilter.ignoredBodies', (at, x, place) => { M._cairn_default_body_id(at); putHandle(at, x, place); }); break;
+        case 'ignoredBodies': putList(p + 32, p + 36, x, 8, 'QueryFilter.ignoredBodies', (at, x, place) => { putHandle(at, x, place); }); break;
         default: unknown('QueryFilter', key, ['layers', 'ownLayers', 'staticBodies', 'kinematicBodies', 'dynamicBodies', 'triggers', 'any', 'ignoredBodies']);
         }
     }
