@@ -85,8 +85,8 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, doubl
 // contact (`by_contact`), which is soft. What is deeper already is asked again when it is deeper by a quarter of that
 // (if `by_nothing`: at all) and a twenty-fifth of what a core is inside; if `by_contact`, or if it is nearly as deep as
 // inner cores are, when it is as deep as half of the smallest half width, as the solver pushes the two apart; if
-// `by_struck_contact`, by a quarter, too. What goes deeper and comes back may be missed; then it is when the cores meet,
-// if they do.
+// `by_struck_contact`, by a quarter, too. What goes deeper and comes back may be missed; then it is when the cores
+// meet, if they do.
 double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
