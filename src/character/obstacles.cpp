@@ -29,14 +29,6 @@ Convex padded(Convex c, double by) {
     return c;
 }
 
-Convex moved(const Convex& c, DVec3 by) {
-    Convex r = c;
-    r.center += by;
-    if (c.kind == Convex::Kind::polygon)
-        for (DVec3& corner : r.corners) corner += by;
-    return r;
-}
-
 DBounds moved(const DBounds& b, DVec3 by) { return {b.lo + by, b.hi + by}; }
 
 // A way that leads into a surface by less than this, rad, passes it.

@@ -162,8 +162,7 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
     if (m.count == 0) return true;
     if (c.is_trigger) return false;
-    float least = m.points[0][3];
-    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    const float least = least_separation(m);
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const BodyMotion &a = bodies.motion[first], &b = bodies.motion[second];

@@ -5,6 +5,8 @@
 #include "contacts/contact_record.h"
 #include "contacts/contexts.h"
 
+#include <algorithm>
+
 namespace cairn {
 
 // What is to be done with a pair, and what testing it has said, beside its record.
@@ -32,6 +34,12 @@ inline float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, c
     if (c.is_trigger) return 0;
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
+}
+// Of the points of a manifold that has any, m.
+inline float least_separation(const Manifold& m) {
+    float least = m.points[0][3];
+    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    return least;
 }
 // Whether there are no points, or points that are beyond where contacts begin do not come near each other in the next
 // step either, as the bodies move now.

@@ -4,10 +4,10 @@
 #include "collision/convex_contact.h"
 #include "collision/one_place.h"
 #include "collision/surface_contact.h"
+#include "contacts/contact_update.h"
 #include "contacts/pairs.h"
 #include "shapes/gjk.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace cairn {
@@ -77,9 +77,9 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
 }
 
 void part_points(const PosedShape& a, const PosedShape& b, Manifold& m) {
-    float least = m.points[0][3];
-    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    if (m.count == 0 || least > 0) return;
+    if (m.count == 0) return;
+    const float least = least_separation(m);
+    if (least > 0) return;
     const Convex first = convex_of(a, {}), second = convex_of(b, offset_between_middles(a.pose, b.pose));
     const CorePair pair{exact_core(first), exact_core(second)};
     const double radii = pair.a.radius + pair.b.radius;

@@ -224,8 +224,7 @@ bool may_turn_away(const Bodies& bodies, const ContactInfo& c, float dt) {
 bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& c, const Manifold& m,
                         float dt) {
     if (c.is_trigger || m.count == 0) return false;
-    float least = m.points[0][3];
-    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    const float least = least_separation(m);
     if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
     if (may_turn_away(in.bodies, c, dt) && turns_away(in.bodies, in.shapes, c, m, -least, dt)) return true;
     if (least > c.base_margin) return true;

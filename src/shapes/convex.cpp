@@ -173,6 +173,14 @@ Convex reversed(const Convex& polygon) {
     return make_polygon({corners, static_cast<std::size_t>(n)});
 }
 
+Convex moved(const Convex& c, DVec3 by) {
+    Convex r = c;
+    r.center += by;
+    if (c.kind == Convex::Kind::polygon)
+        for (DVec3& corner : r.corners) corner += by;
+    return r;
+}
+
 DVec3 round_support(const Core& core, DVec3 d) {
     const Convex& c = *core.shape;
     DVec3 local;

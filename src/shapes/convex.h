@@ -47,6 +47,7 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, const math::
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
 // A polygon that faces the other way.
 Convex reversed(const Convex& polygon);
+Convex moved(const Convex& shape, math::DVec3 by);
 
 // Leaves the core of a shape at a depth, m: without what is nearer to its surface; at least a point or a segment in its
 // middle. Of hulls, the hull scaled along its axes about the middle of its bounds, such that those shrink by the depth

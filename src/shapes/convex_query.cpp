@@ -30,13 +30,6 @@ double extent_of(const Convex& a, const Convex& b) {
     return extent < 1e30 ? extent : math::length(b.corners[1] - b.corners[0]);
 }
 
-Convex moved(const Convex& c, DVec3 by) {
-    Convex r = c;
-    r.center += by;
-    for (DVec3& corner : r.corners) corner += by;
-    return r;
-}
-
 // Conservative advancement (Mirtich 1996) from a fraction on. The distance of two convex shapes is a convex function of
 // the fraction, so that this is Newton's method from below: it never passes the first touch.
 std::optional<ConvexHit> advance(const Convex& moving, DVec3 way, const Convex& still, double tolerance, double limit,
