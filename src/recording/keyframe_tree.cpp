@@ -8,14 +8,15 @@ namespace cairn::recording {
 
 namespace {
 
-// s of a processor, roughly: what a step takes for each body, more if it is awake, and for each pair of shapes that it
-// tests; and what it takes to keep a byte.
-constexpr double for_a_body = 4e-8, for_an_awake_body = 1e-6, for_a_tested_pair = 5e-7, for_a_byte = 5e-9;
+// s of a processor, roughly: what a step takes for each body, more if it is awake, for each pair of shapes that it
+// tests, more if it looks at them along their ways; and what it takes to keep a byte.
+constexpr double for_a_body = 4e-8, for_an_awake_body = 8e-7, for_a_tested_pair = 4e-7, for_a_swept_pair = 7e-7;
+constexpr double for_a_byte = 5e-9;
 constexpr std::uint64_t looked_after = 8; // steps: to count takes as long as a step that has nothing to do
 
 double work_of_step(const Statistics& world) {
     return for_a_body * double(world.bodies) + for_an_awake_body * double(world.awake_bodies) +
-           for_a_tested_pair * double(world.tested_pairs);
+           for_a_tested_pair * double(world.tested_pairs) + for_a_swept_pair * double(world.swept_pairs);
 }
 
 std::uint64_t parent_of(std::uint64_t number) { return number & (number - 1); }

@@ -41,7 +41,7 @@ struct RecorderOptions {
     double keyframe_work = 0.3;
     /// Bytes in the file for all of them; 0: none. Where it is spent, every other one goes, and later ones come half as
     /// often. A file that is not closed still has them, and one that is no regular file.
-    std::size_t keyframe_budget = std::size_t{128'000'000};
+    std::size_t keyframe_budget = std::size_t{256'000'000};
     std::string source{}; ///< What is recorded, for people: the name of a scene.
     Readings readings{};
     double readings_interval = 0.0; ///< s of simulated time from one to the next, >= 0; 0: after each step.

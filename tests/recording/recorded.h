@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ class TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& extension) {
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string("cairn_") + test->test_suite_name() + "_" + test->name() + extension;
+        // Two runs of the tests at once have files of their own.
+        const std::string run = std::to_string(std::random_device()());
+        std::string name = std::string("cairn_") + test->test_suite_name() + "_" + test->name() + "_" + run + extension;
         for (char& c : name) c = c == '/' ? '_' : c;
         path_ = std::filesystem::path(testing::TempDir()) / name;
         std::filesystem::remove(path_);
