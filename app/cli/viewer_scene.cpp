@@ -31,18 +31,63 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene) {
     return appearances;
 }
 
+namespace {
+
+// The pictures of a scene, each read once. One that cannot be read is a line of warning.
+class TextureReader {
+  public:
+    std::shared_ptr<const viewer::TexturePicture> operator()(const std::shared_ptr<const scene::Texture>& texture) {
+        if (!texture) return nullptr;
+        const auto [place, is_new] = known_.try_emplace(texture.get());
+        if (!is_new) return place->second;
+        try {
+            const viewer::TextureStyle style{viewer::TextureStyle::Wrap(int(texture->wrap_u)),
+                                             viewer::TextureStyle::Wrap(int(texture->wrap_v)), texture->is_smooth,
+                                             texture->alpha_cutoff};
+            place->second = std::make_shared<const viewer::TexturePicture>(viewer::read_texture(texture->file, style));
+        } catch (const Error& error) {
+            print_warnings({{std::string(error.what()) + " (it is not shown)"}});
+        }
+        return place->second;
+    }
+
+  private:
+    std::unordered_map<const scene::Texture*, std::shared_ptr<const viewer::TexturePicture>> known_;
+};
+
+// One for each vertex of `visual_triangles`, which gives flat triangles corners of their own.
+std::vector<viewer::BoneWeights> weights_of(const scene::Surface& surface) {
+    std::vector<viewer::BoneWeights> weights;
+    const auto add = [&](std::size_t vertex) {
+        weights.push_back({surface.weights[vertex].bones, surface.weights[vertex].shares});
+    };
+    if (surface.normals.empty())
+        for (const std::uint32_t corner : surface.indices) add(corner);
+    else
+        for (std::size_t i = 0; i < surface.vertices.size(); ++i) add(i);
+    return weights;
+}
+
+} // namespace
+
 std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
     std::vector<viewer::Visual> visuals;
-    std::unordered_map<const scene::Surface*, std::shared_ptr<const viewer::ShapeMesh>> meshes;
+    TextureReader read_texture;
+    std::map<std::pair<const scene::Surface*, const scene::Texture*>, std::shared_ptr<const viewer::ShapeMesh>> meshes;
     for (const scene::VisualMesh& visual : scene.visuals) {
-        std::shared_ptr<const viewer::ShapeMesh>& mesh = meshes[visual.surface.get()];
+        std::shared_ptr<const viewer::ShapeMesh>& mesh = meshes[{visual.surface.get(), visual.texture.get()}];
         if (!mesh) {
             const scene::Surface& surface = *visual.surface;
-            mesh = std::make_shared<const viewer::ShapeMesh>(
-                viewer::make_shape_mesh(viewer::visual_triangles(surface.vertices, surface.normals, surface.indices),
-                                        viewer::MeshLook::visual));
+            viewer::ShapeMesh made = viewer::make_shape_mesh(
+                viewer::visual_triangles(surface.vertices, surface.normals, surface.indices, surface.coordinates),
+                viewer::MeshLook::visual);
+            if (!surface.coordinates.empty()) made.texture = read_texture(visual.texture);
+            if (!surface.weights.empty()) made.weights = weights_of(surface);
+            mesh = std::make_shared<const viewer::ShapeMesh>(std::move(made));
         }
         visuals.push_back({visual.body, visual.local, mesh, visual.color});
+        for (const scene::Bone& bone : visual.bones)
+            visuals.back().bones.push_back({bone.body, bone.linear, bone.translation});
     }
     return visuals;
 }

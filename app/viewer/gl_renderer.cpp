@@ -4,6 +4,7 @@
 #include "viewer/gl_lines.h"
 #include "viewer/gl_objects.h"
 #include "viewer/gl_target.h"
+#include "viewer/gl_textures.h"
 #include "viewer/shaders.h"
 #include "viewer/shadow_region.h"
 
@@ -79,8 +80,8 @@ struct LoadedMesh {
     int unused = 0; // pictures since it was in one
 };
 
-shaders::BodyKind kind_of(MeshLook look) {
-    switch (look) {
+shaders::BodyKind kind_of(const ShapeMesh& mesh) {
+    switch (mesh.look) {
     case MeshLook::facets:
         return shaders::BodyKind::facets;
     case MeshLook::surface:
@@ -90,7 +91,7 @@ shaders::BodyKind kind_of(MeshLook look) {
     case MeshLook::visual:
         break;
     }
-    return shaders::BodyKind::visual;
+    return mesh.texture ? shaders::BodyKind::textured : shaders::BodyKind::visual;
 }
 
 std::string with_lighting(const char* fragment) { return std::string(shaders::lighting) + fragment; }
@@ -136,6 +137,7 @@ struct GlRenderer::Impl {
     GlLines lines;
     RoundMeshes spheres, capsules, cylinders;
     std::unordered_map<const ShapeMesh*, LoadedMesh> meshes;
+    GlTextures textures;
     std::vector<Instance> sorted;
     GlMesh boxes, rectangles, square;
     GlObject shadow_texture, shadow_framebuffer;
@@ -155,6 +157,7 @@ struct GlRenderer::Impl {
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
     template <class Use> void draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
+    void use_texture(const std::shared_ptr<const TexturePicture>& texture, const GlProgram& program);
     template <class Use> void draw_shapes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
@@ -162,7 +165,7 @@ struct GlRenderer::Impl {
     void draw_sky(const RenderFrame& frame, float aspect);
     void draw_bodies(const RenderFrame& frame);
     void draw_ghosts(const RenderFrame& frame, int height, float aspect);
-    void use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity);
+    const GlProgram& use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity);
     void draw_grounds(const RenderFrame& frame);
 };
 
@@ -265,15 +268,15 @@ void GlRenderer::Impl::upload_meshes(const ShapeInstances& shapes) {
     }
 }
 
-// `use(kind)` makes the program of a kind the current one.
+// `use(kind)` makes the program of a kind the current one, and returns it.
 template <class Use>
 void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use) {
     const SidePlanes planes = side_planes(clip);
     for (const MeshInstances& group : shapes.meshes) {
         if (group.instances.empty()) continue;
-        const shaders::BodyKind kind = kind_of(group.mesh->look);
+        const shaders::BodyKind kind = kind_of(*group.mesh);
         const bool two_sided = kind != shaders::BodyKind::facets;
-        use(kind);
+        use_texture(group.mesh->texture, use(kind));
         if (two_sided) glDisable(GL_CULL_FACE);
         const GlMesh& mesh = meshes.at(group.mesh.get()).mesh;
         if (group.mesh->parts.size() == 1)
@@ -283,6 +286,15 @@ void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4
                 mesh.draw(range.first, range.count);
         if (two_sided) glEnable(GL_CULL_FACE);
     }
+}
+
+void GlRenderer::Impl::use_texture(const std::shared_ptr<const TexturePicture>& texture, const GlProgram& program) {
+    if (!texture) return;
+    glActiveTexture(GL_TEXTURE1); // the shadow map has the other
+    textures.use(texture);
+    glActiveTexture(GL_TEXTURE0);
+    program.set("u_texture", 1);
+    program.set("u_alpha_cutoff", texture->style.alpha_cutoff);
 }
 
 template <class Use>
@@ -307,11 +319,12 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     glEnable(GL_DEPTH_CLAMP); // what stands between the region and the light throws its shadow too
-    draw_shapes(frame, shadow_clip_from_world, [this](shaders::BodyKind kind) {
+    draw_shapes(frame, shadow_clip_from_world, [this](shaders::BodyKind kind) -> const GlProgram& {
         const GlProgram& program = shadow.of(kind);
         program.use();
         program.set("u_clip_from_world", shadow_clip_from_world);
         program.set("u_viewer", glm::vec4(to_light, 0.0f));
+        return program;
     });
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -370,16 +383,18 @@ void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     glDepthFunc(GL_LESS);
 }
 
-void GlRenderer::Impl::use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity) {
+const GlProgram& GlRenderer::Impl::use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity) {
     const GlProgram& program = body.of(kind);
     set_lighting(program, frame);
     program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
     program.set("u_fade", fade_distances * camera.distance());
     program.set("u_opacity", opacity);
+    return program;
 }
 
 void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
-    draw_shapes(frame, clip_from_world, [&](shaders::BodyKind kind) { use_body(kind, frame, 1.0f); });
+    draw_shapes(frame, clip_from_world,
+                [&](shaders::BodyKind kind) -> const GlProgram& { return use_body(kind, frame, 1.0f); });
     if (frame.rectangles.empty()) return;
     use_body(shaders::BodyKind::rectangle, frame, 1.0f);
     rectangles.draw();
@@ -392,7 +407,7 @@ void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float a
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     const auto draw = [&] {
         draw_shapes(frame.ghosts, clip_from_world,
-                    [&](shaders::BodyKind kind) { use_body(kind, frame, ghost_opacity); });
+                    [&](shaders::BodyKind kind) -> const GlProgram& { return use_body(kind, frame, ghost_opacity); });
     };
     draw();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -452,6 +467,7 @@ void GlRenderer::draw(const RenderFrame& frame, const PicturePlace& place, Smoot
     impl.prepare(frame, aspect);
     for (auto& [source, loaded] : impl.meshes) ++loaded.unused;
     std::erase_if(impl.meshes, [](const auto& item) { return item.second.unused > most_unused; });
+    impl.textures.give_up_unused(most_unused);
     impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);

@@ -12,7 +12,7 @@ namespace cairn::viewer {
 
 /// Boxes, rectangles: at `corner * half_size` in the shape's frame. For spheres, capsules and cylinders, `corner` and
 /// `inset` say which part of the shape a vertex belongs to (see below). Meshes of a single shape have meters in
-/// `corner`.
+/// `corner`, and in `inset` where in its texture a vertex lies, if it has one.
 struct MeshVertex {
     Vec3 corner;
     Vec3 inset{0.0f, 0.0f, 0.0f};

@@ -118,29 +118,75 @@ bool is_highlighted(BodyId body, const FrameOptions& options) {
            std::binary_search(options.selection.begin(), options.selection.end(), body);
 }
 
-void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
-                const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
+void add_rigid(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
+               const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
     Transform pose = visual.local;
     Vec3 color = visual.color;
-    bool is_selected = false;
+    bool is_selected = false, is_plain = false;
     if (visual.body) {
         const Transform& body = transforms[*visual.body];
         pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
                 glm::normalize(body.rotation * visual.local.rotation)};
-        color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
+        const std::optional<Vec3> other = body_color(layout, motion, *visual.body, options.colors);
+        color = other.value_or(visual.color);
+        is_plain = other.has_value();
         is_selected = is_highlighted(layout.bodies[*visual.body].id, options);
     }
     MeshInstances& group = all.meshes[visual.mesh];
     Instance instance = instance_at(pose.position, pose.rotation, origin, color);
     instance.half_size = Vec3(1.0f);
+    instance.pattern = is_plain ? 0.0f : 1.0f; // of colors that say something no texture is seen
     instance.emphasis = is_selected ? 1.0f : 0.0f;
     instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
     group.instances.push_back(instance);
 }
 
+// A mesh of its own for this picture, about the place of its first bone.
+void add_bent(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
+              const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
+    const auto pose_of = [&](const VisualLayout::Part& part) {
+        return part.body ? transforms[*part.body] : Transform{};
+    };
+    const ShapeMesh& mesh = *all.meshes[visual.mesh].mesh;
+    const Transform first = pose_of(visual.parts[0]);
+    const Position center = first.position + Position(glm::dquat(first.rotation) * visual.parts[0].translation);
+    std::vector<BoneMap> bones;
+    std::optional<Vec3> other;
+    bool is_selected = false;
+    for (const VisualLayout::Part& part : visual.parts) {
+        const Transform pose = pose_of(part);
+        const glm::dmat3 turn = glm::mat3_cast(glm::dquat(pose.rotation));
+        bones.push_back({glm::mat3(turn * part.linear), Vec3(turn * part.translation + pose.position - center)});
+        if (!part.body) continue;
+        if (!other) other = body_color(layout, motion, *part.body, options.colors);
+        is_selected = is_selected || is_highlighted(layout.bodies[*part.body].id, options);
+    }
+    ShapeMesh now = make_shape_mesh(bent(mesh.triangles, mesh.weights, bones), mesh.look);
+    now.texture = mesh.texture;
+    Instance instance = instance_at(center, Quat(1.0f, 0.0f, 0.0f, 0.0f), origin, other.value_or(visual.color));
+    instance.half_size = Vec3(1.0f);
+    instance.pattern = other ? 0.0f : 1.0f;
+    instance.emphasis = is_selected ? 1.0f : 0.0f;
+    instance.bound_radius = glm::length(now.center) + now.radius;
+    all.meshes.push_back({std::make_shared<const ShapeMesh>(std::move(now)), {instance}});
+}
+
 // Whether its body is shown by meshes of the scene's own instead.
 bool is_covered(const WorldLayout& layout, const ShapeLayout& shape, const FrameOptions& options) {
     return options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger;
+}
+
+void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
+                const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
+    if (visual.parts.empty())
+        add_rigid(all, origin, visual, layout, motion, transforms, options);
+    else
+        add_bent(all, origin, visual, layout, motion, transforms, options);
+}
+
+bool is_any_shown(const VisualLayout& visual, const std::vector<char>& is_shown) {
+    const auto shown = [&](const VisualLayout::Part& part) { return part.body && is_shown[*part.body]; };
+    return visual.body ? is_shown[*visual.body] != 0 : std::any_of(visual.parts.begin(), visual.parts.end(), shown);
 }
 
 Transform pose_of(const ShapeLayout& shape, const Transform& body) {
@@ -282,7 +328,7 @@ void add_ghosts(RenderFrame& frame, const WorldLayout& layout, const WorldMotion
     for (const auto& mesh : ghosts.meshes) frame.ghosts.meshes.push_back({mesh, {}});
     if (options.visuals)
         for (const VisualLayout& visual : ghosts.visuals)
-            if (visual.body && is_shown[*visual.body])
+            if (is_any_shown(visual, is_shown))
                 add_visual(frame.ghosts, frame.origin, visual, ghosts, *other.current, transforms, plain);
     for (const ShapeLayout& shape : ghosts.shapes) {
         if (!is_shown[shape.body] || is_covered(ghosts, shape, options) || shape.is_trigger) continue;

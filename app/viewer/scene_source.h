@@ -38,6 +38,9 @@ struct Visual {
     Transform local; ///< In the frame of the body; of scenery, in the world.
     std::shared_ptr<const ShapeMesh> mesh;
     Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
+    /// None: it is rigid. Else it bends with the bodies of these, whose shapes it stands for; `body` is null, and
+    /// `local` means nothing.
+    std::vector<Bone> bones{};
 };
 
 /// What was done between two steps of a recorded world, as commands (cairn/commands.h), and the step.

@@ -127,8 +127,8 @@ float grid_line(vec2 place, float pixels) {
 )";
 
 /// Which mesh the body shaders draw.
-enum class BodyKind : int { sphere, box, rectangle, capsule, cylinder, facets, surface, terrain, visual };
-inline constexpr std::size_t body_kind_count = 9;
+enum class BodyKind : int { sphere, box, rectangle, capsule, cylinder, facets, surface, terrain, visual, textured };
+inline constexpr std::size_t body_kind_count = 10;
 
 /// Goes before a body shader. It is a constant, as software renderers go through both sides of an "if".
 inline std::string body_kind(BodyKind kind) { return "const int c_kind = " + std::to_string(int(kind)) + ";\n"; }
@@ -149,6 +149,7 @@ out vec3 v_local;        // of balls: the radius
 out vec3 v_local_normal; // of boxes: half of the edges
 out vec4 v_color;
 out float v_pattern;
+out vec2 v_texel;        // of what has a texture: the place in it
 flat out vec4 v_rotation;
 
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
@@ -215,6 +216,7 @@ void main() {
     }
     v_color = vec4(a_color.rgb, a_position.w);
     v_pattern = a_half_size.w;
+    v_texel = a_inset.xy;
     v_rotation = a_rotation;
     gl_Position = u_clip_from_world * vec4(v_world, 1.0);
 }
@@ -227,7 +229,10 @@ in vec3 v_local;
 in vec3 v_local_normal;
 in vec4 v_color;
 in float v_pattern;
+in vec2 v_texel;
 flat in vec4 v_rotation;
+uniform sampler2D u_texture;
+uniform float u_alpha_cutoff;
 uniform float u_grid;
 uniform float u_spacing; // of the finer lines of the grid, meters
 uniform float u_fade;    // distance at which large surfaces have half become sky, meters
@@ -308,10 +313,15 @@ void main() {
         float far = dot(ray, ray) / (u_fade * u_fade);
         haze = far / (1.0 + far);
     }
-    if (c_kind == 8) gloss = 0.5;
+    if (c_kind >= 8) gloss = 0.5;
+    if (c_kind == 9) {
+        vec4 texel = texture(u_texture, v_texel);
+        if (texel.a < u_alpha_cutoff) discard;
+        color *= mix(vec3(1.0), texel.rgb, v_pattern);
+    }
     if (c_kind >= 6 && !gl_FrontFacing) { // from behind
         normal = -normal;
-        if (c_kind != 8) color *= 0.6;
+        if (c_kind < 8) color *= 0.6;
     }
     vec3 to_eye = towards_viewer(world);
     vec3 shaded = shade(world, normal, color, gloss);
@@ -327,7 +337,12 @@ void main() {
 )";
 
 inline constexpr const char* shadow_fragment = R"(
-void main() {}
+in vec2 v_texel;
+uniform sampler2D u_texture;
+uniform float u_alpha_cutoff;
+void main() {
+    if (c_kind == 9 && texture(u_texture, v_texel).a < u_alpha_cutoff) discard;
+}
 )";
 
 inline constexpr const char* ground_vertex = R"(

@@ -164,20 +164,23 @@ TriangleMesh height_field_triangles(const HeightField& field) {
 }
 
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                              std::span<const std::uint32_t> indices) {
+                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates) {
     TriangleMesh mesh;
+    const auto place = [&](std::size_t i) {
+        return coordinates.empty() ? Vec3(0.0f) : Vec3(coordinates[i].x, coordinates[i].y, 0.0f);
+    };
     if (!normals.empty()) {
         for (std::size_t i = 0; i < vertices.size(); ++i)
-            mesh.vertices.push_back({vertices[i], Vec3(0.0f), direction_of(normals[i])});
+            mesh.vertices.push_back({vertices[i], place(i), direction_of(normals[i])});
         mesh.indices.assign(indices.begin(), indices.end());
         return mesh;
     }
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const Vec3 a = vertices[indices[i]], b = vertices[indices[i + 1]], c = vertices[indices[i + 2]];
         const Vec3 normal = direction_of(glm::cross(b - a, c - a));
-        for (const Vec3& corner : {a, b, c}) {
+        for (const std::size_t corner : {i, i + 1, i + 2}) {
             mesh.indices.push_back(std::uint32_t(mesh.vertices.size()));
-            mesh.vertices.push_back({corner, Vec3(0.0f), normal});
+            mesh.vertices.push_back({vertices[indices[corner]], place(indices[corner]), normal});
         }
     }
     return mesh;

@@ -2,7 +2,9 @@
 /// The triangles of shapes that have a form of their own: hulls, meshes, height fields, and what is rounded.
 #pragma once
 
+#include "viewer/bending.h"
 #include "viewer/meshes.h"
+#include "viewer/textures.h"
 
 #include <cairn/shape.h>
 
@@ -38,6 +40,9 @@ struct ShapeMesh {
     Vec3 extent{0.0f, 0.0f, 0.0f}; ///< Half of the bounds' edges, meters.
     float radius = 0.0f;           ///< A ball around `center` holds everything, meters.
     std::vector<MeshPart> parts;   ///< All triangles, in order.
+    /// Null: none. Where in it a vertex lies is in `inset`, x to the right and y down, 0 to 1 across the picture.
+    std::shared_ptr<const TexturePicture> texture{};
+    std::vector<BoneWeights> weights{}; ///< Of what bends, one for each vertex; else none.
 };
 
 /// The faces of a hull, flat.
@@ -55,9 +60,10 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
 TriangleMesh height_field_triangles(const HeightField& field);
 inline constexpr std::size_t max_heights = std::size_t(1) << 22;
 
-/// Triangles with the normals given, one for each vertex, or flat ones if there are none. All indices in range.
+/// Triangles with the normals given, one for each vertex, or flat ones if there are none, and places in a texture, one
+/// for each vertex, or none. All indices in range.
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                              std::span<const std::uint32_t> indices);
+                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates = {});
 
 /// A rounded box, cylinder or hull (see `rounding_of`).
 TriangleMesh rounded_shape_triangles(const Shape& shape);

@@ -1,8 +1,11 @@
 #include "viewer/visual_notes.h"
 
+#include <cairn/error.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +13,7 @@
 #include <iomanip>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -108,41 +112,240 @@ std::optional<TriangleMesh> mesh_of(const std::string& text) {
     return mesh;
 }
 
+// Where in its texture each vertex lies.
+std::string text_of_coordinates(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> words;
+    for (const MeshVertex& vertex : mesh.vertices)
+        words.push_back(bits_of(vertex.inset.x)), words.push_back(bits_of(vertex.inset.y));
+    return base64(words);
+}
+
+bool take_coordinates(const std::string& text, TriangleMesh& mesh) {
+    const std::vector<std::uint32_t> words = words_of(text);
+    if (words.size() != 2 * mesh.vertices.size()) return false;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const float u = float_of(words[2 * i]), v = float_of(words[2 * i + 1]);
+        if (!std::isfinite(u) || !std::isfinite(v)) return false;
+        mesh.vertices[i].inset = {u, v, 0.0f};
+    }
+    return true;
+}
+
+constexpr std::size_t words_of_weights = 8;
+std::string text_of_weights(const std::vector<BoneWeights>& weights) {
+    std::vector<std::uint32_t> words;
+    for (const BoneWeights& of_vertex : weights) {
+        for (const std::uint16_t bone : of_vertex.bones) words.push_back(bone);
+        for (const float share : of_vertex.shares) words.push_back(bits_of(share));
+    }
+    return base64(words);
+}
+
+// Nothing where it makes no sense.
+std::vector<BoneWeights> weights_of(const std::string& text, std::size_t vertices) {
+    const std::vector<std::uint32_t> words = words_of(text);
+    if (words.size() != words_of_weights * vertices) return {};
+    std::vector<BoneWeights> weights(vertices);
+    for (std::size_t i = 0; i < vertices; ++i)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::uint32_t bone = words[words_of_weights * i + k];
+            const float share = float_of(words[words_of_weights * i + 4 + k]);
+            if (bone > 0xFFFF || !(share >= 0.0f && share <= 1.0f)) return {};
+            weights[i].bones[k] = std::uint16_t(bone), weights[i].shares[k] = share;
+        }
+    return weights;
+}
+
+// Its style, how many bytes its file has, and these.
+constexpr std::size_t words_before_file = 5;
+std::string text_of(const TexturePicture& texture) {
+    const TextureStyle& style = texture.style;
+    const std::string& file = *texture.file;
+    std::vector<std::uint32_t> words{std::uint32_t(style.wrap_u), std::uint32_t(style.wrap_v),
+                                     std::uint32_t(style.is_smooth), bits_of(style.alpha_cutoff),
+                                     std::uint32_t(file.size())};
+    words.resize(words_before_file + (file.size() + 3) / 4);
+    for (std::size_t i = 0; i < file.size(); ++i)
+        words[words_before_file + i / 4] |= std::uint32_t(std::uint8_t(file[i])) << (8 * (i % 4));
+    return base64(words);
+}
+
+std::shared_ptr<const TexturePicture> texture_of(const std::string& text) {
+    const std::vector<std::uint32_t> words = words_of(text);
+    constexpr auto last_wrap = std::uint32_t(TextureStyle::Wrap::clamp);
+    if (words.size() < words_before_file || words[0] > last_wrap || words[1] > last_wrap) return nullptr;
+    if (words[4] > 4 * (words.size() - words_before_file)) return nullptr;
+    std::string file(words[4], '\0');
+    for (std::size_t i = 0; i < file.size(); ++i)
+        file[i] = char(words[words_before_file + i / 4] >> (8 * (i % 4)) & 255);
+    const TextureStyle style{TextureStyle::Wrap(words[0]), TextureStyle::Wrap(words[1]), words[2] != 0,
+                             float_of(words[3])};
+    try {
+        return std::make_shared<const TexturePicture>(
+            read_texture(std::make_shared<const std::string>(std::move(file)), style));
+    } catch (const Error&) {
+        return nullptr; // damaged: the mesh is shown without
+    }
+}
+
+// The meshes of notes, each read when it is first asked for.
+class MeshReader {
+  public:
+    explicit MeshReader(const Notes& notes) : notes_(notes) {
+        if (const auto lines = notes.find("textured"); lines != notes.end()) {
+            std::istringstream words(lines->second);
+            for (std::string mesh, texture; words >> mesh >> texture;) texture_of_mesh_[mesh] = texture;
+        }
+    }
+    std::shared_ptr<const ShapeMesh> operator()(const std::string& number) {
+        const auto [place, is_new] = meshes_.try_emplace(number);
+        if (is_new) place->second = read(number);
+        return place->second;
+    }
+
+  private:
+    std::shared_ptr<const ShapeMesh> read(const std::string& number) {
+        const auto text = notes_.find("mesh " + number);
+        std::optional<TriangleMesh> mesh = text == notes_.end() ? std::nullopt : mesh_of(text->second);
+        if (!mesh) return nullptr;
+        const auto coordinates = notes_.find("coordinates " + number);
+        const auto weights = notes_.find("weights " + number);
+        std::vector<BoneWeights> of_bones;
+        if (weights != notes_.end()) of_bones = weights_of(weights->second, mesh->vertices.size());
+        const bool is_covered = coordinates != notes_.end() && take_coordinates(coordinates->second, *mesh);
+        ShapeMesh made = make_shape_mesh(std::move(*mesh), MeshLook::visual);
+        made.weights = std::move(of_bones);
+        if (const auto texture = texture_of_mesh_.find(number); is_covered && texture != texture_of_mesh_.end())
+            made.texture = texture_named(texture->second);
+        return std::make_shared<const ShapeMesh>(std::move(made));
+    }
+    std::shared_ptr<const TexturePicture> texture_named(const std::string& number) {
+        const auto [place, is_new] = textures_.try_emplace(number);
+        const auto text = notes_.find("texture " + number);
+        if (is_new && text != notes_.end()) place->second = texture_of(text->second);
+        return place->second;
+    }
+
+    const Notes& notes_;
+    std::map<std::string, std::string> texture_of_mesh_;
+    std::map<std::string, std::shared_ptr<const ShapeMesh>> meshes_;
+    std::map<std::string, std::shared_ptr<const TexturePicture>> textures_;
+};
+
+// Meshes and textures as notes, each once.
+class NoteWriter {
+  public:
+    Notes notes;
+    std::size_t bytes = 0;
+
+    std::size_t number_of(const ShapeMesh& mesh) {
+        const auto [place, is_new] = meshes_.emplace(&mesh, meshes_.size());
+        if (!is_new) return place->second;
+        const std::string number = std::to_string(place->second);
+        add("mesh " + number, text_of(mesh.triangles));
+        if (!mesh.weights.empty()) add("weights " + number, text_of_weights(mesh.weights));
+        if (mesh.texture) {
+            const auto [texture, is_new_texture] = textures_.emplace(mesh.texture.get(), textures_.size());
+            add("coordinates " + number, text_of_coordinates(mesh.triangles));
+            if (is_new_texture) add("texture " + std::to_string(texture->second), text_of(*mesh.texture));
+            notes["textured"] += number + ' ' + std::to_string(texture->second) + '\n';
+        }
+        return place->second;
+    }
+
+  private:
+    void add(std::string name, std::string text) {
+        bytes += text.size();
+        notes.emplace(std::move(name), std::move(text));
+    }
+
+    std::map<const ShapeMesh*, std::size_t> meshes_;
+    std::map<const TexturePicture*, std::size_t> textures_;
+};
+
+// By slot; those of no body under -1.
+using BodiesBySlot = std::map<std::int64_t, BodyId>;
+
+std::int64_t slot_of(BodyId body) { return body.is_null() ? -1 : std::int64_t(body.index()); }
+
+bool is_there(const Visual& visual, const World& world) {
+    const auto valid = [&](BodyId body) { return body.is_null() || world.is_valid(body); };
+    return valid(visual.body) &&
+           std::all_of(visual.bones.begin(), visual.bones.end(), [&](const Bone& bone) { return valid(bone.body); });
+}
+
+// A line: which visual, whose body, and from the mesh to its frame.
+void write_bones(std::ostringstream& lines, std::size_t visual, const std::vector<Bone>& bones) {
+    for (const Bone& bone : bones) {
+        lines << visual << ' ' << slot_of(bone.body);
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row) lines << ' ' << bone.linear[column][row];
+        lines << ' ' << bone.translation.x << ' ' << bone.translation.y << ' ' << bone.translation.z << '\n';
+    }
+}
+
+// By the number of the visual. Those with a bone of no body that is there are empty.
+std::map<std::size_t, std::vector<Bone>> read_bones(const Notes& notes, const BodiesBySlot& bodies) {
+    std::map<std::size_t, std::vector<Bone>> bones;
+    std::set<std::size_t> broken;
+    const auto lines = notes.find("bones");
+    std::istringstream words(lines == notes.end() ? std::string() : lines->second);
+    std::size_t visual = 0;
+    std::int64_t slot = 0;
+    while (words >> visual >> slot) {
+        Bone bone;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row) words >> bone.linear[column][row];
+        if (!(words >> bone.translation.x >> bone.translation.y >> bone.translation.z)) break;
+        const auto body = bodies.find(slot);
+        if (body == bodies.end()) broken.insert(visual);
+        if (body != bodies.end()) bone.body = body->second;
+        bones[visual].push_back(bone);
+    }
+    for (const std::size_t number : broken) bones[number].clear();
+    return bones;
+}
+
+// Whether a mesh has weights of these bones, or neither.
+bool fit(const ShapeMesh& mesh, const std::vector<Bone>& bones) {
+    if (mesh.weights.empty() || bones.empty()) return mesh.weights.empty() && bones.empty();
+    return std::all_of(mesh.weights.begin(), mesh.weights.end(), [&](const BoneWeights& weights) {
+        return *std::max_element(weights.bones.begin(), weights.bones.end()) < bones.size();
+    });
+}
+
 } // namespace
 
 Notes notes_of(std::span<const Visual> visuals, const World& world, std::size_t max_bytes) {
-    Notes notes;
-    std::map<const ShapeMesh*, std::size_t> numbers;
-    std::ostringstream lines;
+    NoteWriter writer;
+    std::ostringstream lines, bones;
     lines << std::setprecision(std::numeric_limits<double>::max_digits10);
-    std::size_t bytes = 0;
+    bones << std::setprecision(std::numeric_limits<double>::max_digits10);
+    std::size_t count = 0;
     for (const Visual& visual : visuals) {
-        const bool is_scenery = visual.body.is_null();
-        if (!is_scenery && !world.is_valid(visual.body)) continue;
-        const auto [place, is_new] = numbers.emplace(visual.mesh.get(), numbers.size());
-        if (is_new) {
-            std::string text = text_of(visual.mesh->triangles);
-            bytes += text.size();
-            if (bytes > max_bytes) return {};
-            notes.emplace("mesh " + std::to_string(place->second), std::move(text));
-        }
+        if (!is_there(visual, world)) continue;
+        const std::size_t mesh = writer.number_of(*visual.mesh);
+        if (writer.bytes > max_bytes) return {};
         const Position& p = visual.local.position;
         const Quat& q = visual.local.rotation;
-        lines << place->second << ' ' << (is_scenery ? -1 : std::int64_t(visual.body.index())) << ' ' << p.x << ' '
-              << p.y << ' ' << p.z << ' ' << q.w << ' ' << q.x << ' ' << q.y << ' ' << q.z << ' ' << visual.color.x
-              << ' ' << visual.color.y << ' ' << visual.color.z << '\n';
+        lines << mesh << ' ' << slot_of(visual.body) << ' ' << p.x << ' ' << p.y << ' ' << p.z << ' ' << q.w << ' '
+              << q.x << ' ' << q.y << ' ' << q.z << ' ' << visual.color.x << ' ' << visual.color.y << ' '
+              << visual.color.z << '\n';
+        write_bones(bones, count++, visual.bones);
     }
-    if (!notes.empty()) notes.emplace("visuals", lines.str());
-    return notes;
+    if (!writer.notes.empty()) writer.notes.emplace("visuals", lines.str());
+    if (!bones.str().empty()) writer.notes.emplace("bones", bones.str());
+    return std::move(writer.notes);
 }
 
 std::vector<Visual> visuals_of(const Notes& notes, const World& world) {
     std::vector<Visual> visuals;
     const auto lines = notes.find("visuals");
     if (lines == notes.end()) return visuals;
-    std::map<std::int64_t, BodyId> bodies{{-1, BodyId()}};
+    BodiesBySlot bodies{{-1, BodyId()}};
     for (const BodyId body : world.bodies()) bodies.emplace(std::int64_t(body.index()), body);
-    std::map<std::string, std::shared_ptr<const ShapeMesh>> meshes;
+    std::map<std::size_t, std::vector<Bone>> bones = read_bones(notes, bodies);
+    MeshReader meshes(notes);
     std::istringstream words(lines->second);
     std::string number;
     std::int64_t slot = 0;
@@ -150,16 +353,15 @@ std::vector<Visual> visuals_of(const Notes& notes, const World& world) {
     Position& p = visual.local.position;
     Quat& q = visual.local.rotation;
     Vec3& color = visual.color;
-    while (words >> number >> slot >> p.x >> p.y >> p.z >> q.w >> q.x >> q.y >> q.z >> color.x >> color.y >> color.z) {
+    for (std::size_t count = 0;
+         words >> number >> slot >> p.x >> p.y >> p.z >> q.w >> q.x >> q.y >> q.z >> color.x >> color.y >> color.z;
+         ++count) {
         const auto body = bodies.find(slot);
         if (body == bodies.end() || !(std::fabs(glm::length(q) - 1.0f) < 1e-3f)) continue;
-        const auto [place, is_new] = meshes.try_emplace(number);
-        if (const auto text = notes.find("mesh " + number); is_new && text != notes.end())
-            if (std::optional<TriangleMesh> mesh = mesh_of(text->second))
-                place->second = std::make_shared<const ShapeMesh>(make_shape_mesh(std::move(*mesh), MeshLook::visual));
-        if (!place->second) continue;
+        visual.mesh = meshes(number);
+        visual.bones = bones[count];
+        if (!visual.mesh || !fit(*visual.mesh, visual.bones)) continue;
         visual.body = body->second;
-        visual.mesh = place->second;
         visuals.push_back(visual);
         visuals.back().color = glm::clamp(color, 0.0f, 1.0f);
     }

@@ -103,8 +103,19 @@ void add_visuals(WorldLayout& layout, MeshList& meshes, std::span<const Visual> 
             shown.body = body->second;
             layout.bodies[body->second].has_visuals = true;
         }
+        bool is_whole = true;
+        for (const Bone& bone : visual.bones) {
+            const auto body = bodies.find(bone.body);
+            is_whole = is_whole && (bone.body.is_null() || body != bodies.end());
+            std::optional<std::size_t> place;
+            if (body != bodies.end()) place = body->second;
+            shown.parts.push_back({place, bone.linear, bone.translation});
+        }
+        if (!is_whole) continue; // one of its bodies was destroyed
+        for (const VisualLayout::Part& part : shown.parts)
+            if (part.body) layout.bodies[*part.body].has_visuals = true;
         shown.mesh = meshes.add(visual.mesh);
-        layout.visuals.push_back(shown);
+        layout.visuals.push_back(std::move(shown));
     }
 }
 
@@ -254,7 +265,7 @@ BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion)
     }
     if (extent.is_empty())
         for (const VisualLayout& visual : layout.visuals)
-            if (!visual.body) extent.include_visual(visual.local, *layout.meshes[visual.mesh]);
+            if (!visual.body && visual.parts.empty()) extent.include_visual(visual.local, *layout.meshes[visual.mesh]);
     return extent.ball();
 }
 
@@ -276,7 +287,7 @@ CameraPose fit_camera(const World& world, std::span<const Visual> visuals) {
     }
     if (all.is_empty())
         for (const Visual& visual : visuals)
-            if (!visual.body) all.include_visual(visual.local, *visual.mesh);
+            if (!visual.body && visual.bones.empty()) all.include_visual(visual.local, *visual.mesh);
     const BoundingBall ball = dynamic.is_empty() ? all.ball() : dynamic.ball();
     OrbitCamera camera(CameraPose{ball.center + Position(0.6, 0.4, 1.0), ball.center, 0.785398f});
     camera.frame(ball.center, ball.radius);

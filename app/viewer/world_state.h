@@ -51,6 +51,13 @@ struct VisualLayout {
     Transform local;                 ///< In the body's frame; of scenery, in the world.
     std::size_t mesh = 0;            ///< Index into `WorldLayout::meshes`.
     Vec3 color{0.8f, 0.8f, 0.8f};    ///< Linear.
+    /// Of what bends: indices into `WorldLayout::bodies` (absent: it stands still), and from the mesh to their frames.
+    struct Part {
+        std::optional<std::size_t> body;
+        glm::dmat3 linear{1.0};
+        glm::dvec3 translation{0.0, 0.0, 0.0};
+    };
+    std::vector<Part> parts{};
 };
 
 struct WorldLayout {

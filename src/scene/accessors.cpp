@@ -165,20 +165,56 @@ void Accessors::read_sparse(const Value& sparse, const Layout& layout, std::vect
     }
 }
 
+std::vector<float> Accessors::finite_numbers(const Value& accessor, const Layout& layout) {
+    const std::vector<double> values = numbers(accessor, layout);
+    std::vector<float> result(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            accessor.fail("must hold finite numbers, and element " + std::to_string(i / layout.components) +
+                          " does not");
+        }
+        result[i] = static_cast<float>(values[i]);
+    }
+    return result;
+}
+
 std::vector<Vec3> Accessors::vectors(const Value& index) {
     const Value accessor = find(index);
     const Layout form = layout(accessor, "VEC3", 3);
-    const std::vector<double> values = numbers(accessor, form);
+    const std::vector<float> values = finite_numbers(accessor, form);
     std::vector<Vec3> result(form.count);
-    for (std::size_t i = 0; i < form.count; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double value = values[3 * i + k];
-            if (!std::isfinite(value)) {
-                accessor.fail("must hold finite numbers, and element " + std::to_string(i) + " does not");
-            }
-            result[i][static_cast<int>(k)] = static_cast<float>(value);
-        }
-    }
+    for (std::size_t i = 0; i < form.count; ++i) result[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    return result;
+}
+
+std::vector<glm::vec2> Accessors::coordinates(const Value& index) {
+    const Value accessor = find(index);
+    const Layout form = layout(accessor, "VEC2", 2);
+    const std::vector<float> values = finite_numbers(accessor, form);
+    std::vector<glm::vec2> result(form.count);
+    for (std::size_t i = 0; i < form.count; ++i) result[i] = {values[2 * i], values[2 * i + 1]};
+    return result;
+}
+
+std::vector<glm::vec4> Accessors::quadruples(const Value& index) {
+    const Value accessor = find(index);
+    const Layout form = layout(accessor, "VEC4", 4);
+    const std::vector<float> values = finite_numbers(accessor, form);
+    std::vector<glm::vec4> result(form.count);
+    for (std::size_t i = 0; i < form.count; ++i)
+        result[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]};
+    return result;
+}
+
+std::vector<glm::dmat4> Accessors::matrices(const Value& index) {
+    constexpr int size = 4;
+    const Value accessor = find(index);
+    const Layout form = layout(accessor, "MAT4", size * size);
+    if (form.type != float_number) accessor.require("componentType").fail("must be 5126 here");
+    const std::vector<float> values = finite_numbers(accessor, form);
+    std::vector<glm::dmat4> result(form.count);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        result[i / 16][int(i % 16) / size][int(i % size)] = double(values[i]); // column by column
     return result;
 }
 
@@ -186,15 +222,7 @@ std::vector<float> Accessors::scalars(const Value& index) {
     const Value accessor = find(index);
     const Layout form = layout(accessor, "SCALAR", 1);
     if (form.type != float_number) accessor.require("componentType").fail("must be 5126 here");
-    const std::vector<double> values = numbers(accessor, form);
-    std::vector<float> result(form.count);
-    for (std::size_t i = 0; i < form.count; ++i) {
-        if (!std::isfinite(values[i])) {
-            accessor.fail("must hold finite numbers, and element " + std::to_string(i) + " does not");
-        }
-        result[i] = static_cast<float>(values[i]);
-    }
-    return result;
+    return finite_numbers(accessor, form);
 }
 
 std::vector<std::uint32_t> Accessors::indices(const Value& index) {

@@ -21,15 +21,20 @@ class Accessors {
 
     // Throw Error naming the place of what is wrong. `index` refers to an accessor.
     std::vector<Vec3> vectors(const Value& index);          // VEC3 of floats, or of integers (KHR_mesh_quantization)
+    std::vector<glm::vec2> coordinates(const Value& index); // VEC2 of floats, or of normalized integers
+    std::vector<glm::vec4> quadruples(const Value& index);  // VEC4, of any numbers
+    std::vector<glm::dmat4> matrices(const Value& index);   // MAT4 of floats
     std::vector<float> scalars(const Value& index);         // SCALAR of floats
     std::vector<std::uint32_t> indices(const Value& index); // SCALAR of unsigned bytes, shorts or ints
     std::size_t count(const Value& index) const;            // of elements
+    Buffers& buffers() { return buffers_; }
 
   private:
     struct Layout;
     Value find(const Value& index) const;
     Layout layout(const Value& accessor, const char* type, std::size_t components);
     std::vector<double> numbers(const Value& accessor, const Layout& layout);
+    std::vector<float> finite_numbers(const Value& accessor, const Layout& layout);
     void read_sparse(const Value& sparse, const Layout& layout, std::vector<double>& numbers);
 
     std::optional<Value> accessors_;

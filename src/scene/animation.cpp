@@ -100,6 +100,7 @@ AnimationBaker::AnimationBaker(const Scene& scene) {
     std::vector<const VisualMesh*> scenery;
     for (const VisualMesh& visual : scene.visuals) {
         if (!visual.surface || visual.surface->indices.empty()) continue;
+        for (const Bone& bone : visual.bones) visuals[bone.body.bits]; // its shapes are not shown
         if (visual.body.is_null()) {
             scenery.push_back(&visual);
         } else {
@@ -107,7 +108,7 @@ AnimationBaker::AnimationBaker(const Scene& scene) {
         }
     }
     const auto part_of = [&](const VisualMesh& visual) {
-        return Part{visual.local, surface_of(visual.surface), visual.color};
+        return Part{visual.local, surface_of(visual.surface), visual.color, visual.texture, visual.bones};
     };
     for (const BodyId id : scene.world.bodies()) {
         const Body body = scene.world.body(id);
@@ -174,13 +175,20 @@ std::string AnimationBaker::document(bool as_text) const {
     if (times_.empty()) throw Error(ErrorCode::wrong_state, "AnimationBaker", {}, "has no moment to show");
     BufferWriter buffer;
     std::vector<Json> primitives;
-    for (const auto& surface : surfaces_) {
-        Json primitive;
-        primitive["attributes"]["POSITION"] = buffer.add_vertices(surface->vertices, true);
-        if (!surface->normals.empty()) primitive["attributes"]["NORMAL"] = buffer.add_vertices(surface->normals, false);
-        primitive["indices"] = buffer.add_indices(surface->indices);
-        primitives.push_back(std::move(primitive));
+    LookWriter looks(buffer);
+    for (const auto& surface : surfaces_) primitives.push_back(looks.primitive(*surface));
+    std::unordered_map<std::uint64_t, std::size_t> node_of;
+    std::size_t still_node = 0; // of what stands still: the next one after those of all bodies
+    for (const Track& track : tracks_) {
+        if (!track.body.is_null()) node_of[track.body.bits] = still_node;
+        still_node += 1 + track.parts.size();
     }
+    bool has_still_bones = false;
+    const auto bone_node = [&](BodyId body) {
+        const auto found = node_of.find(body.bits);
+        has_still_bones = has_still_bones || found == node_of.end();
+        return found == node_of.end() ? still_node : found->second;
+    };
     std::vector<float> times;
     for (const double time : times_) times.push_back(static_cast<float>(time - times_[0]));
     Table materials, meshes;
@@ -196,9 +204,14 @@ std::string AnimationBaker::document(bool as_text) const {
         nodes.push_back(std::move(node));
         for (const Part& part : track.parts) {
             Json primitive = primitives[part.surface];
-            primitive["material"] = materials.index(material(part.color));
+            Json look = material(part.color);
+            looks.add_texture(part.texture.get(), look);
+            primitive["material"] = materials.index(look);
             Json child{{"mesh", meshes.index({{"primitives", Json::array({std::move(primitive)})}})}};
-            place(Vec3(part.local.position), part.local.rotation, child);
+            if (part.bones.empty())
+                place(Vec3(part.local.position), part.local.rotation, child);
+            else
+                child["skin"] = looks.skin(part.bones, bone_node);
             nodes.push_back(std::move(child));
         }
         if (!track.moves()) continue;
@@ -210,6 +223,10 @@ std::string AnimationBaker::document(bool as_text) const {
         channel("translation", buffer.add_vectors(track.positions));
         channel("rotation", buffer.add_quaternions(track.rotations));
     }
+    if (has_still_bones) {
+        roots.push_back(nodes.size());
+        nodes.push_back(Json::object());
+    }
     Json scene = Json::object();
     if (!roots.empty()) scene["nodes"] = std::move(roots);
     Json json{{"asset", {{"version", "2.0"}, {"generator", "cairn"}}}, {"scene", 0}, {"scenes", Json::array({scene})}};
@@ -219,6 +236,7 @@ std::string AnimationBaker::document(bool as_text) const {
     add("nodes", std::move(nodes));
     add("meshes", parsed(meshes.lines()));
     add("materials", parsed(materials.lines()));
+    for (const auto& [name, lines] : looks.arrays()) add(name, parsed(*lines));
     if (!channels.empty()) {
         json["animations"] = Json::array(
             {{{"name", "simulation"}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}}});

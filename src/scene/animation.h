@@ -37,6 +37,8 @@ class AnimationBaker {
         Transform local; // in the body's frame
         std::size_t surface;
         Vec3 color;
+        std::shared_ptr<const Texture> texture{};
+        std::vector<Bone> bones{};
     };
     struct Track {
         BodyId body;

@@ -12,10 +12,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // glTF 2.0, tables "accessor.componentType" and "bufferView.target".
-constexpr int float_type = 5126, index_type = 5125;
+constexpr int float_type = 5126, index_type = 5125, short_type = 5123;
 constexpr int no_target = 0, vertex_target = 34962, index_target = 34963;
 
 } // namespace
+
+void BufferWriter::append(std::uint16_t word) {
+    for (int i = 0; i < 2; ++i) bytes_ += static_cast<char>(word >> (8 * i) & 0xFFu);
+}
 
 void BufferWriter::append(std::uint32_t word) {
     for (int i = 0; i < 4; ++i) bytes_ += static_cast<char>(word >> (8 * i) & 0xFFu);
@@ -83,6 +87,54 @@ std::size_t BufferWriter::add_scalars(std::span<const float> values, bool with_b
         accessor["min"] = Json::array({shortest(*low)}), accessor["max"] = Json::array({shortest(*high)});
     }
     return finish(start, no_target, std::move(accessor));
+}
+
+std::size_t BufferWriter::add_coordinates(std::span<const glm::vec2> values) {
+    const std::size_t start = bytes_.size();
+    for (const glm::vec2& v : values) append(v.x), append(v.y);
+    return finish(
+        start, vertex_target,
+        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC2"}});
+}
+
+std::size_t BufferWriter::add_bone_numbers(std::span<const BoneWeights> weights) {
+    const std::size_t start = bytes_.size();
+    for (const BoneWeights& of_vertex : weights)
+        for (const std::uint16_t bone : of_vertex.bones) append(bone);
+    return finish(
+        start, vertex_target,
+        {{"bufferView", views_.size()}, {"componentType", short_type}, {"count", weights.size()}, {"type", "VEC4"}});
+}
+
+std::size_t BufferWriter::add_bone_shares(std::span<const BoneWeights> weights) {
+    const std::size_t start = bytes_.size();
+    for (const BoneWeights& of_vertex : weights)
+        for (const float share : of_vertex.shares) append(share);
+    return finish(
+        start, vertex_target,
+        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", weights.size()}, {"type", "VEC4"}});
+}
+
+std::size_t BufferWriter::add_bindings(std::span<const Bone> bones) {
+    const std::size_t start = bytes_.size();
+    for (const Bone& bone : bones) {
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row) append(float(bone.linear[column][row]));
+            append(0.0f);
+        }
+        for (int row = 0; row < 3; ++row) append(float(bone.translation[row]));
+        append(1.0f);
+    }
+    return finish(
+        start, no_target,
+        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", bones.size()}, {"type", "MAT4"}});
+}
+
+std::size_t BufferWriter::add_file(const std::string& file) {
+    views_.push_back(Json{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", file.size()}}.dump());
+    bytes_ += file;
+    bytes_.append((4 - bytes_.size() % 4) % 4, '\0'); // numbers that follow lie at multiples of four
+    return views_.size() - 1;
 }
 
 } // namespace cairn::scene

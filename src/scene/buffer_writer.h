@@ -1,6 +1,8 @@
 // Arrays of numbers on their way into a file: one buffer, and the accessors that divide it.
 #pragma once
 
+#include "scene/scene.h"
+
 #include <cairn/math.h>
 
 #include <nlohmann/json.hpp>
@@ -20,6 +22,11 @@ class BufferWriter {
     std::size_t add_quaternions(std::span<const Quat> values);
     std::size_t add_indices(std::span<const std::uint32_t> values);
     std::size_t add_scalars(std::span<const float> values, bool with_bounds);
+    std::size_t add_coordinates(std::span<const glm::vec2> values);
+    std::size_t add_bone_numbers(std::span<const BoneWeights> weights);
+    std::size_t add_bone_shares(std::span<const BoneWeights> weights);
+    std::size_t add_bindings(std::span<const Bone> bones); // inverse bind matrices
+    std::size_t add_file(const std::string& file);         // the index of its buffer view
 
     bool empty() const { return accessors_.empty(); }
     const std::vector<std::string>& accessors() const { return accessors_; } // each a line of JSON
@@ -28,6 +35,7 @@ class BufferWriter {
 
   private:
     std::size_t add_vectors(std::span<const Vec3> values, int target, bool with_bounds);
+    void append(std::uint16_t word);
     void append(std::uint32_t word);
     void append(float value);
     std::size_t finish(std::size_t start, int target, nlohmann::ordered_json accessor);

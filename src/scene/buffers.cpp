@@ -104,18 +104,21 @@ std::span<const std::byte> Buffers::buffer(const Value& index) {
     if (!uri && (number != 0 || !binary_)) {
         here.fail("must have a member \"uri\", or be the first buffer of a .glb file with a binary chunk");
     }
-    if (uri && !loaded_[number]) {
-        loaded_[number] = read(*uri);
-        loaded_bytes_ += loaded_[number]->size();
-        if (loaded_bytes_ > max_buffer_bytes) {
-            uri->fail("must be one of buffers of at most " + std::to_string(max_buffer_bytes) + " bytes altogether");
-        }
-    }
+    if (uri && !loaded_[number]) loaded_[number] = file(*uri);
     const std::span<const std::byte> bytes = uri ? std::span<const std::byte>(*loaded_[number]) : *binary_;
     if (length > bytes.size()) {
         size.fail("must be at most the " + std::to_string(bytes.size()) + " bytes that there are");
     }
     return bytes.first(length);
+}
+
+std::vector<std::byte> Buffers::file(const Value& uri) {
+    std::vector<std::byte> bytes = read(uri);
+    loaded_bytes_ += bytes.size();
+    if (loaded_bytes_ > max_buffer_bytes) {
+        uri.fail("must be one of buffers of at most " + std::to_string(max_buffer_bytes) + " bytes altogether");
+    }
+    return bytes;
 }
 
 std::vector<std::byte> Buffers::read(const Value& uri) const {

@@ -28,6 +28,8 @@ class Buffers {
     };
     // The buffer view that `index` refers to. Throws Error naming the place of what is wrong.
     View view(const Value& index);
+    // The bytes that a URI names: its own, or those of a file beside the document. Throws as `view` does.
+    std::vector<std::byte> file(const Value& uri);
 
   private:
     std::span<const std::byte> buffer(const Value& index);

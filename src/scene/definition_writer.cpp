@@ -97,12 +97,6 @@ std::vector<std::uint32_t> triangles_of(const Hull& hull) {
 
 } // namespace
 
-std::size_t Table::index(const Json& entry) {
-    const auto [found, is_new] = indices_.try_emplace(json_text(entry), lines_.size());
-    if (is_new) lines_.push_back(found->first);
-    return found->second;
-}
-
 Quat file_rotation(const Shape& shape, const Quat& rotation) {
     const std::optional<Quat> turn = turn_of_plane(shape);
     return turn ? glm::normalize(rotation * *turn) : rotation;
@@ -232,22 +226,18 @@ std::size_t DefinitionWriter::collider_mesh(const Shape& shape) {
 }
 
 std::size_t DefinitionWriter::visual_mesh(const VisualMesh& visual) {
-    Json& primitive = surface_primitives_[visual.surface.get()];
-    if (primitive.is_null()) {
-        const Surface& surface = *visual.surface;
-        primitive["attributes"]["POSITION"] = buffer_.add_vertices(surface.vertices, true);
-        if (!surface.normals.empty()) primitive["attributes"]["NORMAL"] = buffer_.add_vertices(surface.normals, false);
-        primitive["indices"] = buffer_.add_indices(surface.indices);
+    Json primitive = look_writer_.primitive(*visual.surface), material = Json::object();
+    const Vec3& c = visual.color;
+    if (c != Vec3(1.0f)) {
+        material["pbrMetallicRoughness"]["baseColorFactor"] =
+            Json::array({shortest(c.x), shortest(c.y), shortest(c.z), 1.0});
     }
-    Json colored = primitive;
-    if (visual.color != Vec3(1.0f)) {
-        const Vec3& c = visual.color;
-        colored["material"] =
-            colors_.index({{"pbrMetallicRoughness",
-                            {{"baseColorFactor", Json::array({shortest(c.x), shortest(c.y), shortest(c.z), 1.0})},
-                             {"metallicFactor", 0.0}}}});
+    look_writer_.add_texture(visual.texture.get(), material);
+    if (!material.empty()) {
+        material["pbrMetallicRoughness"]["metallicFactor"] = 0.0;
+        primitive["material"] = colors_.index(material);
     }
-    return meshes_.index({{"primitives", Json::array({std::move(colored)})}});
+    return meshes_.index({{"primitives", Json::array({std::move(primitive)})}});
 }
 
 } // namespace cairn::scene

@@ -2,7 +2,7 @@
 // Each is listed once.
 #pragma once
 
-#include "scene/buffer_writer.h"
+#include "scene/look_writer.h"
 #include "scene/scene.h"
 
 #include <nlohmann/json.hpp>
@@ -17,16 +17,6 @@
 namespace cairn::scene {
 
 // Lines of JSON.
-class Table {
-  public:
-    std::size_t index(const nlohmann::ordered_json& entry);
-    const std::vector<std::string>& lines() const { return lines_; }
-
-  private:
-    std::unordered_map<std::string, std::size_t> indices_; // looked up, never walked through
-    std::vector<std::string> lines_;
-};
-
 // The rotation of a shape as the file measures it: its planes face +y, and are measured along x and z.
 Quat file_rotation(const Shape& shape, const Quat& rotation);
 
@@ -50,6 +40,8 @@ class DefinitionWriter {
     const Table& joints() const { return joints_; }
     const Table& meshes() const { return meshes_; }
     const Table& colors() const { return colors_; } // glTF materials
+    LookWriter& look_writer() { return look_writer_; }
+    const LookWriter& look_writer() const { return look_writer_; }
     const BufferWriter& buffer() const { return buffer_; }
     bool uses_material_extension() const { return uses_material_extension_; }
     bool uses_joint_extension() const { return uses_joint_extension_; }
@@ -63,9 +55,9 @@ class DefinitionWriter {
 
     Table shapes_, materials_, filters_, joints_, meshes_, colors_;
     BufferWriter buffer_;
+    LookWriter look_writer_{buffer_};
     // By the address of shared data: looked up, never walked through.
     std::unordered_map<const void*, std::size_t> collider_meshes_, height_accessors_;
-    std::unordered_map<const void*, nlohmann::ordered_json> surface_primitives_;
     std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
     bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false;
 };

@@ -82,7 +82,10 @@ class Builder {
             scene_.force_fields.push_back(scene_.world.add_force_field(field));
         }
         if (!joints_.empty()) joint_frames_.resize(graph_.children.size());
+        if (document_.find("skins")) bone_places_.resize(graph_.children.size());
         for (const std::size_t root : graph_.roots) visit(root, {});
+        for (const std::size_t skinned : skinned_nodes_)
+            visuals_.add_skinned(node(skinned), bone_places_, scene_, warnings_);
         // In the order of the file, which is the one that they are saved in: it matters to the solver.
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
@@ -133,7 +136,11 @@ class Builder {
         }
         if (collider) add_collider(here, *collider, *body, in_body);
         if (trigger && !is_group) add_trigger(here, *trigger, *body, in_body);
-        visuals_.add(here, body, body ? in_body : place.world, scene_, warnings_);
+        if (!bone_places_.empty()) bone_places_[index] = BonePlace{place.body, place.map};
+        if (here.find("skin") && here.find("mesh"))
+            skinned_nodes_.push_back(index);
+        else
+            visuals_.add(here, body, body ? in_body : place.world, scene_, warnings_);
         aims_camera_ = read_view(document_, here, place.map, scene_.info) || aims_camera_;
         note_joint(index, physics, place);
         for (const std::size_t child : graph_.children[index]) visit(child, place);
@@ -416,6 +423,8 @@ class Builder {
     std::map<int, std::vector<BodyId>> groups_;           // by the numbers that the file gives them
     std::vector<std::optional<JointFrame>> joint_frames_; // by node; of those that the scene shows
     std::vector<std::size_t> joint_nodes_;
+    std::vector<std::optional<BonePlace>> bone_places_; // by node; if the file has skins
+    std::vector<std::size_t> skinned_nodes_;
 };
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,

@@ -67,6 +67,7 @@ class Writer {
         for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : json_text(node));
         text += list("nodes", nodes) + list("meshes", definitions_.meshes().lines()) +
                 list("materials", definitions_.colors().lines());
+        for (const auto& [name, lines] : definitions_.look_writer().arrays()) text += list(name, *lines);
         if (const BufferWriter& buffer = definitions_.buffer(); !buffer.empty()) {
             text += list("accessors", buffer.accessors()) + list("bufferViews", buffer.views());
             Json entry{{"byteLength", buffer.bytes().size()}};
@@ -111,7 +112,13 @@ class Writer {
         return used;
     }
 
-    static bool is_drawn(const VisualMesh& visual) { return visual.surface && !visual.surface->indices.empty(); }
+    bool is_drawn(const VisualMesh& visual) const {
+        const auto is_there = [this](const Bone& bone) {
+            return bone.body.is_null() || scene_.world.is_valid(bone.body);
+        };
+        return visual.surface && !visual.surface->indices.empty() &&
+               std::all_of(visual.bones.begin(), visual.bones.end(), is_there);
+    }
 
     static bool needs_mesh(const Shape& shape) {
         return std::holds_alternative<Hull>(shape) || std::holds_alternative<Mesh>(shape);
@@ -226,9 +233,25 @@ class Writer {
 
     std::size_t add_visual(const VisualMesh& visual) {
         Json node{{"mesh", definitions_.visual_mesh(visual)}};
-        place(visual.local, node);
+        if (visual.bones.empty()) {
+            place(visual.local, node);
+        } else {
+            node["skin"] =
+                definitions_.look_writer().skin(visual.bones, [this](BodyId body) { return bone_node(body); });
+        }
         nodes_.push_back(std::move(node));
         return nodes_.size() - 1;
+    }
+
+    // Bones stand where their bodies do; those that stand still, at the origin.
+    std::size_t bone_node(BodyId body) {
+        if (!body.is_null()) return node_of_.at(body.bits);
+        if (!still_node_) {
+            still_node_ = nodes_.size();
+            roots_.push_back(*still_node_);
+            nodes_.push_back(Json::object());
+        }
+        return *still_node_;
     }
 
     // At a node of its own, whose z axis points against the way it shines.
@@ -342,6 +365,7 @@ class Writer {
     std::unordered_map<std::uint64_t, Vec3> joint_colors_;                // by joint
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> visuals_; // by body
     std::unordered_map<std::uint64_t, std::size_t> node_of_;              // by body
+    std::optional<std::size_t> still_node_;                               // of bones of no body
     std::unordered_map<std::uint64_t, int> group_of_;                     // likewise
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
     std::vector<Json> nodes_;

@@ -13,6 +13,7 @@
 
 #include <cairn/cairn.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -71,11 +72,38 @@ struct JointAppearance {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
+/// A picture that covers a surface, as a file has it.
+struct Texture {
+    enum class Wrap { repeat, mirror, clamp };
+    std::shared_ptr<const std::string> file; ///< A whole PNG or JPEG file, not looked into. Its colors are sRGB.
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat; ///< How it goes on beyond its edges.
+    bool is_smooth = true;     ///< Seen closely, colors go over into each other; or each texel is flat.
+    float alpha_cutoff = 0.0f; ///< Where its alpha, 0 to 1, is less, nothing is drawn.
+};
+
+/// By how much each of up to four bones carries a vertex. The shares come to 1.
+struct BoneWeights {
+    std::array<std::uint16_t, 4> bones{}; ///< Indices into `VisualMesh::bones`.
+    std::array<float, 4> shares{1.0f, 0.0f, 0.0f, 0.0f};
+};
+
+/// What carries a part of a mesh that bends.
+struct Bone {
+    BodyId body; ///< Null: it stands still.
+    /// From the coordinates of the mesh to the frame of the body, or to the world.
+    glm::dmat3 linear{1.0};
+    glm::dvec3 translation{0.0, 0.0, 0.0}; ///< Meters.
+};
+
 /// Triangles to look at. It never changes once it is in a scene, so that many meshes may share it.
 struct Surface {
     std::vector<Vec3> vertices;         ///< Meters.
     std::vector<Vec3> normals;          ///< Unit length, one for each vertex; or none: draw flat triangles.
     std::vector<std::uint32_t> indices; ///< Three a triangle, counterclockwise as seen from outside; all in range.
+    /// Where in a texture each vertex lies, one for each, or none: u to the right and v down, 0 to 1 across the
+    /// picture.
+    std::vector<glm::vec2> coordinates{};
+    std::vector<BoneWeights> weights{}; ///< Of a mesh with bones: one for each vertex.
 };
 
 /// A mesh that the file has for looks. It plays no part in the simulation, and moves with its body. A body that has
@@ -84,7 +112,11 @@ struct VisualMesh {
     BodyId body;     ///< Null: scenery, which belongs to no body.
     Transform local; ///< In the frame of the body; of scenery, in the world.
     std::shared_ptr<const Surface> surface;
-    Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
+    Vec3 color{1.0f, 1.0f, 1.0f};             ///< Linear red, green and blue, each 0 to 1.
+    std::shared_ptr<const Texture> texture{}; ///< Null: none. Its colors are multiplied with `color`.
+    /// None: it is rigid. Else it bends: each vertex is where its bones carry it, by their shares in it, on the mean;
+    /// `body` is null, and `local` means nothing.
+    std::vector<Bone> bones{};
 };
 
 /// How fast a joint of a robot may be driven. The engine's motors know no such limit: it is for who moves their

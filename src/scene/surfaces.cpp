@@ -96,6 +96,7 @@ std::optional<Triangles> Surfaces::read_primitive(const Value& primitive, std::v
     }
     result.indices = single_triangles(corners, mode, primitive);
     result.material = primitive.find("material");
+    result.attributes = attributes;
     if (result.indices.empty()) return std::nullopt;
     return result;
 }

@@ -25,7 +25,8 @@ struct Triangles {
     std::vector<Vec3> vertices;
     std::vector<Vec3> normals; // one for each vertex, or none
     std::vector<std::uint32_t> indices;
-    std::optional<Value> material; // the index of it
+    std::optional<Value> material;   // the index of it
+    std::optional<Value> attributes; // of the primitive
 };
 
 class Surfaces {

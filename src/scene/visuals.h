@@ -3,37 +3,65 @@
 
 #include "scene/scene.h"
 #include "scene/surfaces.h"
+#include "scene/textures.h"
 
 #include <map>
 #include <memory>
+#include <set>
+#include <span>
 #include <tuple>
 
 namespace cairn::scene {
 
+// Where a node that may be a bone stands: what it moves with, and its place in the world, skewed or not.
+struct BonePlace {
+    std::optional<BodyId> body;
+    Affine map;
+};
+
 class Visuals {
   public:
-    Visuals(const Value& document, Surfaces& surfaces) : document_(document), surfaces_(surfaces) {}
+    Visuals(const Value& document, Surfaces& surfaces)
+        : document_(document), surfaces_(surfaces), textures_(document, surfaces) {}
 
     // Adds the mesh of a node, if it has one, to what the scene shows. `transform` is that of the node, in the body if
     // there is one. What is not supported is left out, with a warning.
     void add(const Value& node, const std::optional<BodyId>& body, const NodeTransform& transform, Scene& scene,
              std::vector<std::string>& warnings);
 
+    // The mesh of a node with a skin, which bends with the nodes that are its bones. `places`: of all nodes that the
+    // scene shows. Called when all bodies are there.
+    void add_skinned(const Value& node, std::span<const std::optional<BonePlace>> places, Scene& scene,
+                     std::vector<std::string>& warnings);
+
     // A node's own color, else that of the material of its mesh's first part, if there is any.
     std::optional<Vec3> color(const Value& node) const;
     std::optional<Vec3> own_color(const Value& node) const;
 
   private:
-    std::optional<Vec3> material_color(const Value& index) const;
-    void warn_of_texture(const Value& index, std::vector<std::string>& warnings); // once
-    std::shared_ptr<const Surface> scaled(const Value& mesh, std::size_t part, const Triangles& triangles,
-                                          const glm::dvec3& scale);
+    // A primitive's triangles with their texture, scaled.
+    struct Dressed {
+        std::shared_ptr<const Surface> surface;
+        std::shared_ptr<const Texture> texture;
+    };
+    void add_parts(const Value& node, const VisualMesh& like, const glm::dvec3& scale, Scene& scene,
+                   std::vector<std::string>& warnings);
+    std::vector<Bone> read_bones(const Value& skin, std::span<const std::optional<BonePlace>> places,
+                                 const World& world);
+    Value material(const Value& index) const;
+    static std::optional<Vec3> base_color(const Value& material);
+    static std::optional<Vec3> plain_color(const Value& material);
+    const Dressed& dressed(const Value& mesh, std::size_t part, const Triangles& triangles, const glm::dvec3& scale,
+                           std::size_t bones, std::vector<std::string>& warnings);
+    std::vector<BoneWeights> read_weights(const Triangles& triangles, std::size_t bones);
+    Covering covering(const Triangles& triangles, std::vector<std::string>& warnings);
 
     Value document_;
     Surfaces& surfaces_;
-    bool has_warned_of_textures_ = false;
-    // By mesh, primitive and scale.
-    std::map<std::tuple<std::size_t, std::size_t, double, double, double>, std::shared_ptr<const Surface>> shared_;
+    Textures textures_;
+    std::set<std::string> warned_; // what was said of textures
+    // By mesh, primitive, scale and number of bones.
+    std::map<std::tuple<std::size_t, std::size_t, double, double, double, std::size_t>, Dressed> shared_;
 };
 
 } // namespace cairn::scene

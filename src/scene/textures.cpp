@@ -1,0 +1,130 @@
+#include "scene/textures.h"
+
+#include "scene/definitions.h"
+#include "scene/document.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace cairn::scene {
+
+namespace {
+
+constexpr std::size_t max_textures = 100'000, max_coordinate_sets = 64;
+constexpr Range transform_range{-1e6, 1e6, false}, cutoff_range{0.0, 1e6, false};
+constexpr double half_opaque = 0.5; // glTF's default of `alphaCutoff`
+
+// glTF 2.0, section 5.26: how a sampler continues a picture, and how it enlarges it.
+constexpr std::uint64_t clamped = 33071, mirrored = 33648, repeated = 10497, nearest = 9728;
+
+Texture::Wrap wrap_of(const std::optional<Value>& sampler, const char* name) {
+    const auto given = sampler ? sampler->find(name) : std::nullopt;
+    const std::uint64_t code = given ? given->whole(0, 0xFFFF) : repeated;
+    if (code == clamped) return Texture::Wrap::clamp;
+    if (code == mirrored) return Texture::Wrap::mirror;
+    if (code != repeated) given->fail("must be 33071, 33648 or 10497");
+    return Texture::Wrap::repeat;
+}
+
+bool is_png_or_jpeg(std::string_view file) {
+    using namespace std::string_view_literals;
+    return file.substr(0, 8) == "\x89PNG\r\n\x1A\n"sv || file.substr(0, 3) == "\xFF\xD8\xFF"sv;
+}
+
+std::string text_of(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; // bytes as characters
+}
+
+// The base color's textureInfo.
+std::optional<Value> info_of(const Value& material) {
+    const auto roughness = material.find("pbrMetallicRoughness");
+    return roughness ? roughness->find("baseColorTexture") : std::nullopt;
+}
+
+// KHR_texture_transform: scaled, then turned, then moved.
+struct CoordinateMap {
+    glm::dvec2 offset{0.0}, scale{1.0};
+    double cosine = 1.0, sine = 0.0;
+
+    explicit CoordinateMap(const std::optional<Value>& given) {
+        if (!given) return;
+        const auto read = [&](const char* name, glm::dvec2& pair) {
+            const auto value = given->find(name);
+            if (!value) return;
+            if (value->size(2, "numbers") != 2) value->fail("must be an array of 2 numbers");
+            pair = {(*value)[0].real(transform_range), (*value)[1].real(transform_range)};
+        };
+        read("offset", offset), read("scale", scale);
+        if (const auto turn = given->find("rotation")) {
+            const double angle = turn->real(transform_range);
+            cosine = std::cos(angle), sine = std::sin(angle);
+        }
+    }
+    glm::vec2 operator()(const glm::vec2& at) const {
+        const double u = scale.x * double(at.x), v = scale.y * double(at.y);
+        return {float(cosine * u + sine * v + offset.x), float(cosine * v - sine * u + offset.y)};
+    }
+};
+
+} // namespace
+
+bool Textures::is_textured(const Value& material) { return info_of(material).has_value(); }
+
+Covering Textures::covering(const Value& material, const Triangles& triangles) {
+    const Value info = *info_of(material);
+    const auto transform = extension(info, "KHR_texture_transform");
+    auto set = transform ? transform->find("texCoord") : std::nullopt;
+    if (!set) set = info.find("texCoord");
+    const std::string attribute = "TEXCOORD_" + std::to_string(set ? set->whole(0, max_coordinate_sets) : 0);
+    const auto accessor = triangles.attributes->find(attribute.c_str());
+    if (!accessor) triangles.attributes->refuse("has no " + attribute);
+    Covering result{{}, surfaces_.accessors().coordinates(*accessor)};
+    if (result.coordinates.size() != triangles.vertices.size()) {
+        accessor->fail("must have as many elements as POSITION, which has " +
+                       std::to_string(triangles.vertices.size()));
+    }
+    const CoordinateMap map(transform);
+    for (glm::vec2& at : result.coordinates) at = map(at);
+    result.texture =
+        read_texture(element(document_.find("textures"), info.require("index"), max_textures, "textures"), material);
+    return result;
+}
+
+std::string Textures::read_picture(const Value& image) {
+    const auto uri = image.find("uri");
+    Buffers& buffers = surfaces_.accessors().buffers();
+    std::string file = uri ? text_of(buffers.file(*uri)) : text_of(buffers.view(image.require("bufferView")).bytes);
+    if (!is_png_or_jpeg(file)) image.refuse("is no PNG and no JPEG picture");
+    return file;
+}
+
+std::shared_ptr<const Texture> Textures::read_texture(const Value& texture, const Value& material) {
+    const auto source = texture.find("source");
+    if (!source) texture.refuse("has no picture in PNG or JPEG");
+    const Value image = element(document_.find("images"), *source, max_textures, "images");
+    const auto sampler_index = texture.find("sampler");
+    std::optional<Value> sampler;
+    if (sampler_index) sampler = element(document_.find("samplers"), *sampler_index, max_textures, "samplers");
+    Texture result;
+    result.wrap_u = wrap_of(sampler, "wrapS"), result.wrap_v = wrap_of(sampler, "wrapT");
+    const auto enlarged = sampler ? sampler->find("magFilter") : std::nullopt;
+    result.is_smooth = !enlarged || enlarged->whole(0, 0xFFFF) != nearest;
+    const auto mode = material.find("alphaMode");
+    const auto cutoff = material.find("alphaCutoff");
+    if (mode && mode->text() == "MASK")
+        result.alpha_cutoff = float(cutoff ? cutoff->real(cutoff_range) : half_opaque);
+    else if (mode && mode->text() == "BLEND") // either seen or not
+        result.alpha_cutoff = float(half_opaque);
+    const std::size_t number = source->index(max_textures, "images");
+    const std::string key = std::to_string(number) + " " + std::to_string(int(result.wrap_u)) +
+                            std::to_string(int(result.wrap_v)) + std::to_string(int(result.is_smooth)) + " " +
+                            std::to_string(result.alpha_cutoff);
+    std::shared_ptr<const Texture>& known = known_[key];
+    if (known) return known;
+    std::shared_ptr<const std::string>& file = files_[number];
+    if (!file) file = std::make_shared<const std::string>(read_picture(image));
+    result.file = file;
+    return known = std::make_shared<const Texture>(std::move(result));
+}
+
+} // namespace cairn::scene
