@@ -2,6 +2,7 @@
 #include "viewer/headless.h"
 
 #include "../sanitized.h"
+#include "picture_files.h"
 #include "test_scene.h"
 
 #include <gtest/gtest.h>
@@ -134,6 +135,51 @@ TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
         EXPECT_GT(covered, 1000);
         EXPECT_LE(differ, covered / 100) << depth;
     }
+}
+
+// A wall with a picture of four colors, one of which is a hole: each color is where the file has it, the hole shows
+// what is behind, and colors that say something, as those of masses, are not covered.
+TEST(HeadlessRenderer, TexturesCoverMeshesAsTheFileHasThem) {
+    World world;
+    const BodyId body = world.create_body({.type = BodyType::static_});
+    world.add_shape(body, Box{{1.0f, 1.0f, 0.05f}});
+    const std::vector<Vec3> corners{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    const std::vector<glm::vec2> coordinates{{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
+    const auto shown = [&](float cutoff, ColorMode colors) {
+        ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangles, coordinates), MeshLook::visual);
+        TextureStyle style;
+        style.is_smooth = false, style.alpha_cutoff = cutoff;
+        mesh.texture = std::make_shared<const TexturePicture>(read_texture(test::shared(test::four_texels()), style));
+        Visual visual{body, {}, std::make_shared<const ShapeMesh>(std::move(mesh)), {1, 1, 1}};
+        FrameOptions options;
+        options.colors = colors;
+        HeadlessRenderer renderer(width, height);
+        MeshCache meshes;
+        const CameraPose pose{{0, 0, 4}, {0, 0, 0}, 0.8f};
+        renderer.draw(make_frame(world, {}, pose, options, meshes, {&visual, 1}));
+        const OrbitCamera camera(pose);
+        std::vector<Color> found;
+        for (const Position& place : {Position(-0.5, 0.5, 0), Position(0.5, 0.5, 0), Position(-0.5, -0.5, 0),
+                                      Position(0.5, -0.5, 0), Position(1.5, -0.5, 0)})
+            found.push_back(mean_at(renderer, camera, place));
+        return found;
+    };
+    const std::vector<Color> whole = shown(0.0f, ColorMode::scene);
+    EXPECT_GT(whole[0].red, whole[0].green + 50);
+    EXPECT_GT(whole[0].red, whole[0].blue + 50);
+    EXPECT_GT(whole[1].green, whole[1].red + 50);
+    EXPECT_GT(whole[1].green, whole[1].blue + 50);
+    EXPECT_GT(whole[2].blue, whole[2].red + 50);
+    EXPECT_GT(whole[2].blue, whole[2].green + 50);
+    EXPECT_NEAR(whole[3].red, whole[3].green, 25);
+    EXPECT_GT(std::abs(whole[3].sum() - whole[4].sum()), 30) << "white is not the sky";
+    const std::vector<Color> with_hole = shown(0.5f, ColorMode::scene);
+    EXPECT_NEAR(with_hole[0].red, whole[0].red, 2);
+    EXPECT_NEAR(with_hole[3].red, whole[4].red, 6);
+    EXPECT_NEAR(with_hole[3].blue, whole[4].blue, 6);
+    const std::vector<Color> by_mass = shown(0.0f, ColorMode::mass);
+    for (int i = 1; i < 4; ++i) EXPECT_NEAR(by_mass[std::size_t(i)].green, by_mass[0].green, 8) << i;
 }
 
 TEST(HeadlessRenderer, LampsShineByDistanceRangeAndCone) {

@@ -1,6 +1,7 @@
 // The meshes of a scene in the notes of a recording.
 #include "viewer/visual_notes.h"
 
+#include "picture_files.h"
 #include "test_scene.h"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,53 @@ TEST_F(VisualNotes, ComeBackAsTheyWere) {
     EXPECT_EQ(back[0].mesh, back[1].mesh);
 }
 
+// The first mesh covered by a picture, and carried by both bodies and the ground.
+void dress(std::vector<Visual>& visuals) {
+    ShapeMesh mesh = *visuals[0].mesh;
+    TextureStyle style{TextureStyle::Wrap::clamp, TextureStyle::Wrap::mirror, false, 0.25f};
+    mesh.texture = std::make_shared<const TexturePicture>(read_texture(test::shared(test::four_texels()), style));
+    std::uint16_t count = 0;
+    for (MeshVertex& vertex : mesh.triangles.vertices) {
+        vertex.inset = {0.1f * float(count), 1.0f / 3.0f, 0.0f};
+        mesh.weights.push_back({{std::uint16_t(count % 3), std::uint16_t((count + 1) % 3), 0, 0}, {0.3f, 0.7f, 0, 0}});
+        ++count;
+    }
+    visuals.push_back({BodyId(), {}, std::make_shared<const ShapeMesh>(std::move(mesh)), {1, 1, 1}});
+    visuals.back().bones = {{visuals[0].body, glm::dmat3(0.1, 0.2, 0.3, 4, 5, 6, 7, 8, 1.0 / 9.0), {1, 2, 1.0 / 3.0}},
+                            {visuals[1].body, glm::dmat3(2.0), {}},
+                            {BodyId(), glm::dmat3(1.0), {4, 5, 6}}};
+}
+
+TEST_F(VisualNotes, OfTexturesAndBonesComeBackAsTheyWere) {
+    dress(visuals);
+    const std::vector<Visual> back = visuals_of(notes_of(visuals, scene.world), scene.world);
+    ASSERT_EQ(back.size(), 4u);
+    EXPECT_FALSE(back[0].mesh->texture);
+    EXPECT_TRUE(back[0].bones.empty());
+    const Visual &now = back[3], &before = visuals[3];
+    ASSERT_TRUE(now.mesh->texture);
+    EXPECT_EQ(now.mesh->texture->texels, before.mesh->texture->texels);
+    EXPECT_EQ(*now.mesh->texture->file, *before.mesh->texture->file);
+    EXPECT_EQ(now.mesh->texture->style.wrap_u, TextureStyle::Wrap::clamp);
+    EXPECT_EQ(now.mesh->texture->style.wrap_v, TextureStyle::Wrap::mirror);
+    EXPECT_FALSE(now.mesh->texture->style.is_smooth);
+    EXPECT_EQ(now.mesh->texture->style.alpha_cutoff, 0.25f);
+    for (std::size_t i = 0; i < before.mesh->weights.size(); ++i) {
+        EXPECT_EQ(now.mesh->triangles.vertices[i].inset, before.mesh->triangles.vertices[i].inset);
+        EXPECT_EQ(now.mesh->weights[i].bones, before.mesh->weights[i].bones);
+        EXPECT_EQ(now.mesh->weights[i].shares, before.mesh->weights[i].shares);
+    }
+    ASSERT_EQ(now.bones.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(now.bones[i].body, before.bones[i].body);
+        EXPECT_EQ(now.bones[i].linear, before.bones[i].linear);
+        EXPECT_EQ(now.bones[i].translation, before.bones[i].translation);
+    }
+    const Notes notes = notes_of(visuals, scene.world);
+    scene.world.destroy_body(visuals[1].body);
+    EXPECT_EQ(visuals_of(notes, scene.world).size(), 2u) << "one of its bones is gone";
+}
+
 TEST_F(VisualNotes, OfBodiesThatAreThere) {
     const Notes notes = notes_of(visuals, scene.world);
     scene.world.destroy_body(visuals[0].body);
@@ -72,6 +120,7 @@ TEST_F(VisualNotes, AreLeftOutWhereTheyAreTooLarge) {
 }
 
 TEST_F(VisualNotes, WhatMakesNoSenseIsLeftOut) {
+    dress(visuals);
     const Notes good = notes_of(visuals, scene.world);
     std::mt19937 random(3);
     for (int round = 0; round < 3000; ++round) {
@@ -87,11 +136,14 @@ TEST_F(VisualNotes, WhatMakesNoSenseIsLeftOut) {
             ASSERT_TRUE(visual.mesh);
             for (const std::uint32_t index : visual.mesh->triangles.indices)
                 ASSERT_LT(index, visual.mesh->triangles.vertices.size());
+            ASSERT_EQ(visual.mesh->weights.empty(), visual.bones.empty());
+            for (const BoneWeights& weights : visual.mesh->weights)
+                for (const std::uint16_t bone : weights.bones) ASSERT_LT(bone, visual.bones.size());
         }
     }
     Notes cut = good;
     cut["mesh 0"].resize(100);
-    EXPECT_EQ(visuals_of(cut, scene.world).size(), 1u);
+    EXPECT_EQ(visuals_of(cut, scene.world).size(), 2u);
 }
 
 } // namespace
