@@ -281,13 +281,37 @@ class TrianglePair {
     GapFinder finder_;
 };
 
-// With the triangles of a mesh or height field, from their front.
+template <class F> void with_surface(const SweptShape& s, F&& f) {
+    if (s.geometry.type == ShapeType::mesh)
+        f(mesh_of(s.data));
+    else
+        f(height_field_of(s.data));
+}
+
+// With one triangle, from its front.
+void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triangle& triangle, Span span,
+                   const Asked& asked, Course& best, bool& overlaps) {
+    const Convex& mover = core.at(span.begin);
+    TrianglePair pair(core, b, triangle, span.begin, mover.center);
+    if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
+    const Question question = question_of(mover, a, asked, 0);
+    const Span part{span.begin, std::min(span.end, best.meeting)};
+    if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
+        stay_apart_along(pair.from_center(), a, b, part, pair, question))
+        return;
+    const Course course = course_by(a, b, question, part, pair);
+    if (course.meeting == overlapped)
+        overlaps = true;
+    else
+        best.take(course);
+}
+
+// With the triangles of a mesh or height field.
 Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
     };
-    const Geometry& surface = b.shape().geometry;
     const DVec3 start = local_at(span.begin), last = local_at(span.end);
     const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(last));
     const double way = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
@@ -306,28 +330,11 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Aske
             hi[i] = float(std::max(p[i], q[i]) + radius * (1 + 1e-5) + 1e-6 * std::fabs(p[i]));
         }
         SweptCore core(a, {begin, end});
-        const auto visit = [&](const auto& mesh) {
-            for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
-                const Triangle t = triangle_of(mesh, index);
-                const Convex& mover = core.at(begin);
-                TrianglePair pair(core, b, t, begin, mover.center);
-                if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
-                const Question question = question_of(mover, a, asked, 0);
-                const Span part{begin, std::min(end, best.meeting)};
-                if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
-                    stay_apart_along(pair.from_center(), a, b, part, pair, question))
-                    return;
-                const Course course = course_by(a, b, question, part, pair);
-                if (course.meeting == overlapped)
-                    overlaps = true;
-                else
-                    best.take(course);
+        with_surface(b.shape(), [&](const auto& surface) {
+            for_each_triangle(surface, lo, hi, [&](std::uint32_t index) {
+                meet_triangle(core, a, b, triangle_of(surface, index), {begin, end}, asked, best, overlaps);
             });
-        };
-        if (surface.type == ShapeType::mesh)
-            visit(mesh_of(b.shape().data));
-        else
-            visit(height_field_of(b.shape().data));
+        });
     }
     if (overlaps) best.meeting = overlapped;
     return best;
@@ -464,6 +471,23 @@ Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DV
     const Course course = course_of(first, second, {0, to}, {within, 0, axis});
     if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
+}
+
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const std::uint32_t> triangles,
+                     double within) {
+    const double to = end_of(a, b), half_width = half_width_of(a, b);
+    const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
+    DVec3 axis{};
+    Course best;
+    bool overlaps = false;
+    SweptCore core(first, {0, to});
+    with_surface(b, [&](const auto& surface) {
+        for (const std::uint32_t index : triangles)
+            meet_triangle(core, first, second, triangle_of(surface, index), {0, to}, {within, 0, axis}, best, overlaps);
+    });
+    if (overlaps) return {0, 0, {}, {}};
+    if (best.meeting <= to) return {std::max(best.meeting, 0.0), 0, {}, {}};
+    return {best.nearest, best.gap.distance, best.gap.normal, best.gap.on_a};
 }
 
 } // namespace cairn

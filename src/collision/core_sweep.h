@@ -9,6 +9,8 @@
 #include "shapes/geometry.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 
 namespace cairn {
 
@@ -103,5 +105,7 @@ struct Nearness {
     math::DVec3 on_a;   // if they do not touch: the nearest point of `a`
 };
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, math::DVec3 axis);
+// The same with some triangles of `b`, a mesh or height field. Where they touch, `normal` is 0.
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const std::uint32_t> triangles, double within);
 
 } // namespace cairn

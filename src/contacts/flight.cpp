@@ -64,12 +64,6 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
-// m: the smallest of either.
-double half_width_between(const Shapes& shapes, const ContactInfo& c) {
-    return half_width_of(shapes.geometry[c.shape_a], shapes.data[c.shape_a], shapes.geometry[c.shape_b],
-                         shapes.data[c.shape_b]);
-}
-
 // Whether one of the two does, as it turns when the step begins.
 bool one_gyrates(const Bodies& bodies, const ContactInfo& c, float dt) {
     for (const std::int32_t b : {c.body_a, c.body_b}) {
@@ -179,13 +173,10 @@ class FlightList {
                 const std::uint32_t id = contact_of(f);
                 if (!s.contacts.records.has(id)) continue; // its owner tells
                 const Manifold* const first = s.narrow.flights.hits.data() + f.first_hit;
-                NarrowBatch& own = s.narrow.at_work[thread];
-                if (is_group(s.contacts.info[id])) {
-                    own.hits.assign(first, first + f.hit_count);
-                    take_group(in, s.contacts, s.narrow, f.place, own, dt_);
-                } else {
+                if (is_group(s.contacts.info[id]))
+                    test_held_group(in, s.contacts, s.narrow, f.place, s.narrow.at_work[thread], dt_);
+                else
                     s.narrow.outcomes[f.place] = take_test(in, s.contacts, s.narrow, id, *first, dt_);
-                }
             }
         });
         collect_fresh_patches(s.narrow);

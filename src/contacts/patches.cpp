@@ -46,29 +46,50 @@ float reach_of(const ContactInfo& group, float margin) {
     return margin + looked_ahead_steps * std::max(margin - group.base_margin, 0.0f);
 }
 
-// Of what moves far, in place of what was found at the start of the step: the patches of the touch, if it does not
-// touch yet. Whether they are of the touch.
-bool look_ahead(const NarrowInput& in, const ContactInfo& group, float margin, float dt, NarrowBatch& own,
-                Touch& touch) {
-    bool is_far = false;
-    for (const Manifold& hit : own.hits) {
-        for (int i = 0; i < hit.count; ++i)
-            if (hit.points[i][3] <= 0) return false;
-        is_far = is_far || moves_far(in, group, hit, dt);
+// Finds the patches of a group at the start of the step; how far they are apart at least if there are none.
+float find_at_start(const NarrowInput& in, const NarrowScratch& narrow, const ContactInfo& group, float dt,
+                    NarrowBatch& own) {
+    const float margin = contact_margin(in.bodies, narrow, group, dt);
+    return find_patches(posed_shape(in.shapes, group.shape_a), posed_shape(in.shapes, group.shape_b), margin,
+                        reach_of(group, margin), own.surface, own.hits);
+}
+
+// The triangles that a patch is of.
+void list_triangles(const SurfaceScratch& surface, std::size_t patch, std::vector<std::uint32_t>& triangles) {
+    triangles.clear();
+    for (const std::uint32_t k : surface.order)
+        if (surface.hits[k].patch == patch) triangles.push_back(surface.hits[k].triangle);
+}
+
+// Of the patches at a touch, the deepest with one of these triangles.
+const Manifold* deepest_of(const SurfaceScratch& surface, const std::vector<Manifold>& hits,
+                           const std::vector<std::uint32_t>& triangles) {
+    for (const std::uint32_t k : surface.order) {
+        const TriangleHit& hit = surface.hits[k];
+        if (hit.patch < hits.size() && std::find(triangles.begin(), triangles.end(), hit.triangle) != triangles.end())
+            return &hits[hit.patch];
     }
-    if (!is_far) return false;
-    const Approach approach = find_touch(in, group, {}, dt, margin, touch);
-    if (approach == Approach::now) return false;
-    own.hits.clear();
-    if (approach == Approach::passes) return false;
+    return nullptr;
+}
+
+// Of a patch that moves far, in place of what was found of it at the start of the step: that of the touch of its
+// triangles, or of where they are nearest. Those of others, which may touch already, are asked for themselves.
+Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t patch, float margin, float dt,
+                    NarrowBatch& own, Manifold& hit, Touch& touch) {
+    list_triangles(own.surface, patch, own.triangles);
+    const Approach approach = find_touch(in, group, own.triangles, dt, touch);
+    if (approach != Approach::later) return approach;
     if (touch.is_beside) {
-        own.hits.push_back(touch.manifold);
-        return true;
+        hit = touch.manifold;
+        return approach;
     }
     const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
-                 margin, own.surface, own.hits);
-    return true;
+                 margin, own.surface_at_touch, own.hits_at_touch);
+    const Manifold* const found = deepest_of(own.surface_at_touch, own.hits_at_touch, own.triangles);
+    if (!found) return Approach::now; // the edge between it and a deeper one
+    hit = *found;
+    return approach;
 }
 
 std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32_t group_id) {
@@ -85,13 +106,41 @@ std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32
     return id;
 }
 
-void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
+// What has been found of a group at that place among the candidates, `own.hits`, becomes patches.
+void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt) {
     const std::uint32_t id = narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
     const float margin = contact_margin(in.bodies, narrow, group, dt);
-    const float distance = find_patches(posed_shape(in.shapes, group.shape_a), posed_shape(in.shapes, group.shape_b),
-                                        margin, reach_of(group, margin), own.surface, own.hits);
+    narrow.outcomes[place] = tested_patches;
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
+    std::uint32_t order = 0;
+    for (std::size_t k = 0; k < own.hits.size(); ++k) {
+        Manifold& hit = own.hits[k];
+        Touch touch;
+        Approach approach = Approach::now;
+        if (moves_far(in, group, hit, dt)) approach = look_ahead(in, group, k, margin, dt, own, hit, touch);
+        if (approach == Approach::passes) continue;
+        const bool is_ahead = approach == Approach::later;
+        if (is_ahead) drop_answer(in.bodies, contacts, id);
+        if (!is_ahead && stays_apart(in.bodies, in.shapes, group, hit, dt)) continue;
+        const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
+        if (patch == none)
+            own.fresh.push_back({place, order++, hit, is_ahead, touch});
+        else
+            narrow.patch_outcomes[patch] = take_manifold(in.bodies, in.shapes, contacts, in.islands,
+                                                         std::uint32_t(patch), hit, is_ahead ? &touch : nullptr);
+    }
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
+        if (std::uint8_t& outcome = narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
+    if (order == 0 && group.related == none) narrow.outcomes[place] = take_distance(in.bodies, contacts, id, 0);
+}
+
+void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
+                float dt) {
+    const std::uint32_t id = narrow.candidates[place];
+    ContactInfo& group = contacts.info[id];
+    const float distance = find_at_start(in, narrow, group, dt, own);
     if (own.hits.empty() && group.related == none) {
         narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
         return;
@@ -103,7 +152,7 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     }
     const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(in, contacts, group, hit, dt); };
     if (!own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
-        own.flights.add(place, own.hits.data(), own.hits.size());
+        own.flights.add(place, nullptr, 0);
         narrow.outcomes[place] = may_fly_by;
         return;
     }
@@ -125,32 +174,10 @@ std::uint8_t take_fresh_patch(const FollowUpContext& s, std::uint32_t patch, con
 
 } // namespace
 
-void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
-                float dt) {
-    const std::uint32_t id = narrow.candidates[place];
-    ContactInfo& group = contacts.info[id];
-    Touch touch;
-    const float margin = contact_margin(in.bodies, narrow, group, dt);
-    const bool is_ahead = look_ahead(in, group, margin, dt, own, touch);
-    if (is_ahead) drop_answer(in.bodies, contacts, id);
-    if (own.hits.empty() && group.related == none) {
-        narrow.outcomes[place] = take_distance(in.bodies, contacts, id, 0);
-        return;
-    }
-    narrow.outcomes[place] = tested_patches;
-    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
-    std::uint32_t order = 0;
-    for (const Manifold& hit : own.hits) {
-        if (!is_ahead && stays_apart(in.bodies, in.shapes, group, hit, dt)) continue;
-        const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
-        if (patch == none)
-            own.fresh.push_back({place, order++, hit, is_ahead, touch});
-        else
-            narrow.patch_outcomes[patch] = take_manifold(in.bodies, in.shapes, contacts, in.islands,
-                                                         std::uint32_t(patch), hit, is_ahead ? &touch : nullptr);
-    }
-    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
-        if (std::uint8_t& outcome = narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
+void test_held_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place,
+                     NarrowBatch& own, float dt) {
+    find_at_start(in, narrow, contacts.info[narrow.candidates[place]], dt, own);
+    take_group(in, contacts, narrow, place, own, dt);
 }
 
 void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {

@@ -22,9 +22,10 @@ void begin_groups(const Contacts& contacts, NarrowScratch& narrow);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
 void test_groups(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, int begin, int end, NarrowBatch& own,
                  float dt);
-// What a test has found of one of them, `own.hits`, at that place among the candidates, becomes patches.
-void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
-                float dt);
+// Of one of them, at that place among the candidates, that might have met in flight and is held: what touches becomes
+// patches.
+void test_held_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place,
+                     NarrowBatch& own, float dt);
 // Puts the patches that threads have found in the order of the groups.
 void collect_fresh_patches(NarrowScratch& narrow);
 // The group at that place among the candidates.

@@ -18,10 +18,6 @@ using math::DVec3;
 
 namespace {
 
-// Of the smaller of two shapes' bounding radii: as far as that they may slide along each other before they touch where
-// their normal at the start of the step says.
-constexpr float slide_part = 0.05f;
-
 // The last substep looks ahead at the next one as well.
 float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.substeps)); }
 
@@ -98,9 +94,55 @@ Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const Posed
     return m;
 }
 
+// Of a pair, seen from A.
+class ExpectedWays {
+  public:
+    ExpectedWays(const NarrowInput& in, const ContactInfo& c, float dt)
+        : in(in), c_(c), dt_(dt), a_(expected_path(in, c.body_a, in.bodies.motion[c.body_a].x, dt)),
+          b_(expected_path(in, c.body_b, in.bodies.motion[c.body_a].x, dt)) {}
+    SweptShape of_a() const { return swept(in.bodies, in.shapes, c_.shape_a, a_); }
+    SweptShape of_b() const { return swept(in.bodies, in.shapes, c_.shape_b, b_); }
+
+    // What was found of them. Of what touches, the manifold is left out.
+    Approach take(const Nearness& found, Touch& touch) const {
+        if (!(found.distance <= double(c_.base_margin))) return Approach::passes;
+        if (!(found.time > 0)) return Approach::now;
+        const PosedBody at_a = posed_a(found), at_b = posed_b(found);
+        touch.passed = at_a.moved - at_b.moved;
+        const DVec3 from_b = (in.bodies.motion[c_.body_a].x - in.bodies.motion[c_.body_b].x) + touch.passed;
+        touch.moment = {dt_ * float(found.time), c_.flipped ? at_b.arm : at_a.arm, math::to_float(from_b), nullptr,
+                        nullptr};
+        touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
+        touch.arm_a = at_a.arm;
+        touch.is_beside = found.distance > 0;
+        if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, c_, at_a, at_b, found);
+        return Approach::later;
+    }
+    Manifold manifold_at_touch(const Nearness& found, float margin) const {
+        return manifold_at(in.shapes, c_, posed_a(found), posed_b(found), found.normal, margin);
+    }
+
+  private:
+    PosedBody posed_a(const Nearness& found) const {
+        return posed_at(in.bodies, in.shapes, c_.shape_a, a_, found.time);
+    }
+    PosedBody posed_b(const Nearness& found) const {
+        return posed_at(in.bodies, in.shapes, c_.shape_b, b_, found.time);
+    }
+    const NarrowInput& in;
+    const ContactInfo& c_;
+    const float dt_;
+    const RigidPath a_, b_;
+};
+
 float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimited_extent : g.bounding_radius; }
 
 } // namespace
+
+double half_width_between(const Shapes& shapes, const ContactInfo& c) {
+    return half_width_of(shapes.geometry[c.shape_a], shapes.data[c.shape_a], shapes.geometry[c.shape_b],
+                         shapes.data[c.shape_b]);
+}
 
 bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
@@ -127,33 +169,26 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
         const float closing = -math::dot(n, v);
         if (!(closing * horizon > separation)) continue;
         const float time = separation / closing;
-        if (time * (math::length(v + closing * n) + turn * size) > slide_part * size) return true;
+        // As far as what counts as touching they may slide along each other until then: a face may end there.
+        const float slide = time * (math::length(v + closing * n) + turn * size);
+        if (slide > float(touch_tolerance(half_width_between(in.shapes, c)))) return true;
     }
     return false;
 }
 
 Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, float pass, float margin, Touch& touch) {
-    const float dt = looked_at(in, pass);
-    const DVec3 origin = in.bodies.motion[c.body_a].x;
-    const RigidPath a = expected_path(in, c.body_a, origin, dt), b = expected_path(in, c.body_b, origin, dt);
-    const Nearness found = nearness_of(swept(in.bodies, in.shapes, c.shape_a, a),
-                                       swept(in.bodies, in.shapes, c.shape_b, b), double(c.base_margin), axis);
-    const double time = found.time;
-    if (!(found.distance <= double(c.base_margin))) return Approach::passes;
-    if (!(time > 0)) return Approach::now;
-    const PosedBody at_a = posed_at(in.bodies, in.shapes, c.shape_a, a, time),
-                    at_b = posed_at(in.bodies, in.shapes, c.shape_b, b, time);
-    touch.passed = at_a.moved - at_b.moved;
-    const DVec3 from_b = (in.bodies.motion[c.body_a].x - in.bodies.motion[c.body_b].x) + touch.passed;
-    touch.moment = {dt * float(time), c.flipped ? at_b.arm : at_a.arm, math::to_float(from_b), nullptr, nullptr};
-    touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
-    touch.arm_a = at_a.arm;
-    touch.is_beside = found.distance > 0;
-    if (touch.is_beside)
-        touch.manifold = manifold_beside(in.bodies, c, at_a, at_b, found);
-    else if (!is_group(c))
-        touch.manifold = manifold_at(in.shapes, c, at_a, at_b, found.normal, margin);
-    return Approach::later;
+    const ExpectedWays ways(in, c, looked_at(in, pass));
+    const Nearness found = nearness_of(ways.of_a(), ways.of_b(), double(c.base_margin), axis);
+    const Approach approach = ways.take(found, touch);
+    if (approach == Approach::later && !touch.is_beside && !is_group(c))
+        touch.manifold = ways.manifold_at_touch(found, margin);
+    return approach;
+}
+
+Approach find_touch(const NarrowInput& in, const ContactInfo& group, std::span<const std::uint32_t> triangles,
+                    float pass, Touch& touch) {
+    const ExpectedWays ways(in, group, looked_at(in, pass));
+    return ways.take(nearness_of(ways.of_a(), ways.of_b(), triangles, double(group.base_margin)), touch);
 }
 
 std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,

@@ -80,7 +80,10 @@ struct NarrowBatch {
     ShapePose poses[2 * PairBatch::capacity];    // in the middle of the step, of both of each
     Manifold manifolds[PairBatch::capacity];
     SurfaceScratch surface;
-    std::vector<Manifold> hits;    // of one group
+    std::vector<Manifold> hits;          // of one group
+    SurfaceScratch surface_at_touch;     // of one of its patches
+    std::vector<Manifold> hits_at_touch; // there
+    std::vector<std::uint32_t> triangles;
     std::vector<FreshPatch> fresh; // of the groups of this thread
     FlightPairs flights;
 };

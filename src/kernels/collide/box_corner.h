@@ -52,7 +52,9 @@ CAIRN_INLINE mask8 are_side_by_side(const SupportEdgex8& a, const SupportEdgex8&
 
 // Where corners meet, any direction between the normals of their faces keeps the two apart, and which of the faces is
 // the best one changes with the least shift. The normal is the mean of those that do so nearly as well as the best
-// one, the better the more: two cards that lean on each other press along the line between them.
+// one, the better the more: two cards that lean on each other press along the line between them. What is apart has not
+// met at a corner yet: there it is the direction of the gap, to which each face that keeps the two apart adds its part.
+// Else what slides past a corner a millimeter beside it would be turned away as by a chamfer.
 struct CornerNormalx8 {
     Vec3x8 normal;
     mask8 holds; // corners meet, and along the normal the two are nearly as far apart as along the best of the faces
@@ -63,9 +65,11 @@ CAIRN_INLINE CornerNormalx8 corner_normal(const BoxPairx8& p, const RelativeBoxx
     // parallel, and do not look against each other.
     constexpr float parallel = 0.98f, opposite = 0.25f;
     const f32x8 tolerance = splat(edge_tolerance) * p.smallest;
+    const mask8 is_apart = greatest > zero();
     f32x8 share[6], sum = zero(), square = zero(), along = zero(), radius = zero();
     for (int i = 0; i < 6; ++i) {
-        const f32x8 t = i < 3 ? q.ta[i] : q.tb[i - 3], size = max(tolerance + separation[i] - greatest, zero());
+        const f32x8 t = i < 3 ? q.ta[i] : q.tb[i - 3];
+        const f32x8 size = max(select(is_apart, separation[i], tolerance + separation[i] - greatest), zero());
         share[i] = select(t < zero(), -size, size);
         sum += size;
         along += size * abs(t);
