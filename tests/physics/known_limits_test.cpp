@@ -59,25 +59,28 @@ TEST(KnownLimits, ChainSolvedDirectlyFliesBackFromADropLengthwise) {
 }
 
 TEST(KnownLimits, ABoxOfAHundredThousandTimesTheMassThrowsOutTheOneBelow) {
-    const auto speed_of_light_one = [](float ratio) {
-        World world;
-        add_ground(world, surface(0.6f));
-        BodyDef def;
-        def.position = {0, 0.5, 0};
-        def.mass = 1.0f;
-        const BodyId below = add_body(world, Box{}, def, surface(0.6f));
-        def.position.y = 1.5;
-        def.mass = ratio;
-        add_body(world, Box{}, def, surface(0.6f));
+    const auto fastest_light_one = [](float ratio) {
         double speed = 0;
-        for (int i = 0; i < 600; ++i) {
-            world.step(1.0f / 60);
-            speed = std::max(speed, double(glm::length(world.body(below).linear_velocity())));
+        for (int start = 0; start < 10; ++start) {
+            World world;
+            add_ground(world, surface(0.6f));
+            BodyDef def;
+            def.position = {0.37 * start, 0.5, 1.1 * start};
+            def.rotation = glm::angleAxis(0.3f * float(start), Vec3(0, 1, 0));
+            def.mass = 1.0f;
+            const BodyId below = add_body(world, Box{}, def, surface(0.6f));
+            def.position.y = 1.5 + 1e-4 * (start % 5);
+            def.mass = ratio;
+            add_body(world, Box{}, def, surface(0.6f));
+            for (int i = 0; i < 600; ++i) {
+                world.step(1.0f / 60);
+                speed = std::max(speed, double(glm::length(world.body(below).linear_velocity())));
+            }
         }
         return speed;
     };
-    EXPECT_LT(speed_of_light_one(1e4f), 0.05);
-    EXPECT_GT(speed_of_light_one(1e5f), 1);
+    EXPECT_LT(fastest_light_one(3e4f), 0.05);
+    EXPECT_GT(fastest_light_one(1e5f), 1);
 }
 
 // m/s at which the lowest of five upright links rises that are held straight by servos, after a fall at 2.6 m/s.

@@ -2,7 +2,9 @@
 #include "support.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace cairn_test {
 namespace {
@@ -262,22 +264,29 @@ TEST(Ragdoll, HeapsComeToABoundedCost) {
 
 // A heap of them holds together as it falls, at rest, and when another one is thrown into it, at a bounded cost.
 TEST(Ragdoll, HeapHoldsTogetherAtABoundedCost) {
-    World world(without_sleep());
-    std::vector<Ragdoll> heap = heap_of_ragdolls(world, 0);
-    run(world, 1.0f / 60, 420);
-    for (const Ragdoll& ragdoll : heap) {
-        EXPECT_LT(ragdoll.gap(), 0.004);
-        EXPECT_LT(ragdoll.excess(), 0.02);
+    std::vector<int> costs;
+    for (int start = 0; start < 9; ++start) {
+        World world(without_sleep());
+        std::vector<Ragdoll> heap = heap_of_ragdolls(world, 1e-4 * start);
+        run(world, 1.0f / 60, 420);
+        for (const Ragdoll& ragdoll : heap) {
+            EXPECT_LT(ragdoll.gap(), 0.004);
+            EXPECT_LT(ragdoll.excess(), 0.02);
+        }
+        heap.emplace_back(world, Position(-3.5, 6, 0), askew, Vec3(0, -50, 0));
+        int most = 0;
+        for (int i = 0; i < 12; ++i) {
+            world.step(1.0f / 60);
+            most = std::max(most, world.statistics().max_substeps);
+        }
+        costs.push_back(most);
+        run(world, 1.0f / 60, 60);
+        for (const Ragdoll& ragdoll : heap) EXPECT_LT(ragdoll.gap(), 0.01);
     }
-    heap.emplace_back(world, Position(-3.5, 6, 0), askew, Vec3(0, -50, 0));
-    int most = 0;
-    for (int i = 0; i < 12; ++i) {
-        world.step(1.0f / 60);
-        most = std::max(most, world.statistics().max_substeps);
-    }
-    EXPECT_LE(most, 32);
-    run(world, 1.0f / 60, 60);
-    for (const Ragdoll& ragdoll : heap) EXPECT_LT(ragdoll.gap(), 0.01);
+    std::sort(costs.begin(), costs.end());
+    std::printf("most substeps: %d to %d, usually %d\n", costs.front(), costs.back(), costs[4]);
+    EXPECT_LE(costs[4], 12);
+    EXPECT_LE(costs.back(), 48);
 }
 
 } // namespace

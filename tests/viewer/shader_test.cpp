@@ -68,10 +68,11 @@ TEST_F(WebShaders, FragmentShadersCompile) {
     for (std::size_t kind = 0; kind < shaders::body_kind_count; ++kind) {
         const std::string constant = shaders::body_kind(shaders::BodyKind(kind));
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, constant + shaders::lighting + shaders::body_fragment), "");
+        EXPECT_EQ(compile(GL_FRAGMENT_SHADER, constant + shaders::shadow_fragment), "");
     }
     for (const char* source : {shaders::ground_fragment, shaders::sky_fragment})
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, std::string(shaders::lighting) + source), "");
-    for (const char* source : {shaders::line_fragment, shaders::shadow_fragment, shaders::smoothing_fragment})
+    for (const char* source : {shaders::line_fragment, shaders::smoothing_fragment})
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, source), "");
 }
 
