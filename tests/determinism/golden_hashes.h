@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xc8da15a310249ef4;
-inline constexpr std::uint64_t pyramid = 0x98e3896fa8b94113;
-inline constexpr std::uint64_t dominoes = 0xfa7c991704e9bb7d;
-inline constexpr std::uint64_t materials = 0x362383b4ed9a0aa8;
-inline constexpr std::uint64_t tumbler = 0x681e2c2d8346feb1;
-inline constexpr std::uint64_t sleep_and_wake = 0xd76874f0e77b89e6;
-inline constexpr std::uint64_t compounds = 0xd295b058675aaaca;
+inline constexpr std::uint64_t mixed_pile = 0x4be9e5ec7f3dffcc;
+inline constexpr std::uint64_t pyramid = 0x4c0d28d3916b9a9f;
+inline constexpr std::uint64_t dominoes = 0x9e0390e22b77ffc2;
+inline constexpr std::uint64_t materials = 0xf385af29aff7a3f5;
+inline constexpr std::uint64_t tumbler = 0x38f1623a09c666cd;
+inline constexpr std::uint64_t sleep_and_wake = 0xf35a62ff1831a19f;
+inline constexpr std::uint64_t compounds = 0xf4a2768ea027dbd1;
 inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
-inline constexpr std::uint64_t explicit_euler = 0xe9dd1de7160d4d69;
-inline constexpr std::uint64_t whirl = 0x00708b9440b93d38;
-inline constexpr std::uint64_t changes = 0x319e843c2930d80a;
-inline constexpr std::uint64_t all_shapes = 0x12448fa332a20d3d;
-inline constexpr std::uint64_t rounded_shapes = 0xb606e82ce198c398;
-inline constexpr std::uint64_t surfaces = 0xdf78f55c28264342;
-inline constexpr std::uint64_t all_joints = 0x8bfd2923f397827d;
-inline constexpr std::uint64_t chains = 0x54209e0a4e5874a8;
+inline constexpr std::uint64_t explicit_euler = 0x47449e5c988fdbfd;
+inline constexpr std::uint64_t whirl = 0xc5005110e9e2bf21;
+inline constexpr std::uint64_t changes = 0x3df897b3794a4d64;
+inline constexpr std::uint64_t all_shapes = 0xc1124e52a75dcc21;
+inline constexpr std::uint64_t rounded_shapes = 0x796c23a9e762b3df;
+inline constexpr std::uint64_t surfaces = 0xfad315f6118ee8f4;
+inline constexpr std::uint64_t all_joints = 0x701396a424173f24;
+inline constexpr std::uint64_t chains = 0x998e8d2c55c2e840;
 
 } // namespace cairn_test::golden
