@@ -146,9 +146,10 @@ double half_width_between(const Shapes& shapes, const ContactInfo& c) {
 
 bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
+    bool is_led = false;         // by joints: what does not move fast goes where they let it
     float turn = 0, unknown = 0; // rad/s: of both; of those whose surfaces it takes to where it is not told
     for (const std::int32_t b : {c.body_a, c.body_b}) {
-        if (in.bodies.links[b].first_joint != none) return false;
+        is_led = is_led || in.bodies.links[b].first_joint != none;
         const float own = math::length(in.bodies.motion[b].w);
         turn += own;
         if (!turns_on_the_spot(in.bodies.links[b])) unknown += own;
@@ -170,8 +171,9 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
         if (!(closing * horizon > separation)) continue;
         const float time = separation / closing;
         // As far as what counts as touching they may slide along each other until then: a face may end there.
-        const float slide = time * (math::length(v + closing * n) + turn * size);
-        if (slide > float(touch_tolerance(half_width_between(in.shapes, c)))) return true;
+        const float speed = math::length(v + closing * n) + turn * size;
+        if (is_led && horizon * speed <= c.base_margin) continue;
+        if (time * speed > float(touch_tolerance(half_width_between(in.shapes, c)))) return true;
     }
     return false;
 }

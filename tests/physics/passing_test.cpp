@@ -133,8 +133,8 @@ TEST_P(PastAnObstacle, WhatSlidesGoesStraightOnAndWhatHitsHits) {
         for (int i = 0; i < 120; ++i) passing.slide(GetParam(), slider, i % 4 == 3);
     std::printf("turned away %zu of %zu, at most by %.2f degrees; missed %zu of %zu\n", passing.turned, passing.passes,
                 passing.worst, passing.missed, passing.hits);
-    EXPECT_LE(passing.turned, 3u);
-    EXPECT_LT(passing.worst, 6.0);
+    EXPECT_LE(passing.turned, 6u); // round ones past sharp ones, by cores of which the distance is not exact
+    EXPECT_LT(passing.worst, 4.0);
     if (GetParam() != Obstacle::ball) { // which what is lower or rounder may pass
         EXPECT_EQ(passing.missed, 0u);
     }
@@ -143,6 +143,38 @@ TEST_P(PastAnObstacle, WhatSlidesGoesStraightOnAndWhatHitsHits) {
 INSTANTIATE_TEST_SUITE_P(Obstacles, PastAnObstacle,
                          testing::Values(Obstacle::box, Obstacle::same_mesh, Obstacle::hull, Obstacle::cylinder,
                                          Obstacle::ball, Obstacle::free_box));
+
+// A car on four wheels with hinges, which is led by its joints, past a pillar, a post and a part of the ground's mesh.
+double angle_of_car(Obstacle obstacle, double speed, double air, double start) {
+    constexpr double half_car = 0.8, wheel = 0.3; // m
+    World world;
+    Passing setting(1);
+    setting.add_obstacle(world, obstacle, 0);
+    const double z = -(double(half) + air + half_car), x = -2 - 0.2 * speed - speed / 60 * start;
+    BodyDef def;
+    def.position = {x, 0.65, z};
+    def.linear_velocity = {float(speed), 0, 0};
+    const BodyId chassis = add_body(world, Box{{1.0f, 0.25f, 0.7f}}, def, surface(0.6f));
+    def.angular_velocity = {0, 0, -float(speed / wheel)};
+    for (int i = 0; i < 4; ++i) {
+        def.position = {x + (i & 1 ? 0.7 : -0.7), wheel, z + (i & 2 ? 0.5 : -0.5)};
+        const BodyId body = add_body(world, Sphere{float(wheel)}, def, surface(0.6f));
+        world.create_joint(world.joint_at(chassis, body, def.position, {0, 0, 1}, HingeJoint{}));
+    }
+    run(world, 1.0f / 60, int((2 - x) / speed * 60) + 2);
+    const glm::dvec3 velocity(world.body(chassis).linear_velocity());
+    return std::atan2(std::abs(velocity.z), velocity.x) * 57.3;
+}
+
+// They were turned away by 39 to 54 degrees, all of them.
+TEST(Passing, ACarGoesStraightOnPastAPillar) {
+    for (const Obstacle obstacle : {Obstacle::box, Obstacle::ball, Obstacle::cylinder, Obstacle::same_mesh})
+        for (const double speed : {3.0, 10.0, 30.0})
+            for (const double air : {0.002, 0.01, 0.03, 0.1})
+                for (int start = 0; start < 4; ++start)
+                    EXPECT_LT(angle_of_car(obstacle, speed, air, 0.27 * start), 0.3)
+                        << int(obstacle) << " " << speed << " " << air << " " << start;
+}
 
 } // namespace
 } // namespace cairn_test
