@@ -92,6 +92,51 @@ std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
     return visuals;
 }
 
+namespace {
+
+// The other way round, for a scene that is saved: as surfaces and textures that are shared as the meshes are.
+class SurfaceMaker {
+  public:
+    scene::VisualMesh operator()(const viewer::Visual& visual) {
+        const viewer::ShapeMesh& mesh = *visual.mesh;
+        std::shared_ptr<const scene::Surface>& surface = surfaces_[&mesh];
+        if (!surface) surface = std::make_shared<const scene::Surface>(surface_of(mesh));
+        scene::VisualMesh made{visual.body, visual.local, surface, visual.color, texture_of(mesh.texture), {}};
+        for (const viewer::Bone& bone : visual.bones) made.bones.push_back({bone.body, bone.linear, bone.translation});
+        return made;
+    }
+
+  private:
+    static scene::Surface surface_of(const viewer::ShapeMesh& mesh) {
+        scene::Surface surface;
+        for (const viewer::MeshVertex& vertex : mesh.triangles.vertices) {
+            surface.vertices.push_back(vertex.corner);
+            surface.normals.push_back(vertex.normal);
+            if (mesh.texture) surface.coordinates.emplace_back(vertex.inset.x, vertex.inset.y);
+        }
+        for (const viewer::BoneWeights& weights : mesh.weights)
+            surface.weights.push_back({weights.bones, weights.shares});
+        surface.indices = mesh.triangles.indices;
+        return surface;
+    }
+    std::shared_ptr<const scene::Texture> texture_of(const std::shared_ptr<const viewer::TexturePicture>& picture) {
+        if (!picture) return nullptr;
+        std::shared_ptr<const scene::Texture>& texture = textures_[picture.get()];
+        if (!texture) {
+            const viewer::TextureStyle& style = picture->style;
+            texture = std::make_shared<const scene::Texture>(
+                scene::Texture{picture->file, scene::Texture::Wrap(int(style.wrap_u)),
+                               scene::Texture::Wrap(int(style.wrap_v)), style.is_smooth, style.alpha_cutoff});
+        }
+        return texture;
+    }
+
+    std::unordered_map<const viewer::ShapeMesh*, std::shared_ptr<const scene::Surface>> surfaces_;
+    std::unordered_map<const viewer::TexturePicture*, std::shared_ptr<const scene::Texture>> textures_;
+};
+
+} // namespace
+
 std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene) {
     std::vector<viewer::JointAppearance> strings;
     for (const scene::JointAppearance& shown : scene.joint_appearances) strings.push_back({shown.joint, shown.color});
@@ -271,6 +316,9 @@ void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
     for (const viewer::Appearance& appearance : saved.appearances)
         if (saved.world.is_valid(appearance.shape))
             scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});
+    SurfaceMaker made_of;
+    for (const viewer::Visual& visual : saved.visuals)
+        if (visual.body.is_null() || saved.world.is_valid(visual.body)) scene.visuals.push_back(made_of(visual));
     for (const viewer::JointAppearance& shown : saved.strings)
         scene.joint_appearances.push_back({shown.joint, shown.color});
     for (const ForceFieldId id : saved.world.force_fields()) {

@@ -74,11 +74,11 @@ void Stage::operator()(const command::SaveScene& save) {
     copy.lights = scene_.lights;
     copy.time_step = float(clock_.time_step());
     copy.appearances = scene_.appearances;
+    copy.visuals = scene_.visuals;
     copy.strings = scene_.strings;
     copy.groups = timeline_.groups();
     savers_.scene(save.path, copy);
-    say("Saved " + save.path +
-        (scene_.visuals.empty() ? "" : ", with what collides, but without the file's own meshes"));
+    say("Saved " + save.path);
 }
 
 } // namespace cairn::viewer

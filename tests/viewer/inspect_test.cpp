@@ -136,6 +136,28 @@ TEST(Inspect, TheSceneIsSavedAsItStandsWithoutTheMouse) {
     EXPECT_EQ(saved.appearances.size(), 1u);
 }
 
+// A scene that was saved was shown by its shapes alone.
+TEST(Inspect, ASavedSceneHasTheMeshesOfItsFile) {
+    LoadedScene saved;
+    Savers savers;
+    savers.scene = [&](const std::filesystem::path&, LoadedScene& scene) { std::swap(saved, scene); };
+    const std::vector<Vec3> corners{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<std::uint32_t> triangle{0, 1, 2};
+    const auto mesh =
+        std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(corners, {}, triangle), MeshLook::visual));
+    const auto load = [&](const std::string& path) {
+        LoadedScene scene = test::load_boxes(path);
+        scene.visuals.push_back({scene.world.bodies().back(), {}, mesh, {1, 0, 0}});
+        return scene;
+    };
+    Stage stage(load, "1", savers);
+    for (int i = 0; i < 5; ++i) stage.step();
+    stage.apply(command::SaveScene{"there.gltf", {}});
+    ASSERT_EQ(saved.visuals.size(), 1u);
+    EXPECT_EQ(saved.visuals[0].mesh, mesh);
+    EXPECT_TRUE(saved.world.is_valid(saved.visuals[0].body));
+}
+
 TEST(Inspect, ATriggerLetsBodiesThroughAndIsUndone) {
     Stage stage(test::load_boxes, "2");
     select_first(stage);
