@@ -201,6 +201,10 @@ void open_block(AxisBlock& b, std::uint32_t form) {
     b.has_limits = b.has_soft_limits = b.has_drive = b.has_friction = 0;
 }
 template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    if (!opens_blocks(run)) {
+        blocks[run.first].redirects |= may_be_fixed(run.key);
+        return;
+    }
     for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
         Block& b = blocks[k];
         const bool is_full = k + 1 < run.first + run.count || run.empty_lanes == 0;

@@ -65,30 +65,31 @@ template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread
             JointRun part = run;
             part.first += std::uint32_t(begin);
             part.count = std::uint32_t(end - begin);
+            if (end < count) part.lanes = all_lanes;
             f(part);
         });
     }
 }
 
 // The blocks of one type of joint rows.
-struct JointBlocks {
+struct JointType {
     const JointKernels::ForRows& kernels;
     std::byte* first;
     std::size_t size; // of one
 };
-template <class Block> JointBlocks joint_blocks_of(const JointKernels::ForRows& kernels, std::vector<Block>& blocks) {
+template <class Block> JointType joint_type_of(const JointKernels::ForRows& kernels, std::vector<Block>& blocks) {
     return {kernels, reinterpret_cast<std::byte*>(blocks.data()), sizeof(Block)};
 }
 
-// Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
+// Calls kernel(its kernels, its blocks) for every run of joint rows, or for chunks of them.
 template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
     const JointKernels& k = kernels().joints;
-    const JointBlocks by_type[joint_row_types] = {joint_blocks_of(k.point, scratch.point_blocks),
-                                                  joint_blocks_of(k.turn, scratch.turn_blocks),
-                                                  joint_blocks_of(k.axis, scratch.axis_blocks)};
+    const JointType types[joint_row_types] = {joint_type_of(k.point, scratch.point_blocks),
+                                              joint_type_of(k.turn, scratch.turn_blocks),
+                                              joint_type_of(k.axis, scratch.axis_blocks)};
     for_joint_runs(scratch, thread_pool, [&](const JointRun& run) {
-        const JointBlocks& blocks = by_type[std::size_t(run.type)];
-        kernel(blocks.kernels, blocks.first + run.first * blocks.size, int(run.count));
+        const JointType& type = types[std::size_t(run.type)];
+        kernel(type.kernels, JointBlocks{type.first + run.first * type.size, int(run.count), run.lanes});
     });
 }
 

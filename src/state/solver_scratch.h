@@ -101,10 +101,11 @@ struct JointRow {
     std::uint8_t idle : 1 = 0;            // mere limits, now out of reach: the row has no lane
     float reach_by_turn = 0;              // 0: never idle (joints/idle_limits.cpp)
 };
-// Blocks that may be solved side by side.
+// Blocks that may be solved side by side. The last one may hold lanes of runs that come later, too.
 struct JointRun {
     JointRowType type;
-    std::uint8_t empty_lanes; // of the last block
+    std::uint8_t empty_lanes; // of the last block, behind its own
+    std::uint8_t lanes;       // of the last block, as bits: its own; all, if it is the only run there
     std::uint16_t key;
     std::uint32_t first, count;
 };
