@@ -121,15 +121,20 @@ std::uint32_t take_lanes(JointLayout& layout, OpenBlock& open, JointRowType type
     return first;
 }
 
+std::int32_t add_sharing(JointLayout& layout, std::uint32_t first_lane, std::uint32_t end) {
+    layout.sharing.push_back(std::uint8_t((1u << end) - (1u << first_lane)));
+    return std::int32_t(layout.sharing.size()) - 1;
+}
+
 void add_run(JointLayout& layout, OpenBlock& open, std::uint32_t key, std::uint32_t lane, std::uint32_t rows) {
-    const std::uint32_t begin = lane % 8, count = (rows + 7) / 8;
-    JointRun run{type_of(key), std::uint8_t(8 * count - rows), all_lanes, std::uint16_t(key), lane / 8, count};
-    if (begin == 0) {
+    const std::uint32_t first_lane = lane % 8, count = (rows + 7) / 8;
+    JointRun run{type_of(key), std::uint8_t(8 * count - rows), std::uint16_t(key), lane / 8, count, first_lane, none};
+    if (first_lane == 0) {
         open.run = layout.runs.size();
     } else {
         JointRun& first = layout.runs[open.run];
-        if (first.lanes == all_lanes) first.lanes = std::uint8_t((1u << begin) - 1);
-        run.lanes = std::uint8_t(((1u << rows) - 1) << begin);
+        if (first.sharing == none) first.sharing = add_sharing(layout, 0, first_lane);
+        run.sharing = add_sharing(layout, first_lane, first_lane + rows);
     }
     layout.runs.push_back(run);
 }
@@ -137,7 +142,7 @@ void add_run(JointLayout& layout, OpenBlock& open, std::uint32_t key, std::uint3
 // Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. That is done
 // whenever a limit comes within reach or leaves it, so it must not cost more than the rows do.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
-    layout.runs.clear();
+    layout.runs.clear(), layout.sharing.clear();
     layout.blocks = {};
     lanes.assign(layout.keys.size(), 0);
     for (const JointRow& row : layout.rows)

@@ -65,7 +65,7 @@ template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread
             JointRun part = run;
             part.first += std::uint32_t(begin);
             part.count = std::uint32_t(end - begin);
-            if (end < count) part.lanes = all_lanes;
+            if (end < count) part.sharing = none;
             f(part);
         });
     }
@@ -89,7 +89,8 @@ template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thre
                                               joint_type_of(k.axis, scratch.axis_blocks)};
     for_joint_runs(scratch, thread_pool, [&](const JointRun& run) {
         const JointType& type = types[std::size_t(run.type)];
-        kernel(type.kernels, JointBlocks{type.first + run.first * type.size, int(run.count), run.lanes});
+        const SharingLanes* const sharing = run.sharing == none ? nullptr : scratch.sharing_lanes.data() + run.sharing;
+        kernel(type.kernels, JointBlocks{type.first + run.first * type.size, int(run.count), sharing});
     });
 }
 

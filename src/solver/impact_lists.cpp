@@ -79,7 +79,7 @@ void find_runs(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     work.listed_runs.clear();
     for (const JointRun& run : scratch.joint_layout->runs)
-        add_run(work, int(run.type), run.first, run.count, std::size_t(std::countr_zero(run.lanes)));
+        add_run(work, int(run.type), run.first, run.count, run.first_lane);
     for (const ColorRun& color : scratch.colors) {
         add_run(work, four_points_type, std::size_t(color.four_points.first), std::size_t(color.four_points.count));
         add_run(work, one_point_type, std::size_t(color.one_point.first), std::size_t(color.one_point.count));

@@ -105,9 +105,10 @@ struct JointRow {
 struct JointRun {
     JointRowType type;
     std::uint8_t empty_lanes; // of the last block, behind its own
-    std::uint8_t lanes;       // of the last block, as bits: its own; all, if it is the only run there
     std::uint16_t key;
     std::uint32_t first, count;
+    std::uint32_t first_lane; // of its first block
+    std::int32_t sharing;     // its place among JointLayout::sharing; none: it is the only run in its blocks
 };
 
 // How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
@@ -123,6 +124,7 @@ struct JointLayout {
     bool only_points = true;                                // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
+    std::vector<std::uint8_t> sharing; // lanes of runs in their last blocks, as bits, where those hold other runs, too
 };
 
 // What the free motion of a row's body asks for, besides falling.
@@ -164,6 +166,7 @@ struct BatchScratch {
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
+    std::vector<SharingLanes> sharing_lanes; // as JointLayout::sharing
     DirectWork direct;
     ImpactWork impact;
     bool drive_varies = false;    // forces depend on the position

@@ -91,62 +91,38 @@ CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends
     return {gather_velocity(rows, ends.a), gather_velocity(rows, ends.b)};
 }
 
-// The lanes of a block that are to be solved, where those are all of them, and where others share the block.
+// The lanes of a block that are to be solved: where those are all of them, and where others share the block. Velocities
+// go to the rows at these offsets.
 struct AllLanes {
     static constexpr bool come_first = true;
+    const std::uint32_t *to_a, *to_b;
 };
 struct SomeLanes {
-    unsigned bits;
+    mask8 mask;
     bool come_first; // of those in the block: what the poses say is found when they are solved
+    const std::uint32_t *to_a, *to_b;
 };
 CAIRN_INLINE f32x8 among(AllLanes, f32x8 value, f32x8) { return value; }
-CAIRN_INLINE f32x8 among(SomeLanes lanes, f32x8 value, f32x8 other) {
-    return select(mask_from_bits(int(lanes.bits)), value, other);
-}
+CAIRN_INLINE f32x8 among(SomeLanes lanes, f32x8 value, f32x8 other) { return select(lanes.mask, value, other); }
 template <class Lanes> CAIRN_INLINE Vec3x8 among(Lanes lanes, Vec3x8 value, Vec3x8 other) {
     return {among(lanes, value.x, other.x), among(lanes, value.y, other.y), among(lanes, value.z, other.z)};
+}
+template <class Block> CAIRN_INLINE AllLanes all_of(const Block& block) {
+    return {block.redirects ? block.rest.write_a : block.a, block.redirects ? block.rest.write_b : block.b};
 }
 // Calls f(block, its lanes) for the blocks of a run.
 template <class Block, class F> CAIRN_INLINE void for_lanes(const JointBlocks& run, F&& f) {
     auto* const blocks = static_cast<Block*>(run.blocks);
-    const int last = run.count - 1, whole = run.lanes == all_lanes ? run.count : last;
-    for (int k = 0; k < whole; ++k) f(blocks[k], AllLanes{});
-    if (whole == last) f(blocks[last], SomeLanes{run.lanes, (run.lanes & 1) != 0});
+    const int last = run.count - 1, whole = run.sharing ? last : run.count;
+    for (int k = 0; k < whole; ++k) f(blocks[k], all_of(blocks[k]));
+    if (!run.sharing) return;
+    const SharingLanes& own = *run.sharing;
+    f(blocks[last], SomeLanes{mask_from_bits(own.lanes), (own.lanes & 1) != 0, own.to_a, own.to_b});
 }
 
-// Where velocities of some lanes go: those of the others, which may be of the same bodies, are dropped.
-struct SomeRows {
-    SolverVelocity dropped;
-    SolverVelocity* row[8];
-};
-CAIRN_INLINE void pick_rows(SolverVelocity* rows, const std::uint32_t* offset, SomeLanes lanes, SomeRows& to) {
-    for (int i = 0; i < 8; ++i) to.row[i] = (lanes.bits >> i & 1) != 0 ? &row_at(rows, offset[i]) : &to.dropped;
-}
-CAIRN_INLINE void scatter_some(const SomeRows& to, Vec3x8 v, Vec3x8 w) {
-    float* p[8];
-    for (int i = 0; i < 8; ++i) p[i] = to.row[i]->v;
-    scatter4(p, v.x, v.y, v.z, zero());
-    for (int i = 0; i < 8; ++i) p[i] = to.row[i]->w;
-    scatter4(p, w.x, w.y, w.z, zero());
-}
-template <class Block> CAIRN_INLINE const std::uint32_t* write_a(const Block& block) {
-    return block.redirects ? block.rest.write_a : block.a;
-}
-template <class Block> CAIRN_INLINE const std::uint32_t* write_b(const Block& block) {
-    return block.redirects ? block.rest.write_b : block.b;
-}
-template <class Block>
-CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const Block& block, AllLanes, const Ends8& e) {
-    scatter_velocity(rows, write_a(block), e.a);
-    scatter_velocity(rows, write_b(block), e.b);
-}
-template <class Block>
-CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const Block& block, SomeLanes lanes, const Ends8& e) {
-    SomeRows a, b;
-    pick_rows(rows, write_a(block), lanes, a);
-    pick_rows(rows, write_b(block), lanes, b);
-    scatter_some(a, e.a.v, e.a.w);
-    scatter_some(b, e.b.v, e.b.w);
+template <class Lanes> CAIRN_INLINE void scatter_ends(SolverVelocity* rows, Lanes lanes, const Ends8& e) {
+    scatter_velocity(rows, lanes.to_a, e.a);
+    scatter_velocity(rows, lanes.to_b, e.b);
 }
 
 CAIRN_INLINE f32x8 guarded_inverse(f32x8 x, mask8 valid) {

@@ -78,23 +78,12 @@ template <bool Turns> CAIRN_INLINE Ends8 gather_moved(const SolverVelocity* rows
     else
         return gather_ends(rows, b);
 }
-CAIRN_INLINE void scatter_turning(SolverVelocity* rows, const std::uint32_t* offset, AllLanes, Vec3x8 w) {
-    scatter_angular(rows, offset, w);
-}
-CAIRN_INLINE void scatter_turning(SolverVelocity* rows, const std::uint32_t* offset, SomeLanes lanes, Vec3x8 w) {
-    SomeRows to;
-    float* p[8];
-    pick_rows(rows, offset, lanes, to);
-    for (int i = 0; i < 8; ++i) p[i] = to.row[i]->w;
-    scatter4(p, w.x, w.y, w.z, zero());
-}
-template <bool Turns, class Lanes>
-CAIRN_INLINE void scatter_moved(SolverVelocity* rows, const AxisBlock& b, Lanes lanes, const Ends8& e) {
+template <bool Turns, class Lanes> CAIRN_INLINE void scatter_moved(SolverVelocity* rows, Lanes lanes, const Ends8& e) {
     if constexpr (Turns) {
-        scatter_turning(rows, write_a(b), lanes, e.a.w);
-        scatter_turning(rows, write_b(b), lanes, e.b.w);
+        scatter_angular(rows, lanes.to_a, e.a.w);
+        scatter_angular(rows, lanes.to_b, e.b.w);
     } else {
-        scatter_ends(rows, b, lanes, e);
+        scatter_ends(rows, lanes, e);
     }
 }
 CAIRN_INLINE f32x8 net_impulse(const AxisBlock& b) {
@@ -326,13 +315,12 @@ CAIRN_INLINE f32x8 act(AxisBlock& b, Lanes lanes, f32x8 v, f32x8 before, const J
     return among(lanes, select(gives, sum, zero()), zero());
 }
 
-template <bool Turns>
-CAIRN_INLINE void begin_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
+template <bool Turns> void begin_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
     first_masses(b, bodies.inertia);
     if constexpr (Turns) store3(b.linear_a, zero3()), store3(b.linear_b, zero3()); // others read them
     refresh<Turns>(b, gather_poses(bodies.pose, b));
     store(b.position0, load(b.position));
-    refresh_drive(b, AllLanes{}, splat(softness.h));
+    refresh_drive(b, all_of(b), splat(softness.h));
     b.leaves = 0;
     store(b.total, zero());
 }
@@ -345,7 +333,7 @@ CAIRN_INLINE void warm_start_block(AxisBlock& b, Lanes lanes, const SolverBodies
     if (all(p == zero())) return; // as most limits have it
     Ends8 e = gather_moved<Turns>(bodies.velocity, b);
     apply<Turns>(b, load_jacobian(b), p, e);
-    scatter_moved<Turns>(bodies.velocity, b, lanes, e);
+    scatter_moved<Turns>(bodies.velocity, lanes, e);
 }
 
 template <bool Turns, class Lanes>
@@ -359,11 +347,11 @@ CAIRN_INLINE void solve_block(AxisBlock& b, Lanes lanes, SolverVelocity* velocit
     const f32x8 d = act<true>(b, lanes, velocity_of<Turns>(j, e), load(b.position), softness);
     if (!b.leaves && all(d == zero())) return;
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(velocity, b, lanes, e);
+    scatter_moved<Turns>(velocity, lanes, e);
 }
 
 // What the new Jacobian changes of the impulse that is carried is left for the next solve.
-template <bool Turns> CAIRN_INLINE void follow_poses(AxisBlock& b, const SolverBodies& bodies) {
+template <bool Turns> void follow_poses(AxisBlock& b, const SolverBodies& bodies) {
     store(b.before, load(b.position));
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const f32x8 p = net_impulse(b);
@@ -388,7 +376,7 @@ CAIRN_INLINE void relax_block(AxisBlock& b, Lanes lanes, const SolverBodies& bod
     refresh_drive(b, lanes, splat(softness.h));
     if (all(d == zero())) return;
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(bodies.velocity, b, lanes, e);
+    scatter_moved<Turns>(bodies.velocity, lanes, e);
 }
 
 // Calls f(block, its lanes, whether its rows turn only, as a constant) for the blocks of a run.
@@ -427,7 +415,7 @@ CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity
     if (all(d == zero())) return; // out of reach
     store(b.total, load(b.total) + d);
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(velocity, b, AllLanes{}, e);
+    scatter_moved<Turns>(velocity, all_of(b), e);
 }
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
     auto* all = static_cast<AxisBlock*>(blocks);

@@ -119,12 +119,15 @@ struct alignas(64) JointImpact {
 // Blocks that are solved side by side: PointBlock, TurnBlock or AxisBlock. Rows of one form that are solved one after
 // the other may lie in one block, as what is found from the poses alone is found for all of its lanes at once: when the
 // first of them is solved.
+struct SharingLanes {
+    std::uint8_t lanes;             // as bits: those to be solved
+    std::uint32_t to_a[8], to_b[8]; // offsets of where velocities go; of other lanes to the discard row of the block
+};
 struct JointBlocks {
     void* blocks;
     int count;
-    std::uint8_t lanes; // of the last block, as bits: those to be solved; all of its lanes, if it is not shared
+    const SharingLanes* sharing; // in the last block; null: all of its lanes are to be solved
 };
-inline constexpr std::uint8_t all_lanes = 255;
 
 struct JointKernels {
     struct ForRows {

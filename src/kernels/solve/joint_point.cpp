@@ -107,7 +107,7 @@ template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
 }
 
 // Poses are those of the start of the step.
-template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void begin_block(PointBlock& b) {
+template <bool FreeAxis, bool Isotropic> void begin_block(PointBlock& b) {
     const Pointx8 point = point_at_start<FreeAxis>(b);
     keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
     if constexpr (FreeAxis) store3(b.impulse, across(point.axis, load3(b.impulse)));
@@ -120,7 +120,7 @@ CAIRN_INLINE void warm_start_block(PointBlock& b, Lanes lanes, const SolverBodie
     if (lanes.come_first) begin_block<FreeAxis, Isotropic>(b);
     Ends8 e = gather_ends(bodies.velocity, b);
     apply<Isotropic>(b, load3(b.arm_a), load3(b.arm_b), among(lanes, load3(b.impulse), zero3()), e);
-    scatter_ends(bodies.velocity, b, lanes, e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
 void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
@@ -147,7 +147,7 @@ CAIRN_INLINE void solve_block(PointBlock& b, Lanes lanes, SolverVelocity* veloci
     const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
     store3(b.impulse, among(lanes, p + d, p));
     apply<Isotropic>(b, arm_a, arm_b, d, e);
-    scatter_ends(velocity, b, lanes, e);
+    scatter_ends(velocity, lanes, e);
 }
 
 void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness) {
@@ -203,10 +203,10 @@ CAIRN_INLINE void stop_slip(PointBlock& b, Lanes lanes, const SolverBodies& bodi
     store3(b.impulse, among(lanes, p, carried));
     store3(b.total, among(lanes, total + p, total));
     apply<Isotropic>(b, arm_a, arm_b, d, e);
-    scatter_ends(bodies.velocity, b, lanes, e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
-template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void follow_poses(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic> void follow_poses(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
@@ -235,7 +235,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
         store3(b.total, load3(b.total) + d);
         b.isotropic ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
-        scatter_ends(velocity, b, AllLanes{}, e);
+        scatter_ends(velocity, all_of(b), e);
     }
 }
 

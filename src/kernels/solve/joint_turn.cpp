@@ -29,7 +29,7 @@ template <bool FreeAxis> CAIRN_INLINE Vec3x8 refresh(TurnBlock& b, const Posesx8
     }
 }
 
-template <bool FreeAxis> CAIRN_INLINE void begin_block(TurnBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis> void begin_block(TurnBlock& b, const SolverBodies& bodies) {
     const Massesx8 masses = first_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, gather_poses(bodies.pose, b), masses);
     if constexpr (FreeAxis) store3(b.impulse, across(axis, load3(b.impulse)));
@@ -42,7 +42,7 @@ void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointS
         if (lanes.come_first) b.free_axis ? begin_block<true>(b, bodies) : begin_block<false>(b, bodies);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, among(lanes, load3(b.impulse), zero3()), e);
-        scatter_ends(bodies.velocity, b, lanes, e);
+        scatter_ends(bodies.velocity, lanes, e);
     });
 }
 
@@ -58,7 +58,7 @@ void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness
         const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
         store3(b.impulse, among(lanes, p + d, p));
         apply(b, d, e);
-        scatter_ends(velocity, b, lanes, e);
+        scatter_ends(velocity, lanes, e);
     });
 }
 
@@ -70,10 +70,10 @@ template <class Lanes> CAIRN_INLINE void stop_turn(TurnBlock& b, Lanes lanes, co
     store3(b.impulse, among(lanes, p, carried));
     store3(b.total, among(lanes, total + p, total));
     apply(b, d, e);
-    scatter_ends(bodies.velocity, b, lanes, e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
-template <bool FreeAxis> CAIRN_INLINE void follow_poses(TurnBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis> void follow_poses(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
     const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
@@ -106,7 +106,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
         store3(b.total, load3(b.total) + d);
         apply(b, d, e);
-        scatter_ends(velocity, b, AllLanes{}, e);
+        scatter_ends(velocity, all_of(b), e);
     }
 }
 
