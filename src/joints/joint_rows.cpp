@@ -240,28 +240,34 @@ void open_blocks(BatchScratch& scratch) {
     }
 }
 
-// Once lanes are filled.
-void fill_sharing_lanes(BatchScratch& scratch) {
+// What the kernels need to know of each run, once its lanes are filled.
+template <class Block>
+JointCall call_of(BatchScratch& scratch, const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    JointCall call{run.type, sizeof(Block), {blocks.data() + run.first, int(run.count), nullptr}};
+    if (run.sharing == none) return call;
+    const std::uint32_t last = run.first + run.count - 1, discard = (first_discard + last) * row_bytes;
+    const Block& b = blocks[last];
+    const std::uint32_t *const to_a = b.redirects ? b.rest.write_a : b.a, *const to_b =
+                                                                              b.redirects ? b.rest.write_b : b.b;
+    SharingLanes& own = scratch.sharing_lanes[run.sharing];
+    own.lanes = scratch.joint_layout->sharing[run.sharing];
+    for (std::uint32_t lane = 0; lane < 8; ++lane) {
+        const bool is_own = (own.lanes >> lane & 1) != 0;
+        own.to_a[lane] = is_own ? to_a[lane] : discard, own.to_b[lane] = is_own ? to_b[lane] : discard;
+    }
+    call.run.sharing = &own;
+    return call;
+}
+void list_calls(BatchScratch& scratch) {
     const JointLayout& layout = *scratch.joint_layout;
     extend(scratch.sharing_lanes, layout.sharing.size());
+    scratch.joint_calls.clear();
     const auto first_discard = scratch.first_joint_discard_rows();
-    for (const JointRun& run : layout.runs) {
-        if (run.sharing == none) continue;
-        const std::uint32_t k = run.first + run.count - 1;
-        const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(run.type)]) + k) * row_bytes;
-        SharingLanes& own = scratch.sharing_lanes[run.sharing];
-        own.lanes = layout.sharing[run.sharing];
-        for_blocks_of(scratch, run.type, [&](const auto& blocks) {
-            const auto& b = blocks[k];
-            const std::uint32_t *const to_a = b.redirects ? b.rest.write_a : b.a, *const to_b = b.redirects
-                                                                                                    ? b.rest.write_b
-                                                                                                    : b.b;
-            for (std::uint32_t lane = 0; lane < 8; ++lane) {
-                const bool is_own = (own.lanes >> lane & 1) != 0;
-                own.to_a[lane] = is_own ? to_a[lane] : discard, own.to_b[lane] = is_own ? to_b[lane] : discard;
-            }
+    for (const JointRun& run : layout.runs)
+        for_blocks_of(scratch, run.type, [&](auto& blocks) {
+            scratch.joint_calls.push_back(
+                call_of(scratch, run, blocks, std::uint32_t(first_discard[std::size_t(run.type)])));
         });
-    }
 }
 
 // Impulses are those of one substep. Forces are counted anew.
@@ -384,7 +390,7 @@ void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& d
             }
         }
     });
-    fill_sharing_lanes(scratch);
+    list_calls(scratch);
     fill_direct_rows(bodies, joints, direct, scratch, thread_pool);
 }
 

@@ -111,6 +111,13 @@ struct JointRun {
     std::int32_t sharing;     // its place among JointLayout::sharing; none: it is the only run in its blocks
 };
 
+// The blocks of a run, as the kernels of their type take them.
+struct JointCall {
+    JointRowType type;
+    std::uint32_t block_size; // bytes
+    JointBlocks run;
+};
+
 // How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
 struct JointLayout {
     std::uint64_t valid_for = ~std::uint64_t(0); // Joints::changes
@@ -167,6 +174,7 @@ struct BatchScratch {
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
     std::vector<SharingLanes> sharing_lanes; // as JointLayout::sharing
+    std::vector<JointCall> joint_calls;      // for each run of the layout
     DirectWork direct;
     ImpactWork impact;
     bool drive_varies = false;    // forces depend on the position
