@@ -103,61 +103,50 @@ void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
     for (JointRow& row : layout.rows) row.key = std::uint16_t(numbers[row.key - least]);
 }
 
-// The block that rows of one type and form were last laid into.
-struct OpenBlock {
-    std::uint32_t next = 0; // lane; in none if it is the first of a block
-    std::size_t run = 0;    // the first one there
-};
-using OpenBlocks = std::array<OpenBlock, joint_row_types * forms>;
+// By type and form: the lane behind those that rows were last given; none is open there if it is the first of a block.
+using OpenLanes = std::array<std::uint32_t, joint_row_types * forms>;
 
 // The first of the lanes for so many rows. They begin a block, unless all of them fit into one that is open: so they
 // are not spread over more blocks than they must be.
-std::uint32_t take_lanes(JointLayout& layout, OpenBlock& open, JointRowType type, std::uint32_t rows) {
-    const bool fits = open.next % 8 != 0 && open.next % 8 + rows <= 8;
+std::uint32_t take_lanes(JointLayout& layout, std::uint32_t& open, JointRowType type, std::uint32_t rows) {
+    const bool fits = open % 8 != 0 && open % 8 + rows <= 8;
     std::uint32_t& blocks = layout.blocks[std::size_t(type)];
-    const std::uint32_t first = fits ? open.next : 8 * blocks;
+    const std::uint32_t first = fits ? open : 8 * blocks;
     if (!fits) blocks += (rows + 7) / 8;
-    open.next = first + rows;
+    open = first + rows;
     return first;
 }
 
-std::int32_t add_sharing(JointLayout& layout, std::uint32_t first_lane, std::uint32_t end) {
-    layout.sharing.push_back(std::uint8_t((1u << end) - (1u << first_lane)));
-    return std::int32_t(layout.sharing.size()) - 1;
-}
-
-void add_run(JointLayout& layout, OpenBlock& open, std::uint32_t key, std::uint32_t lane, std::uint32_t rows) {
-    const std::uint32_t first_lane = lane % 8, count = (rows + 7) / 8;
-    JointRun run{type_of(key), std::uint8_t(8 * count - rows), std::uint16_t(key), lane / 8, count, first_lane, none};
-    if (first_lane == 0) {
-        open.run = layout.runs.size();
-    } else {
-        JointRun& first = layout.runs[open.run];
-        if (first.sharing == none) first.sharing = add_sharing(layout, 0, first_lane);
-        run.sharing = add_sharing(layout, first_lane, first_lane + rows);
+void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t lane, std::uint32_t rows) {
+    const std::uint32_t first_lane = lane % 8, count = (rows + 7) / 8, end = first_lane + rows - 8 * (count - 1);
+    std::int32_t part = none;
+    if (end - first_lane < 8) {
+        part = std::int32_t(layout.parts.size());
+        layout.parts.push_back(std::uint8_t((1u << end) - (1u << first_lane)));
     }
-    layout.runs.push_back(run);
+    layout.runs.push_back(
+        {type_of(key), std::uint8_t(8 * count - rows), std::uint16_t(key), lane / 8, count, first_lane, part});
 }
 
 // Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. That is done
 // whenever a limit comes within reach or leaves it, so it must not cost more than the rows do.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
-    layout.runs.clear(), layout.sharing.clear();
+    layout.runs.clear(), layout.parts.clear();
     layout.blocks = {};
     lanes.assign(layout.keys.size(), 0);
     for (const JointRow& row : layout.rows)
         if (!row.idle) ++lanes[row.key];
-    OpenBlocks open_blocks;
+    OpenLanes open_lanes{};
     for (std::size_t number = 0; number < lanes.size(); ++number) {
         const std::uint32_t key = layout.keys[number], count = lanes[number];
         if (count == 0) continue;
-        OpenBlock& open = open_blocks[std::size_t(type_of(key)) * forms + joint_form_of(key)];
+        std::uint32_t& open = open_lanes[std::size_t(type_of(key)) * forms + joint_form_of(key)];
         const std::uint32_t first = take_lanes(layout, open, type_of(key), count);
         lanes[number] = first; // from now on: the next free lane
         if (stands_alone(key)) // they may share bodies
-            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, open, key, first + k, 1);
+            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, first + k, 1);
         else
-            add_run(layout, open, key, first, count);
+            add_run(layout, key, first, count);
     }
     for (JointRow& row : layout.rows)
         if (!row.idle) row.lane = lanes[row.key]++;

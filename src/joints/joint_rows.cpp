@@ -244,23 +244,23 @@ void open_blocks(BatchScratch& scratch) {
 template <class Block>
 JointCall call_of(BatchScratch& scratch, const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
     JointCall call{run.type, sizeof(Block), {blocks.data() + run.first, int(run.count), nullptr}};
-    if (run.sharing == none) return call;
+    if (run.part == none) return call;
     const std::uint32_t last = run.first + run.count - 1, discard = (first_discard + last) * row_bytes;
     const Block& b = blocks[last];
     const std::uint32_t *const to_a = b.redirects ? b.rest.write_a : b.a, *const to_b =
                                                                               b.redirects ? b.rest.write_b : b.b;
-    SharingLanes& own = scratch.sharing_lanes[run.sharing];
-    own.lanes = scratch.joint_layout->sharing[run.sharing];
+    PartLanes& own = scratch.part_lanes[run.part];
+    own.lanes = scratch.joint_layout->parts[run.part];
     for (std::uint32_t lane = 0; lane < 8; ++lane) {
         const bool is_own = (own.lanes >> lane & 1) != 0;
         own.to_a[lane] = is_own ? to_a[lane] : discard, own.to_b[lane] = is_own ? to_b[lane] : discard;
     }
-    call.run.sharing = &own;
+    call.run.part = &own;
     return call;
 }
 void list_calls(BatchScratch& scratch) {
     const JointLayout& layout = *scratch.joint_layout;
-    extend(scratch.sharing_lanes, layout.sharing.size());
+    extend(scratch.part_lanes, layout.parts.size());
     scratch.joint_calls.clear();
     const auto first_discard = scratch.first_joint_discard_rows();
     for (const JointRun& run : layout.runs)

@@ -66,7 +66,7 @@ template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thre
         const int count = call.run.count;
         for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
             std::byte* const first = static_cast<std::byte*>(call.run.blocks) + std::size_t(begin) * call.block_size;
-            kernel(kernels, JointBlocks{first, end - begin, end < count ? nullptr : call.run.sharing});
+            kernel(kernels, JointBlocks{first, end - begin, end < count ? nullptr : call.run.part});
         });
     }
 }

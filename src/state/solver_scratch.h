@@ -108,7 +108,7 @@ struct JointRun {
     std::uint16_t key;
     std::uint32_t first, count;
     std::uint32_t first_lane; // of its first block
-    std::int32_t sharing;     // its place among JointLayout::sharing; none: it is the only run in its blocks
+    std::int32_t part;        // its place among JointLayout::parts; none: it has all lanes of its blocks
 };
 
 // The blocks of a run, as the kernels of their type take them.
@@ -131,7 +131,7 @@ struct JointLayout {
     bool only_points = true;                                // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
-    std::vector<std::uint8_t> sharing; // lanes of runs in their last blocks, as bits, where those hold other runs, too
+    std::vector<std::uint8_t> parts; // of runs that do not fill their last blocks: their lanes there, as bits
 };
 
 // What the free motion of a row's body asks for, besides falling.
@@ -173,8 +173,8 @@ struct BatchScratch {
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
-    std::vector<SharingLanes> sharing_lanes; // as JointLayout::sharing
-    std::vector<JointCall> joint_calls;      // for each run of the layout
+    std::vector<PartLanes> part_lanes;  // as JointLayout::parts
+    std::vector<JointCall> joint_calls; // for each run of the layout
     DirectWork direct;
     ImpactWork impact;
     bool drive_varies = false;    // forces depend on the position

@@ -91,7 +91,7 @@ CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends
     return {gather_velocity(rows, ends.a), gather_velocity(rows, ends.b)};
 }
 
-// The lanes of a block that are to be solved: where those are all of them, and where others share the block. Velocities
+// The lanes of a block that are to be solved: where those are all of them, and where they are a part. Velocities
 // go to the rows at these offsets.
 struct AllLanes {
     static constexpr bool come_first = true;
@@ -113,10 +113,10 @@ template <class Block> CAIRN_INLINE AllLanes all_of(const Block& block) {
 // Calls f(block, its lanes) for the blocks of a run.
 template <class Block, class F> CAIRN_INLINE void for_lanes(const JointBlocks& run, F&& f) {
     auto* const blocks = static_cast<Block*>(run.blocks);
-    const int last = run.count - 1, whole = run.sharing ? last : run.count;
+    const int last = run.count - 1, whole = run.part ? last : run.count;
     for (int k = 0; k < whole; ++k) f(blocks[k], all_of(blocks[k]));
-    if (!run.sharing) return;
-    const SharingLanes& own = *run.sharing;
+    if (!run.part) return;
+    const PartLanes& own = *run.part;
     f(blocks[last], SomeLanes{mask_from_bits(own.lanes), (own.lanes & 1) != 0, own.to_a, own.to_b});
 }
 

@@ -119,14 +119,14 @@ struct alignas(64) JointImpact {
 // Blocks that are solved side by side: PointBlock, TurnBlock or AxisBlock. Rows of one form that are solved one after
 // the other may lie in one block, as what is found from the poses alone is found for all of its lanes at once: when the
 // first of them is solved.
-struct SharingLanes {
+struct PartLanes {
     std::uint8_t lanes;             // as bits: those to be solved
     std::uint32_t to_a[8], to_b[8]; // offsets of where velocities go; of other lanes to the discard row of the block
 };
 struct JointBlocks {
     void* blocks;
     int count;
-    const SharingLanes* sharing; // in the last block; null: all of its lanes are to be solved
+    const PartLanes* part; // of the last block; null: all of its lanes are to be solved
 };
 
 struct JointKernels {
