@@ -9,6 +9,7 @@
 #include "state/joint_links.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cairn {
 
@@ -82,14 +83,6 @@ void collect_rows(const Bodies& bodies, const Joints& joints, const DirectSets& 
     layout.first_row.push_back(std::uint32_t(layout.rows.size()));
 }
 
-void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
-    const JointRowType type = type_of(key);
-    std::uint32_t& blocks = layout.blocks[std::size_t(type)];
-    const std::uint32_t count = (rows + 7) / 8;
-    layout.runs.push_back({type, std::uint8_t(8 * count - rows), std::uint16_t(key), blocks, count});
-    blocks += count;
-}
-
 // Of the many keys that there could be, those that occur, ascending. Rows get the numbers of theirs among them.
 void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
     layout.keys.clear();
@@ -110,29 +103,53 @@ void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
     for (JointRow& row : layout.rows) row.key = std::uint16_t(numbers[row.key - least]);
 }
 
+// By type and form: the lane behind those that rows were last given; none is open there if it is the first of a block.
+using OpenLanes = std::array<std::uint32_t, joint_row_types * forms>;
+
+// The first of the lanes for so many rows. They begin a block, unless all of them fit into one that is open: so they
+// are not spread over more blocks than they must be.
+std::uint32_t take_lanes(JointLayout& layout, std::uint32_t& open, JointRowType type, std::uint32_t rows) {
+    const bool fits = open % 8 != 0 && open % 8 + rows <= 8;
+    std::uint32_t& blocks = layout.blocks[std::size_t(type)];
+    const std::uint32_t first = fits ? open : 8 * blocks;
+    if (!fits) blocks += (rows + 7) / 8;
+    open = first + rows;
+    return first;
+}
+
+void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t lane, std::uint32_t rows) {
+    const std::uint32_t first_lane = lane % 8, count = (rows + 7) / 8, end = first_lane + rows - 8 * (count - 1);
+    std::int32_t part = none;
+    if (end - first_lane < 8) {
+        part = std::int32_t(layout.parts.size());
+        layout.parts.push_back(std::uint8_t((1u << end) - (1u << first_lane)));
+    }
+    layout.runs.push_back(
+        {type_of(key), std::uint8_t(8 * count - rows), std::uint16_t(key), lane / 8, count, first_lane, part});
+}
+
 // Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. That is done
 // whenever a limit comes within reach or leaves it, so it must not cost more than the rows do.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
-    layout.runs.clear();
+    layout.runs.clear(), layout.parts.clear();
     layout.blocks = {};
     lanes.assign(layout.keys.size(), 0);
     for (const JointRow& row : layout.rows)
         if (!row.idle) ++lanes[row.key];
+    OpenLanes open_lanes{};
     for (std::size_t number = 0; number < lanes.size(); ++number) {
         const std::uint32_t key = layout.keys[number], count = lanes[number];
         if (count == 0) continue;
-        lanes[number] = 8 * layout.blocks[std::size_t(type_of(key))]; // from now on: the next free lane
-        if (stands_alone(key))                                        // they may share bodies
-            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, 1);
+        std::uint32_t& open = open_lanes[std::size_t(type_of(key)) * forms + joint_form_of(key)];
+        const std::uint32_t first = take_lanes(layout, open, type_of(key), count);
+        lanes[number] = first; // from now on: the next free lane
+        if (stands_alone(key)) // they may share bodies
+            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, first + k, 1);
         else
-            add_run(layout, key, count);
+            add_run(layout, key, first, count);
     }
-    for (JointRow& row : layout.rows) {
-        if (row.idle) continue;
-        std::uint32_t& lane = lanes[row.key];
-        row.lane = lane;
-        lane += stands_alone(layout.keys[row.key]) ? 8 : 1;
-    }
+    for (JointRow& row : layout.rows)
+        if (!row.idle) row.lane = lanes[row.key]++;
 }
 
 } // namespace

@@ -10,6 +10,9 @@ namespace cairn {
 void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
                       const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool);
 
+// Whether no run before it has lanes of its blocks.
+inline bool opens_blocks(const JointRun& run) { return run.first_lane == 0; }
+
 // Of the key of a row or run: the form of its rows, and whether they may have ends that do not move by forces.
 std::uint32_t joint_form_of(std::uint32_t key);
 bool may_be_fixed(std::uint32_t key);

@@ -201,6 +201,10 @@ void open_block(AxisBlock& b, std::uint32_t form) {
     b.has_limits = b.has_soft_limits = b.has_drive = b.has_friction = 0;
 }
 template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    if (!opens_blocks(run)) {
+        blocks[run.first].redirects |= may_be_fixed(run.key);
+        return;
+    }
     for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
         Block& b = blocks[k];
         const bool is_full = k + 1 < run.first + run.count || run.empty_lanes == 0;
@@ -234,6 +238,36 @@ void open_blocks(BatchScratch& scratch) {
         b.has_drive |= row.has_drive;
         b.has_friction |= row.has_friction;
     }
+}
+
+// What the kernels need to know of each run, once its lanes are filled.
+template <class Block>
+JointCall call_of(BatchScratch& scratch, const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    JointCall call{run.type, sizeof(Block), {blocks.data() + run.first, int(run.count), nullptr}};
+    if (run.part == none) return call;
+    const std::uint32_t last = run.first + run.count - 1, discard = (first_discard + last) * row_bytes;
+    const Block& b = blocks[last];
+    const std::uint32_t *const to_a = b.redirects ? b.rest.write_a : b.a, *const to_b =
+                                                                              b.redirects ? b.rest.write_b : b.b;
+    PartLanes& own = scratch.part_lanes[run.part];
+    own.lanes = scratch.joint_layout->parts[run.part];
+    for (std::uint32_t lane = 0; lane < 8; ++lane) {
+        const bool is_own = (own.lanes >> lane & 1) != 0;
+        own.to_a[lane] = is_own ? to_a[lane] : discard, own.to_b[lane] = is_own ? to_b[lane] : discard;
+    }
+    call.run.part = &own;
+    return call;
+}
+void list_calls(BatchScratch& scratch) {
+    const JointLayout& layout = *scratch.joint_layout;
+    extend(scratch.part_lanes, layout.parts.size());
+    scratch.joint_calls.clear();
+    const auto first_discard = scratch.first_joint_discard_rows();
+    for (const JointRun& run : layout.runs)
+        for_blocks_of(scratch, run.type, [&](auto& blocks) {
+            scratch.joint_calls.push_back(
+                call_of(scratch, run, blocks, std::uint32_t(first_discard[std::size_t(run.type)])));
+        });
 }
 
 // Impulses are those of one substep. Forces are counted anew.
@@ -356,6 +390,7 @@ void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& d
             }
         }
     });
+    list_calls(scratch);
     fill_direct_rows(bodies, joints, direct, scratch, thread_pool);
 }
 

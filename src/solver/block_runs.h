@@ -53,43 +53,22 @@ template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_poo
     for_colors(scratch, thread_pool, kernel, [](std::size_t) {});
 }
 
-// Calls f(run) for every run of joint rows, or for chunks of them.
-template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
-    for (const JointRun& run : scratch.joint_layout->runs) {
-        if (!thread_pool) {
-            f(run);
-            continue;
-        }
-        const int count = int(run.count);
-        for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
-            JointRun part = run;
-            part.first += std::uint32_t(begin);
-            part.count = std::uint32_t(end - begin);
-            f(part);
-        });
-    }
-}
-
-// The blocks of one type of joint rows.
-struct JointBlocks {
-    const JointKernels::ForRows& kernels;
-    std::byte* first;
-    std::size_t size; // of one
-};
-template <class Block> JointBlocks joint_blocks_of(const JointKernels::ForRows& kernels, std::vector<Block>& blocks) {
-    return {kernels, reinterpret_cast<std::byte*>(blocks.data()), sizeof(Block)};
-}
-
-// Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
+// Calls kernel(its kernels, its blocks) for every run of joint rows, or for chunks of them.
 template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
     const JointKernels& k = kernels().joints;
-    const JointBlocks by_type[joint_row_types] = {joint_blocks_of(k.point, scratch.point_blocks),
-                                                  joint_blocks_of(k.turn, scratch.turn_blocks),
-                                                  joint_blocks_of(k.axis, scratch.axis_blocks)};
-    for_joint_runs(scratch, thread_pool, [&](const JointRun& run) {
-        const JointBlocks& blocks = by_type[std::size_t(run.type)];
-        kernel(blocks.kernels, blocks.first + run.first * blocks.size, int(run.count));
-    });
+    const JointKernels::ForRows* const kernels_of[joint_row_types] = {&k.point, &k.turn, &k.axis};
+    for (const JointCall& call : scratch.joint_calls) {
+        const JointKernels::ForRows& kernels = *kernels_of[std::size_t(call.type)];
+        if (!thread_pool) {
+            kernel(kernels, call.run);
+            continue;
+        }
+        const int count = call.run.count;
+        for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
+            std::byte* const first = static_cast<std::byte*>(call.run.blocks) + std::size_t(begin) * call.block_size;
+            kernel(kernels, JointBlocks{first, end - begin, end < count ? nullptr : call.run.part});
+        });
+    }
 }
 
 } // namespace cairn

@@ -66,16 +66,20 @@ void find_sides(const LaneLists& lanes, std::size_t rows, RowLists& sides) {
     }
 }
 
-void add_run(ImpactWork& work, int type, std::size_t first, std::size_t count) {
-    std::vector<std::uint32_t>& run_of_block = work.run_of_block[std::size_t(type)];
-    if (run_of_block.size() < first + count) run_of_block.resize(first + count);
-    std::fill_n(run_of_block.begin() + std::ptrdiff_t(first), count, std::uint32_t(work.listed_runs.size()));
+// Blocks from `first` on; the first of their lanes may be those of runs before it.
+void add_run(ImpactWork& work, int type, std::size_t first, std::size_t count, std::size_t first_lane = 0) {
+    std::vector<std::uint32_t>& run_of_lane = work.run_of_lane[std::size_t(type)];
+    const std::size_t begin = 8 * first + first_lane, end = 8 * (first + count);
+    if (run_of_lane.size() < end) run_of_lane.resize(end);
+    std::fill(run_of_lane.begin() + std::ptrdiff_t(begin), run_of_lane.begin() + std::ptrdiff_t(end),
+              std::uint32_t(work.listed_runs.size()));
     work.listed_runs.push_back({type, std::uint32_t(first), 0, 0});
 }
 void find_runs(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     work.listed_runs.clear();
-    for (const JointRun& run : scratch.joint_layout->runs) add_run(work, int(run.type), run.first, run.count);
+    for (const JointRun& run : scratch.joint_layout->runs)
+        add_run(work, int(run.type), run.first, run.count, run.first_lane);
     for (const ColorRun& color : scratch.colors) {
         add_run(work, four_points_type, std::size_t(color.four_points.first), std::size_t(color.four_points.count));
         add_run(work, one_point_type, std::size_t(color.one_point.first), std::size_t(color.one_point.count));
@@ -127,7 +131,7 @@ void list_row(ImpactWork& work, std::int32_t row, std::int32_t group) {
 }
 
 void list_lane(ImpactWork& work, int type, std::size_t lane, std::int32_t row) {
-    const std::uint32_t run = work.run_of_block[std::size_t(type)][lane / 8];
+    const std::uint32_t run = work.run_of_lane[std::size_t(type)][lane];
     work.listed.push_back({std::uint32_t(lane), row, run, 0});
 }
 

@@ -80,11 +80,12 @@ template <> struct NotStruck<TurnBlock> {
 };
 template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and friction give no impulses
     using B = AxisBlock;
-    static constexpr auto list = std::tuple(
-        &B::left, &B::limit_stiffness, &B::limit_damping, &B::limit_relative, &B::lower_impulse, &B::upper_impulse,
-        &B::drive_stiffness, &B::drive_damping, &B::target_position, &B::target_velocity, &B::rigid_drive,
-        &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull, &B::max_friction, &B::friction_impulse,
-        &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0, &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0);
+    static constexpr auto list =
+        std::tuple(&B::left, &B::before, &B::limit_stiffness, &B::limit_damping, &B::limit_relative, &B::lower_impulse,
+                   &B::upper_impulse, &B::drive_stiffness, &B::drive_damping, &B::target_position, &B::target_velocity,
+                   &B::rigid_drive, &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull,
+                   &B::max_friction, &B::friction_impulse, &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0,
+                   &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0);
 };
 template <int N> struct NotStruck<PointRows<N>> {
     using B = PointRows<N>;

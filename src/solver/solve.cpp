@@ -135,16 +135,16 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
         if (batch.bounces) bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce);
         if (first) {
-            for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-                rows_of.warm_start(blocks, count, solver_bodies, joint_soft);
+            for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
+                rows_of.warm_start(blocks, solver_bodies, joint_soft);
             });
             sweep([&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
         begin_direct_limits(direct, scratch, thread_pool);
-        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-            rows_of.solve(blocks, count, velocity, joint_soft);
+        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
+            rows_of.solve(blocks, velocity, joint_soft);
         });
         solve_direct_rows(direct, scratch, thread_pool, h);
         sweep([&](const ForPoints& points, const BlockRun& run) {
@@ -158,8 +158,8 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         turn_spinning_rows(bodies, scratch, h);
         release_direct_bodies(direct, scratch, thread_pool);
         renew_inertia(bodies, scratch, thread_pool);
-        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-            rows_of.relax(blocks, count, solver_bodies, joint_soft);
+        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
+            rows_of.relax(blocks, solver_bodies, joint_soft);
         });
         sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);

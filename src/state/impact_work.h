@@ -56,7 +56,7 @@ struct ImpactWork {
     RowLists rows_of;                     // by component
     RowLists joints_of;                   // by row of one of their bodies; their places in JointLayout::joints
     RowLists one_sides_of, four_sides_of; // by row: lanes of contacts where it is A, x 2; where it is B, x 2 + 1
-    std::array<std::vector<std::uint32_t>, block_types> run_of_block; // its place in `listed_runs`
+    std::array<std::vector<std::uint32_t>, block_types> run_of_lane; // its place in `listed_runs`
 
     // What is known of components in this impact; the next one takes it back.
     std::vector<std::uint8_t> is_struck; // by component

@@ -101,12 +101,21 @@ struct JointRow {
     std::uint8_t idle : 1 = 0;            // mere limits, now out of reach: the row has no lane
     float reach_by_turn = 0;              // 0: never idle (joints/idle_limits.cpp)
 };
-// Blocks that may be solved side by side.
+// Blocks that may be solved side by side. The last one may hold lanes of runs that come later, too.
 struct JointRun {
     JointRowType type;
-    std::uint8_t empty_lanes; // of the last block
+    std::uint8_t empty_lanes; // of the last block, behind its own
     std::uint16_t key;
     std::uint32_t first, count;
+    std::uint32_t first_lane; // of its first block
+    std::int32_t part;        // its place among JointLayout::parts; none: it has all lanes of its blocks
+};
+
+// The blocks of a run, as the kernels of their type take them.
+struct JointCall {
+    JointRowType type;
+    std::uint32_t block_size; // bytes
+    JointBlocks run;
 };
 
 // How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
@@ -122,6 +131,7 @@ struct JointLayout {
     bool only_points = true;                                // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
+    std::vector<std::uint8_t> parts; // of runs that do not fill their last blocks: their lanes there, as bits
 };
 
 // What the free motion of a row's body asks for, besides falling.
@@ -163,6 +173,8 @@ struct BatchScratch {
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
+    std::vector<PartLanes> part_lanes;  // as JointLayout::parts
+    std::vector<JointCall> joint_calls; // for each run of the layout
     DirectWork direct;
     ImpactWork impact;
     bool drive_varies = false;    // forces depend on the position

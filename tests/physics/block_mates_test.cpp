@@ -52,6 +52,34 @@ Shape shape_of(int type, RandomStart& random) {
     }
 }
 
+// Of each kind of rows some: with and without limits, rigid and soft, motors, springs and friction.
+JointControl control(RandomStart& random) {
+    JointControl control;
+    const JointSpring spring{random.between(5, 50), random.between(0, 1)};
+    if (random.below(2)) control.limits = {-random.between(0, 0.3f), random.between(0, 0.3f)};
+    if (control.limits && random.below(3) == 0) control.limits->spring = spring;
+    if (random.below(3) == 0) control.motor = JointMotor{random.between(-2, 2), 0, {}, random.between(0.1f, 5)};
+    if (control.motor && random.below(2)) control.motor->spring = spring;
+    if (random.below(3) == 0) control.friction = random.between(0, 1);
+    return control;
+}
+Joint joint_of(RandomStart& random) {
+    switch (random.below(6)) {
+    case 0:
+        return HingeJoint{};
+    case 1:
+        return HingeJoint{control(random)};
+    case 2:
+        return SliderJoint{control(random)};
+    case 3:
+        return BallJoint{random.between(0.1f, 0.6f), JointRange{-random.between(0, 0.3f), random.between(0, 0.3f)}};
+    case 4:
+        return BallJoint{random.between(0.1f, 0.6f)};
+    default:
+        return BallJoint{};
+    }
+}
+
 // Joined and loose bodies that fall, quickly turning, onto the ground and each other. None so quickly that the step is
 // split: that is done for the whole world.
 Island add_island(World& world, int seed, float restitution) {
@@ -79,8 +107,7 @@ Island add_island(World& world, int seed, float restitution) {
         joint.solver = JointSolver::iterative;
         joint.frame_a.position = Vec3(0, 0.25f, 0);
         joint.frame_b.position = Vec3(0, -0.25f, 0);
-        joint.joint = BallJoint{};
-        if (random.below(3) == 0) joint.joint = HingeJoint{};
+        joint.joint = joint_of(random);
         world.create_joint(joint);
     }
     return island;

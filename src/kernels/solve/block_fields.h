@@ -51,8 +51,8 @@ template <> struct BlockFields<AxisBlock> {
     using B = AxisBlock;
     using Base = JointEnds;
     static constexpr auto list = std::tuple(
-        &B::linear_a, &B::linear_b, &B::angular_a, &B::angular_b, &B::left, &B::mass, &B::position, &B::lower,
-        &B::upper, &B::equation, &B::rigid_limit, &B::limit_stiffness, &B::limit_damping, &B::limit_relative,
+        &B::linear_a, &B::linear_b, &B::angular_a, &B::angular_b, &B::left, &B::mass, &B::position, &B::before,
+        &B::lower, &B::upper, &B::equation, &B::rigid_limit, &B::limit_stiffness, &B::limit_damping, &B::limit_relative,
         &B::lower_impulse, &B::upper_impulse, &B::drive_stiffness, &B::drive_damping, &B::target_position,
         &B::target_velocity, &B::rigid_drive, &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull,
         &B::max_friction, &B::friction_impulse, &B::total, &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0,

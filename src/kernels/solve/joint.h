@@ -90,9 +90,39 @@ struct Ends8 {
 CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends) {
     return {gather_velocity(rows, ends.a), gather_velocity(rows, ends.b)};
 }
-template <class Block> CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const Block& block, const Ends8& e) {
-    scatter_velocity(rows, block.redirects ? block.rest.write_a : block.a, e.a);
-    scatter_velocity(rows, block.redirects ? block.rest.write_b : block.b, e.b);
+
+// The lanes of a block that are to be solved: where those are all of them, and where they are a part. Velocities
+// go to the rows at these offsets.
+struct AllLanes {
+    static constexpr bool come_first = true;
+    const std::uint32_t *to_a, *to_b;
+};
+struct SomeLanes {
+    mask8 mask;
+    bool come_first; // of those in the block: what the poses say is found when they are solved
+    const std::uint32_t *to_a, *to_b;
+};
+CAIRN_INLINE f32x8 among(AllLanes, f32x8 value, f32x8) { return value; }
+CAIRN_INLINE f32x8 among(SomeLanes lanes, f32x8 value, f32x8 other) { return select(lanes.mask, value, other); }
+template <class Lanes> CAIRN_INLINE Vec3x8 among(Lanes lanes, Vec3x8 value, Vec3x8 other) {
+    return {among(lanes, value.x, other.x), among(lanes, value.y, other.y), among(lanes, value.z, other.z)};
+}
+template <class Block> CAIRN_INLINE AllLanes all_of(const Block& block) {
+    return {block.redirects ? block.rest.write_a : block.a, block.redirects ? block.rest.write_b : block.b};
+}
+// Calls f(block, its lanes) for the blocks of a run.
+template <class Block, class F> CAIRN_INLINE void for_lanes(const JointBlocks& run, F&& f) {
+    auto* const blocks = static_cast<Block*>(run.blocks);
+    const int last = run.count - 1, whole = run.part ? last : run.count;
+    for (int k = 0; k < whole; ++k) f(blocks[k], all_of(blocks[k]));
+    if (!run.part) return;
+    const PartLanes& own = *run.part;
+    f(blocks[last], SomeLanes{mask_from_bits(own.lanes), (own.lanes & 1) != 0, own.to_a, own.to_b});
+}
+
+template <class Lanes> CAIRN_INLINE void scatter_ends(SolverVelocity* rows, Lanes lanes, const Ends8& e) {
+    scatter_velocity(rows, lanes.to_a, e.a);
+    scatter_velocity(rows, lanes.to_b, e.b);
 }
 
 CAIRN_INLINE f32x8 guarded_inverse(f32x8 x, mask8 valid) {

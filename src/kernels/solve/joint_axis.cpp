@@ -78,12 +78,12 @@ template <bool Turns> CAIRN_INLINE Ends8 gather_moved(const SolverVelocity* rows
     else
         return gather_ends(rows, b);
 }
-template <bool Turns> CAIRN_INLINE void scatter_moved(SolverVelocity* rows, const AxisBlock& b, const Ends8& e) {
+template <bool Turns, class Lanes> CAIRN_INLINE void scatter_moved(SolverVelocity* rows, Lanes lanes, const Ends8& e) {
     if constexpr (Turns) {
-        scatter_angular(rows, b.redirects ? b.rest.write_a : b.a, e.a.w);
-        scatter_angular(rows, b.redirects ? b.rest.write_b : b.b, e.b.w);
+        scatter_angular(rows, lanes.to_a, e.a.w);
+        scatter_angular(rows, lanes.to_b, e.b.w);
     } else {
-        scatter_ends(rows, b, e);
+        scatter_ends(rows, lanes, e);
     }
 }
 CAIRN_INLINE f32x8 net_impulse(const AxisBlock& b) {
@@ -210,7 +210,7 @@ CAIRN_INLINE Rowx8 moving_row(const AxisBlock& b, const Geometryx8& g) {
 }
 
 // Jacobian, mass and position of the poses now.
-template <bool Turns> CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx8& poses) {
+template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& poses) {
     const Geometryx8 geometry = geometry_of<Turns>(b, poses);
     const Rowx8 row = Turns ? turning_row(b, geometry) : moving_row(b, geometry);
     const Jacobianx8& j = row.jacobian;
@@ -224,15 +224,15 @@ template <bool Turns> CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx
         k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) + k;
     }
     store(b.mass, guarded_inverse(k, k > splat(tiny)));
-    return j;
 }
 
 // The pull of the drive's spring on the position now.
-CAIRN_INLINE void refresh_drive(AxisBlock& b, f32x8 h) {
+template <class Lanes> CAIRN_INLINE void refresh_drive(AxisBlock& b, Lanes lanes, f32x8 h) {
     if (!b.has_drive) return;
     const f32x8 unit_of = select(load(b.drive_relative) > zero(), load(b.mass), one());
     const f32x8 k = load(b.drive_stiffness) * unit_of, d = load(b.drive_damping) * unit_of;
-    store(b.drive_pull, h * (k * (load(b.target_position) - load(b.position)) + d * load(b.target_velocity)));
+    const f32x8 pull = h * (k * (load(b.target_position) - load(b.position)) + d * load(b.target_velocity));
+    store(b.drive_pull, among(lanes, pull, load(b.drive_pull)));
 }
 
 // A damped spring of stiffness k and damping d that acts at the end of the substep is a row of softness g = h (h k +
@@ -241,7 +241,7 @@ CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f
     return h * (h * stiffness + damping) * select(relative > zero(), mass, one());
 }
 
-CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
+template <class Lanes> CAIRN_INLINE f32x8 drive(AxisBlock& b, Lanes lanes, f32x8 k, f32x8 v, f32x8 h) {
     const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.max_drive);
     const f32x8 g = spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), mass, h);
     const mask8 rigid = load(b.rigid_drive) > zero();
@@ -249,7 +249,7 @@ CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
     const f32x8 gain = select(rigid, mass, g * yields), ease = select(rigid, zero(), yields);
     const f32x8 aim = select(rigid, load(b.target_velocity), zero());
     const f32x8 p = clamp((old - gain * (v - aim)) - ease * (old - load(b.drive_pull)), -most, most);
-    store(b.drive_impulse, p);
+    store(b.drive_impulse, among(lanes, p, old));
     return p - old;
 }
 
@@ -268,7 +268,8 @@ template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& 
 }
 
 // One limit: v is the velocity away from it, gap how far it is, spring_gap what a spring has been stretched by.
-CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
+template <class Lanes>
+CAIRN_INLINE f32x8 limit(float* impulse, Lanes lanes, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
                          f32x8 spring_gap, mask8 equation, f32x8 inverse_h) {
     const f32x8 old = load(impulse);
     const mask8 apart = and_not(gap > zero(), equation);
@@ -276,26 +277,27 @@ CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 ma
     const f32x8 bias = select(apart, gap * inverse_h, softness.rate * spring_gap);
     const f32x8 p = scale * (old - mass * (v + bias));
     const f32x8 bounded = select(equation, p, max(p, zero()));
-    store(impulse, bounded);
+    store(impulse, among(lanes, bounded, old));
     return bounded - old;
 }
 
 // All that acts along the row, one after the other; returns the sum of what was added. `before`: the position before
 // the poses of this substep, for springs.
-template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before, const JointSoftness& softness) {
+template <bool Soft, class Lanes>
+CAIRN_INLINE f32x8 act(AxisBlock& b, Lanes lanes, f32x8 v, f32x8 before, const JointSoftness& softness) {
     const f32x8 mass = load(b.mass), h = splat(softness.h), inverse_h = splat(softness.inverse_h);
     const mask8 gives = mass > zero();
     const f32x8 k = guarded_inverse(mass, gives);
     f32x8 sum = zero();
     if (b.has_drive) {
-        const f32x8 d = drive(b, k, v, h);
+        const f32x8 d = drive(b, lanes, k, v, h);
         sum += d;
         v += k * d;
     }
     if (b.has_friction) {
         const f32x8 most = load(b.max_friction), old = load(b.friction_impulse);
         const f32x8 p = clamp(old - mass * v, -most, most), d = p - old;
-        store(b.friction_impulse, p);
+        store(b.friction_impulse, among(lanes, p, old));
         sum += d;
         v += k * d;
     }
@@ -303,88 +305,92 @@ template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before,
         const LimitSoftness soft = limit_softness<Soft>(b, k, softness);
         const f32x8 x = load(b.position), lower = load(b.lower), upper = load(b.upper);
         const mask8 equation = load(b.equation) > zero();
-        const f32x8 up = limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h);
+        const f32x8 up = limit(b.lower_impulse, lanes, soft, mass, v, x - lower, before - lower, equation, inverse_h);
         v += k * up;
         const f32x8 beyond = select(equation, splat(unlimited), upper);
         const f32x8 down =
-            limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0), inverse_h);
+            limit(b.upper_impulse, lanes, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0), inverse_h);
         sum += up - down;
     }
-    return select(gives, sum, zero());
+    return among(lanes, select(gives, sum, zero()), zero());
 }
 
-template <bool Turns>
-CAIRN_INLINE void warm_start_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
+template <bool Turns> void begin_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
     first_masses(b, bodies.inertia);
     if constexpr (Turns) store3(b.linear_a, zero3()), store3(b.linear_b, zero3()); // others read them
-    const Jacobianx8 j = refresh<Turns>(b, gather_poses(bodies.pose, b));
+    refresh<Turns>(b, gather_poses(bodies.pose, b));
     store(b.position0, load(b.position));
-    refresh_drive(b, splat(softness.h));
+    refresh_drive(b, all_of(b), splat(softness.h));
     b.leaves = 0;
     store(b.total, zero());
-    const f32x8 p = net_impulse(b);
-    if (all(p == zero())) return; // as most limits have it
-    Ends8 e = gather_moved<Turns>(bodies.velocity, b);
-    apply<Turns>(b, j, p, e);
-    scatter_moved<Turns>(bodies.velocity, b, e);
 }
 
-template <bool Turns>
-CAIRN_INLINE void solve_block(AxisBlock& b, SolverVelocity* velocity, const JointSoftness& softness) {
+template <bool Turns, class Lanes>
+CAIRN_INLINE void warm_start_block(AxisBlock& b, Lanes lanes, const SolverBodies& bodies,
+                                   const JointSoftness& softness) {
+    if (lanes.come_first) begin_block<Turns>(b, bodies, softness);
+    const f32x8 p = among(lanes, net_impulse(b), zero());
+    if (all(p == zero())) return; // as most limits have it
+    Ends8 e = gather_moved<Turns>(bodies.velocity, b);
+    apply<Turns>(b, load_jacobian(b), p, e);
+    scatter_moved<Turns>(bodies.velocity, lanes, e);
+}
+
+template <bool Turns, class Lanes>
+CAIRN_INLINE void solve_block(AxisBlock& b, Lanes lanes, SolverVelocity* velocity, const JointSoftness& softness) {
     Ends8 e = gather_moved<Turns>(velocity, b);
     if (b.leaves) {
         if constexpr (!Turns) e.a.v = e.a.v + load3(b.left[0]), e.b.v = e.b.v + load3(b.left[2]);
         e.a.w = e.a.w + load3(b.left[1]), e.b.w = e.b.w + load3(b.left[3]);
     }
     const Jacobianx8 j = load_jacobian(b);
-    const f32x8 d = act<true>(b, velocity_of<Turns>(j, e), load(b.position), softness);
+    const f32x8 d = act<true>(b, lanes, velocity_of<Turns>(j, e), load(b.position), softness);
     if (!b.leaves && all(d == zero())) return;
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(velocity, b, e);
+    scatter_moved<Turns>(velocity, lanes, e);
 }
 
 // What the new Jacobian changes of the impulse that is carried is left for the next solve.
-template <bool Turns> CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
+template <bool Turns> void follow_poses(AxisBlock& b, const SolverBodies& bodies) {
+    store(b.before, load(b.position));
+    const Posesx8 poses = gather_poses(bodies.pose, b);
     const f32x8 p = net_impulse(b);
     b.leaves = !all(p == zero());
     Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
     if (b.leaves) apply<Turns>(b, load_jacobian(b), -p, change);
-    if (!b.isotropic) renew_masses(b, inertia);
-    const Jacobianx8 j = refresh<Turns>(b, poses);
-    if (!b.leaves) return j;
-    apply<Turns>(b, j, p, change);
+    if (!b.isotropic) renew_masses(b, bodies.inertia);
+    refresh<Turns>(b, poses);
+    if (!b.leaves) return;
+    apply<Turns>(b, load_jacobian(b), p, change);
     if constexpr (!Turns) store3(b.left[0], change.a.v), store3(b.left[2], change.b.v);
     store3(b.left[1], change.a.w), store3(b.left[3], change.b.w);
-    return j;
 }
 
-template <bool Turns>
-CAIRN_INLINE void relax_block(AxisBlock& b, const SolverBodies& bodies, const JointSoftness& softness) {
-    const f32x8 before = load(b.position);
-    const Posesx8 poses = gather_poses(bodies.pose, b);
-    const Jacobianx8 j = renew<Turns>(b, poses, bodies.inertia);
+template <bool Turns, class Lanes>
+CAIRN_INLINE void relax_block(AxisBlock& b, Lanes lanes, const SolverBodies& bodies, const JointSoftness& softness) {
+    if (lanes.come_first) follow_poses<Turns>(b, bodies);
+    const Jacobianx8 j = load_jacobian(b);
     Ends8 e = gather_moved<Turns>(bodies.velocity, b);
-    const f32x8 d = act<false>(b, velocity_of<Turns>(j, e), before, softness);
-    store(b.total, load(b.total) + net_impulse(b));
-    refresh_drive(b, splat(softness.h));
+    const f32x8 d = act<false>(b, lanes, velocity_of<Turns>(j, e), load(b.before), softness), total = load(b.total);
+    store(b.total, among(lanes, total + net_impulse(b), total));
+    refresh_drive(b, lanes, splat(softness.h));
     if (all(d == zero())) return;
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(bodies.velocity, b, e);
+    scatter_moved<Turns>(bodies.velocity, lanes, e);
 }
 
-void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
-    auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k)
-        for_kind(all[k], [&](auto turns) { warm_start_block<turns>(all[k], bodies, softness); });
+// Calls f(block, its lanes, whether its rows turn only, as a constant) for the blocks of a run.
+template <class F> CAIRN_INLINE void for_kinds(const JointBlocks& run, F&& f) {
+    for_lanes<AxisBlock>(run, [&](AxisBlock& b, auto lanes) { for_kind(b, [&](auto turns) { f(b, lanes, turns); }); });
 }
-void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
-    auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k)
-        for_kind(all[k], [&](auto turns) { solve_block<turns>(all[k], velocity, softness); });
+void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness& softness) {
+    for_kinds(run, [&](auto& b, auto lanes, auto turns) { warm_start_block<turns>(b, lanes, bodies, softness); });
 }
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
-    auto* all = static_cast<AxisBlock*>(blocks);
-    for (int k = 0; k < count; ++k) for_kind(all[k], [&](auto turns) { relax_block<turns>(all[k], bodies, softness); });
+void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness) {
+    for_kinds(run, [&](auto& b, auto lanes, auto turns) { solve_block<turns>(b, lanes, velocity, softness); });
+}
+void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness& softness) {
+    for_kinds(run, [&](auto& b, auto lanes, auto turns) { relax_block<turns>(b, lanes, bodies, softness); });
 }
 
 // Rigid limits and equations; drives and friction give no impulses.
@@ -409,7 +415,7 @@ CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity
     if (all(d == zero())) return; // out of reach
     store(b.total, load(b.total) + d);
     apply<Turns>(b, j, d, e);
-    scatter_moved<Turns>(velocity, b, e);
+    scatter_moved<Turns>(velocity, all_of(b), e);
 }
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
     auto* all = static_cast<AxisBlock*>(blocks);

@@ -86,6 +86,7 @@ struct alignas(64) AxisBlock : JointEnds {
     float left[4][3][8]; // of v_A, w_A, v_B, w_B, for the next solve
     float mass[8];       // 1 / (J M^-1 J^T); 0 where nothing gives
     float position[8];
+    float before[8]; // the position before the poses of this substep
 
     // Limits. `rigid_limit` is 1 where they are rigid: softness is that of all joints; else a damped spring of
     // limit_stiffness and limit_damping. An equation has lower = upper and `equation` 1.
@@ -115,15 +116,27 @@ struct alignas(64) JointImpact {
     std::uint8_t active; // lanes, as bits
 };
 
+// Blocks that are solved side by side: PointBlock, TurnBlock or AxisBlock. Rows of one form that are solved one after
+// the other may lie in one block, as what is found from the poses alone is found for all of its lanes at once: when the
+// first of them is solved.
+struct PartLanes {
+    std::uint8_t lanes;             // as bits: those to be solved
+    std::uint32_t to_a[8], to_b[8]; // offsets of where velocities go; of other lanes to the discard row of the block
+};
+struct JointBlocks {
+    void* blocks;
+    int count;
+    const PartLanes* part; // of the last block; null: all of its lanes are to be solved
+};
+
 struct JointKernels {
-    // The blocks argument of each is an array of PointBlock, TurnBlock or AxisBlock.
     struct ForRows {
         // At the start of a step, after the free motion of its first substep: Jacobians, and the impulses of the last
         // step.
-        void (*warm_start)(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness);
-        void (*solve)(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness);
-        void (*relax)(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness);
-        // One pass of an impact.
+        void (*warm_start)(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness& softness);
+        void (*solve)(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness);
+        void (*relax)(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness& softness);
+        // One pass of an impact; the blocks argument is an array of one of the types.
         void (*strike)(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h);
     } point, turn, axis;
 };

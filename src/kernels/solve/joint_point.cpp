@@ -107,32 +107,32 @@ template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
 }
 
 // Poses are those of the start of the step.
-template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void warm_start_block(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic> void begin_block(PointBlock& b) {
     const Pointx8 point = point_at_start<FreeAxis>(b);
     keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
-    Vec3x8 p = load3(b.impulse);
-    if constexpr (FreeAxis) {
-        p = across(point.axis, p);
-        store3(b.impulse, p);
-    }
+    if constexpr (FreeAxis) store3(b.impulse, across(point.axis, load3(b.impulse)));
     b.leaves = 0;
     store3(b.total, zero3());
+}
+
+template <bool FreeAxis, bool Isotropic, class Lanes>
+CAIRN_INLINE void warm_start_block(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
+    if (lanes.come_first) begin_block<FreeAxis, Isotropic>(b);
     Ends8 e = gather_ends(bodies.velocity, b);
-    apply<Isotropic>(b, point.arm_a, point.arm_b, p, e);
-    scatter_ends(bodies.velocity, b, e);
+    apply<Isotropic>(b, load3(b.arm_a), load3(b.arm_b), among(lanes, load3(b.impulse), zero3()), e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
-void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
-    auto* all = static_cast<PointBlock*>(blocks);
-    for (int k = 0; k < count; ++k) {
-        first_masses(all[k], bodies.inertia);
-        for_form(all[k],
-                 [&](auto free_axis, auto isotropic) { warm_start_block<free_axis, isotropic>(all[k], bodies); });
-    }
+void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
+    for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
+        if (lanes.come_first) first_masses(b, bodies.inertia);
+        for_form(b, [&](auto free_axis, auto isotropic) { warm_start_block<free_axis, isotropic>(b, lanes, bodies); });
+    });
 }
 
-template <bool FreeAxis, bool Isotropic>
-CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rate, f32x8 scale, f32x8 rest) {
+template <bool FreeAxis, bool Isotropic, class Lanes>
+CAIRN_INLINE void solve_block(PointBlock& b, Lanes lanes, SolverVelocity* velocity, f32x8 rate, f32x8 scale,
+                              f32x8 rest) {
     Ends8 e = gather_ends(velocity, b);
     if (b.leaves) {
         e.a.w = e.a.w + load3(b.left_a);
@@ -145,18 +145,18 @@ CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rat
     const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), p = load3(b.impulse);
     const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
     const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
-    store3(b.impulse, p + d);
+    store3(b.impulse, among(lanes, p + d, p));
     apply<Isotropic>(b, arm_a, arm_b, d, e);
-    scatter_ends(velocity, b, e);
+    scatter_ends(velocity, lanes, e);
 }
 
-void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
-    auto* all = static_cast<PointBlock*>(blocks);
+void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness) {
     const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
-    for (int k = 0; k < count; ++k)
-        for_form(all[k], [&](auto free_axis, auto isotropic) {
-            solve_block<free_axis, isotropic>(all[k], velocity, rate, scale, rest);
+    for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
+        for_form(b, [&](auto free_axis, auto isotropic) {
+            solve_block<free_axis, isotropic>(b, lanes, velocity, rate, scale, rest);
         });
+    });
 }
 
 // The change of what a torque does is what the change of the torque does, and what the change of the inertia does: for
@@ -195,31 +195,33 @@ CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Ve
 }
 
 // The impulse without softness that stops what slips.
-template <bool Isotropic>
-CAIRN_INLINE void stop_slip(PointBlock& b, const SolverBodies& bodies, Vec3x8 arm_a, Vec3x8 arm_b,
-                            const Sym3x8& response, Vec3x8 carried) {
+template <bool Isotropic, class Lanes>
+CAIRN_INLINE void stop_slip(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
+    const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), carried = load3(b.impulse), total = load3(b.total);
     Ends8 e = gather_ends(bodies.velocity, b);
-    const Vec3x8 d = -(response * slip_at(e, arm_a, arm_b)), p = carried + d;
-    store3(b.impulse, p);
-    store3(b.total, load3(b.total) + p);
+    const Vec3x8 d = -(load6(b.response) * slip_at(e, arm_a, arm_b)), p = carried + d;
+    store3(b.impulse, among(lanes, p, carried));
+    store3(b.total, among(lanes, total + p, total));
     apply<Isotropic>(b, arm_a, arm_b, d, e);
-    scatter_ends(bodies.velocity, b, e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
-template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic> void follow_poses(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
     leave_change<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
-    const Sym3x8 response = response_of<FreeAxis, Isotropic>(b, point);
-    keep(b, point, response);
-    stop_slip<Isotropic>(b, bodies, point.arm_a, point.arm_b, response, carried);
+    keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
+    if constexpr (FreeAxis) store3(b.impulse, carried);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
-    auto* all = static_cast<PointBlock*>(blocks);
-    for (int k = 0; k < count; ++k)
-        for_form(all[k], [&](auto free_axis, auto isotropic) { relax_block<free_axis, isotropic>(all[k], bodies); });
+void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
+    for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
+        for_form(b, [&](auto free_axis, auto isotropic) {
+            if (lanes.come_first) follow_poses<free_axis, isotropic>(b, bodies);
+            stop_slip<isotropic>(b, lanes, bodies);
+        });
+    });
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
@@ -233,7 +235,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
         store3(b.total, load3(b.total) + d);
         b.isotropic ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
-        scatter_ends(velocity, b, e);
+        scatter_ends(velocity, all_of(b), e);
     }
 }
 

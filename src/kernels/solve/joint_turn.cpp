@@ -29,30 +29,26 @@ template <bool FreeAxis> CAIRN_INLINE Vec3x8 refresh(TurnBlock& b, const Posesx8
     }
 }
 
-template <bool FreeAxis> void warm_start_block(TurnBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis> void begin_block(TurnBlock& b, const SolverBodies& bodies) {
     const Massesx8 masses = first_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, gather_poses(bodies.pose, b), masses);
-    Vec3x8 p = load3(b.impulse);
-    if constexpr (FreeAxis) p = across(axis, p);
-    store3(b.impulse, p);
+    if constexpr (FreeAxis) store3(b.impulse, across(axis, load3(b.impulse)));
     b.leaves = 0;
     store3(b.total, zero3());
-    Ends8 e = gather_ends(bodies.velocity, b);
-    apply(b, p, e);
-    scatter_ends(bodies.velocity, b, e);
 }
 
-void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
-    auto* all = static_cast<TurnBlock*>(blocks);
-    for (int k = 0; k < count; ++k)
-        all[k].free_axis ? warm_start_block<true>(all[k], bodies) : warm_start_block<false>(all[k], bodies);
+void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
+    for_lanes<TurnBlock>(run, [&](TurnBlock& b, auto lanes) {
+        if (lanes.come_first) b.free_axis ? begin_block<true>(b, bodies) : begin_block<false>(b, bodies);
+        Ends8 e = gather_ends(bodies.velocity, b);
+        apply(b, among(lanes, load3(b.impulse), zero3()), e);
+        scatter_ends(bodies.velocity, lanes, e);
+    });
 }
 
-void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
-    auto* all = static_cast<TurnBlock*>(blocks);
+void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness) {
     const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
-    for (int k = 0; k < count; ++k) {
-        TurnBlock& b = all[k];
+    for_lanes<TurnBlock>(run, [&](TurnBlock& b, auto lanes) {
         Ends8 e = gather_ends(velocity, b);
         if (b.leaves) {
             e.a.w = e.a.w + load3(b.left_a);
@@ -60,23 +56,24 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
         }
         const Vec3x8 p = load3(b.impulse), c = (e.b.w - e.a.w) + rate * load3(b.error);
         const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
-        store3(b.impulse, p + d);
+        store3(b.impulse, among(lanes, p + d, p));
         apply(b, d, e);
-        scatter_ends(velocity, b, e);
-    }
+        scatter_ends(velocity, lanes, e);
+    });
 }
 
 // The impulse without softness that stops what turns.
-CAIRN_INLINE void stop_turn(TurnBlock& b, const SolverBodies& bodies, Vec3x8 carried) {
+template <class Lanes> CAIRN_INLINE void stop_turn(TurnBlock& b, Lanes lanes, const SolverBodies& bodies) {
+    const Vec3x8 carried = load3(b.impulse), total = load3(b.total);
     Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w)), p = carried + d;
-    store3(b.impulse, p);
-    store3(b.total, load3(b.total) + p);
+    store3(b.impulse, among(lanes, p, carried));
+    store3(b.total, among(lanes, total + p, total));
     apply(b, d, e);
-    scatter_ends(bodies.velocity, b, e);
+    scatter_ends(bodies.velocity, lanes, e);
 }
 
-template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis> void follow_poses(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
     const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
@@ -89,13 +86,14 @@ template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const Solve
         store3(b.left_b, wb + turned_b(b, p));
         b.leaves = 1;
     }
-    stop_turn(b, bodies, p);
+    if constexpr (FreeAxis) store3(b.impulse, p);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
-    auto* all = static_cast<TurnBlock*>(blocks);
-    for (int k = 0; k < count; ++k)
-        all[k].free_axis ? relax_block<true>(all[k], bodies) : relax_block<false>(all[k], bodies);
+void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
+    for_lanes<TurnBlock>(run, [&](TurnBlock& b, auto lanes) {
+        if (lanes.come_first) b.free_axis ? follow_poses<true>(b, bodies) : follow_poses<false>(b, bodies);
+        stop_turn(b, lanes, bodies);
+    });
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
@@ -108,7 +106,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
         store3(b.total, load3(b.total) + d);
         apply(b, d, e);
-        scatter_ends(velocity, b, e);
+        scatter_ends(velocity, all_of(b), e);
     }
 }
 

@@ -84,17 +84,82 @@ CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 mome
     return rotate(turn, scaled(inverse_moments, rotate_back(turn, momentum)));
 }
 
-// What a substep adds to the angular velocities, and what the midpoint differs from the end.
-struct Turn {
-    Vec3x8 change, correction;
+// A block at work.
+struct Spinning {
+    Vec3x8 w, factor; // of damping
+    mask8 calm;
+    Quatx8 q;
+    Vec3x8 momentum;
+    Vec3x8 l, middle, end; // in the frame of the principal axes: the momentum, and angular velocities
 };
-CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h, mask8 calm) {
-    const Vec3x8 l = rotate_back(q, momentum), start = scaled(inverse_moments, l);
-    // Half a substep ahead: by Euler's equations to first order, and from there once more.
-    Vec3x8 middle = start + splat(0.5f * h) * scaled(inverse_moments, cross(l, start));
-    middle = velocity_after(splat(0.125f * h) * middle, inverse_moments, l);
-    const Vec3x8 end = velocity_after(splat(0.25f * h) * middle, inverse_moments, l);
-    return {select(calm, zero3(), rotate(q, end) - w), select(calm, zero3(), rotate(q, middle - end))};
+
+CAIRN_INLINE Spinning look_at(const SpinBlock& block, const SolverBodies& bodies) {
+    Spinning s;
+    s.w = gather_angular(bodies.velocity, block.row);
+    // What is calm is left as it is until the end of the step.
+    s.calm = and_not(dot(s.w, s.w) < splat(calm_speed * calm_speed), load(block.renewed) > zero());
+    if (bodies.damping) {
+        s.factor = gather_angular(bodies.damping, block.row);
+        s.calm = s.calm & (s.factor.x == one());
+    }
+    return s;
+}
+
+// Half a substep ahead: by Euler's equations to first order, and from there once more. M blocks at once: each is a
+// chain of dependent operations, and chains side by side take little more than the time of one.
+template <int M> CAIRN_INLINE void turn_freely(const SpinBlock* blocks, Spinning* s, float h) {
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) {
+        const Vec3x8 inverse_moments = load3(blocks[m].inverse_moments);
+        s[m].l = rotate_back(s[m].q, s[m].momentum);
+        const Vec3x8 start = scaled(inverse_moments, s[m].l);
+        s[m].middle = start + splat(0.5f * h) * scaled(inverse_moments, cross(s[m].l, start));
+    }
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m)
+        s[m].middle = velocity_after(splat(0.125f * h) * s[m].middle, load3(blocks[m].inverse_moments), s[m].l);
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m)
+        s[m].end = velocity_after(splat(0.25f * h) * s[m].middle, load3(blocks[m].inverse_moments), s[m].l);
+}
+
+// `turns`: whether any lane is not calm. What a substep adds to the angular velocities, and what the midpoint differs
+// from the end, go to the rows.
+CAIRN_INLINE void write_turn(SpinBlock& block, const Spinning& s, const SolverBodies& bodies, SolverTwist* drive,
+                             SolverTwist* correction, bool turns, bool first) {
+    Vec3x8 change = zero3(), beyond = zero3();
+    if (turns) {
+        change = select(s.calm, zero3(), rotate(s.q, s.end) - s.w);
+        beyond = select(s.calm, zero3(), rotate(s.q, s.middle - s.end));
+    }
+    block.turns = turns;
+    scatter_angular(drive, block.row, change);
+    scatter_angular(correction, block.row, beyond);
+    // To the bit what integrate_velocities will make of it.
+    Vec3x8 free = s.w + change, left = s.momentum;
+    if (bodies.damping) {
+        free = scaled(free, s.factor);
+        left = scaled(left, s.factor);
+    }
+    const mask8 kept = first ? mask_from_bits(0) : s.calm; // what contacts add to them is added later
+    store3(block.momentum, select(kept, load3(block.momentum), left));
+    store3(block.free_w, select(kept, load3(block.free_w), free));
+}
+
+template <int M>
+CAIRN_INLINE void spin_some(SpinBlock* blocks, Spinning* s, const SolverBodies& bodies, SolverTwist* drive,
+                            SolverTwist* correction, float h, bool first) {
+    bool turn[M], any_turns = false;
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) {
+        const Quatx8 turned = gather_turn(bodies.pose, blocks[m].row);
+        s[m].q = multiply(turned, {load3(blocks[m].axes), load(blocks[m].axes[3])});
+        s[m].momentum = momentum_now(blocks[m], turned, s[m].q, s[m].w, first);
+        turn[m] = !all(s[m].calm);
+        any_turns = any_turns || turn[m];
+    }
+    if (any_turns) turn_freely<M>(blocks, s, h);
+    for (int m = 0; m < M; ++m) write_turn(blocks[m], s[m], bodies, drive, correction, turn[m], first);
 }
 
 } // namespace
@@ -110,34 +175,21 @@ void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia) {
 
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first) {
-    for (int k = 0; k < count; ++k) {
-        SpinBlock& block = blocks[k];
-        const Vec3x8 w = gather_angular(bodies.velocity, block.row);
-        // What is calm is left as it is until the end of the step.
-        mask8 calm = and_not(dot(w, w) < splat(calm_speed * calm_speed), load(block.renewed) > zero());
-        Vec3x8 factor;
-        if (bodies.damping) {
-            factor = gather_angular(bodies.damping, block.row);
-            calm = calm & (factor.x == one());
+    for (int k = 0; k < count;) {
+        Spinning s[2] = {look_at(blocks[k], bodies)};
+        const auto is_left = [&](int m) { return all(s[m].calm) && !first && !blocks[k + m].turns; };
+        if (is_left(0)) {
+            ++k;
+            continue;
         }
-        if (all(calm) && !first && !block.turns) continue;
-        const Quatx8 turn = gather_turn(bodies.pose, block.row);
-        const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
-        const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
-        Turn now = {zero3(), zero3()};
-        if (!all(calm)) now = free_turn(q, load3(block.inverse_moments), momentum, w, h, calm);
-        block.turns = !all(calm);
-        scatter_angular(drive, block.row, now.change);
-        scatter_angular(correction, block.row, now.correction);
-        // To the bit what integrate_velocities will make of it.
-        Vec3x8 free = w + now.change, left = momentum;
-        if (bodies.damping) {
-            free = scaled(free, factor);
-            left = scaled(left, factor);
+        if (k + 1 < count) s[1] = look_at(blocks[k + 1], bodies);
+        if (k + 1 < count && !is_left(1)) {
+            spin_some<2>(blocks + k, s, bodies, drive, correction, h, first);
+            k += 2;
+        } else {
+            spin_some<1>(blocks + k, s, bodies, drive, correction, h, first);
+            ++k;
         }
-        const mask8 kept = first ? mask_from_bits(0) : calm; // what contacts add to them is added later
-        store3(block.momentum, select(kept, load3(block.momentum), left));
-        store3(block.free_w, select(kept, load3(block.free_w), free));
     }
 }
 
