@@ -33,38 +33,52 @@ template <class F> void visit_box(const BroadKernels& kernels, const TreeView& t
     }
 }
 
-// max = visit(slot, max) for all items that lie at a distance up to `max`, about in the order of these; less than 0
-// ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8 floats, aligned to 32
-// bytes); of those that are nowhere farther than the start, less than 0 says which come first. Returns the last max.
-template <class Enter, class F> float visit_by_distance(const TreeView& tree, float max, Enter&& enter, F&& visit) {
-    constexpr std::uint32_t index_bits = 3 * max_tree_levels, first_level = 1u << index_bits;
+// max = visit(tree, slot, max) for all items of some trees that lie at a distance up to `max`, about in the order of
+// these; less than 0 ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8
+// floats, aligned to 32 bytes); of those that are nowhere farther than the start, less than 0 says which come first.
+// Returns the last max.
+//
+// Of several trees what is nearest of all that is left comes next, so that the trees bound each other; as long as the
+// list of it is short. Else, and in a tree alone, it is what is nearest of the children of the last node: no more than
+// the depth of a tree is added to the list then, and less is moved about in it.
+template <std::size_t tree_count, class Enter, class F>
+float visit_by_distance(const TreeView (&trees)[tree_count], float max, Enter&& enter, F&& visit) {
+    // A node is known by a one and below it three bits for each lane on the way to it from level max_tree_levels.
+    constexpr std::uint32_t place_bits = 3 * max_tree_levels + 1, first_item = 1u << (place_bits - 1);
+    static_assert(tree_count <= 1u << (32 - place_bits));
+    constexpr int sorted_room = 64;
     struct Entry { // of 8 bytes, which move as one
         float distance;
-        std::uint32_t place; // level, and index there
+        std::uint32_t place; // above place_bits, of which tree
     };
-    Entry stack[7 * max_tree_levels + 8];
+    Entry list[sorted_room + 7 * max_tree_levels + 8]; // the farthest first
     int count = 0;
-    if (tree.level_count == 0) return max;
-    stack[count++] = {-largest_bound, tree.level_count * first_level};
+    const auto add_children = [&](std::uint32_t tree, std::uint32_t place, const Node8& node) {
+        alignas(32) float distance[8];
+        const Entry* const first = list + (tree_count == 1 || count > sorted_room ? count : 0);
+        for (int mask = enter(node, max, distance); mask; mask &= mask - 1) {
+            const std::uint32_t lane = std::uint32_t(__builtin_ctz(unsigned(mask)));
+            Entry* at = list + count++;
+            for (; at > first && at[-1].distance < distance[lane]; --at) *at = at[-1];
+            *at = {distance[lane], tree << place_bits | place << 3 | lane};
+        }
+    };
+    for (std::uint32_t tree = 0; tree < tree_count; ++tree) {
+        const TreeView& view = trees[tree];
+        if (view.level_count == 0) continue;
+        add_children(tree, 1u << 3 * (max_tree_levels - view.level_count), view.levels[view.level_count - 1][0]);
+    }
     while (count > 0) {
-        const Entry top = stack[--count];
+        const Entry top = list[--count];
         if (top.distance > max) continue;
-        const std::uint32_t index = top.place % first_level;
-        if (top.place < first_level) {
-            max = visit(index, max);
+        const std::uint32_t tree = top.place >> place_bits, place = top.place % (1u << place_bits);
+        if (place >= first_item) {
+            max = visit(tree, place - first_item, max);
             if (max < 0.0f) return max;
             continue;
         }
-        const std::uint32_t below = top.place / first_level - 1, children = below * first_level + index * 8;
-        alignas(32) float distance[8];
-        int mask = enter(tree.levels[below][index], max, distance);
-        Entry* const first = stack + count;
-        for (; mask; mask &= mask - 1) { // farthest first, nearest on top
-            const std::uint32_t lane = std::uint32_t(__builtin_ctz(unsigned(mask)));
-            Entry* at = stack + count++;
-            for (; at > first && at[-1].distance < distance[lane]; --at) *at = at[-1];
-            *at = {distance[lane], children + lane};
-        }
+        const auto depth = std::uint32_t(31 - __builtin_clz(place));
+        add_children(tree, place, trees[tree].levels[max_tree_levels - 1 - depth / 3][place - (1u << depth)]);
     }
     return max;
 }

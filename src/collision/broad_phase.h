@@ -232,6 +232,8 @@ class BroadPhase {
     TreeBox to_box(const DBounds& bounds) const;   // relative to the origin, rounded outward, whatever the bounds are
     TreeBox relative(const DBounds& bounds) const; // the same for bounds that are in order
     TreeRay to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec3 half) const;
+    template <std::size_t count, class Enter, class F>
+    float query_trees(const SlotTree* const (&trees)[count], float max, Enter&& enter, F&& visit) const;
     template <class Enter, class F> void query_by_distance(float max, Enter&& enter, F&& visit) const;
     Proxy& make_proxy(std::uint32_t shape);
     void place_awake(std::uint32_t shape);

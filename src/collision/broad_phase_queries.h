@@ -40,21 +40,31 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
         if (crosses(plane, box)) visit(plane.shape);
 }
 
-// Through all trees: max = visit(shape, max) as in visit_by_distance.
-template <class Enter, class F> void BroadPhase::query_by_distance(float max, Enter&& enter, F&& visit) const {
-    for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0]}) {
-        if (tree->slot_count() == 0) continue;
-        max = visit_by_distance(tree->view(), max, enter,
-                                [&](std::uint32_t slot, float limit) { return visit(tree->item(slot), limit); });
-        if (max < 0.0f) return;
-    }
-    visit_by_distance(top_.view(), max, enter, [&](std::uint32_t top_slot, float limit) {
-        const Island& island = islands_[top_.item(top_slot)];
+// Through some trees: max = visit(shape, max) as in visit_by_distance.
+template <std::size_t count, class Enter, class F>
+float BroadPhase::query_trees(const SlotTree* const (&trees)[count], float max, Enter&& enter, F&& visit) const {
+    TreeView views[count];
+    for (std::size_t i = 0; i < count; ++i) views[i] = trees[i]->view();
+    return visit_by_distance(views, max, enter, [&](std::uint32_t tree, std::uint32_t slot, float limit) {
+        const std::uint32_t item = trees[tree]->item(slot);
+        if (trees[tree] != &top_) return visit(item, limit);
+        const Island& island = islands_[item];
         if (island.shape_count == 1) return visit(island_shapes_[island.shape_base], limit);
-        return visit_by_distance(island_view(island), limit, enter, [&](std::uint32_t slot, float least) {
-            return visit(island_shapes_[island.shape_base + slot], least);
+        const TreeView below[] = {island_view(island)};
+        return visit_by_distance(below, limit, enter, [&](std::uint32_t, std::uint32_t place, float least) {
+            return visit(island_shapes_[island.shape_base + place], least);
         });
     });
+}
+// Through all of them in turn, for what looks at a shape about as quickly as at a node: the fixed ones, which are few,
+// bound the others at once.
+template <class Enter, class F> void BroadPhase::query_by_distance(float max, Enter&& enter, F&& visit) const {
+    for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0], &top_}) {
+        if (tree->slot_count() == 0) continue;
+        const SlotTree* const one[] = {tree};
+        max = query_trees(one, max, enter, visit);
+        if (max < 0.0f) return;
+    }
 }
 
 // The trees measure distances in float: their limit is kept a little beyond the true one.
@@ -104,8 +114,10 @@ template <class F> void BroadPhase::query_sweep(const DBounds& bounds, math::DVe
         max = visit(plane.shape, max);
         if (max < 0.0) return;
     }
-    query_by_distance(
-        widened(max * length),
+    // A sweep takes longer than many nodes: none is made past what is farther than something in another tree.
+    const SlotTree* const all[] = {&awake_[0], &awake_[1], &fixed_, &top_};
+    query_trees(
+        all, widened(max * length),
         [&](const Node8& node, float limit, float* entry) { return kernels_.hit_ray(node, ray, limit, entry); },
         [&](std::uint32_t shape, float) {
             max = visit(shape, max);

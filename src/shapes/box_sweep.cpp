@@ -31,13 +31,17 @@ class BoxPair {
     BoxPair(const Convex& a, DVec3 way, const Convex& b, double tolerance)
         : a_(a), b_(b), way_(way), tolerance_(tolerance) {
         const DVec3 between = b.center - a.center;
+#pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) {
             const DVec3 u = a.axes.column(i), v = b.axes.column(i);
+#pragma GCC unroll 3
             for (int j = 0; j < 3; ++j) cosine_[i][j] = dot(u, b.axes.column(j));
             shadows_[i] = {dot(u, between), dot(u, way), a.size[i], 1};
             shadows_[3 + i] = {dot(v, between), dot(v, way), b.size[i], 1};
         }
+#pragma GCC unroll 3
         for (int i = 0; i < 3; ++i)
+#pragma GCC unroll 3
             for (int j = 0; j < 3; ++j) {
                 shadows_[i].radii += b.size[j] * std::fabs(cosine_[i][j]);
                 shadows_[3 + j].radii += a.size[i] * std::fabs(cosine_[i][j]);
@@ -55,7 +59,9 @@ class BoxPair {
             r.state = BoxSweep::State::met;
             return r;
         }
+#pragma GCC unroll 3
         for (int i = 0; i < 3; ++i)
+#pragma GCC unroll 3
             for (int j = 0; j < 3; ++j) {
                 cross(i, j);
                 if (misses(6 + 3 * i + j, limit)) return missed;
@@ -117,6 +123,7 @@ class BoxPair {
     // where others lie as far.
     bool farthest(const Convex& box, DVec3 d, int edge, DVec3& p) const {
         p = box.center;
+#pragma GCC unroll 3
         for (int i = 0; i < 3; ++i) {
             if (i == edge) continue;
             const double along = dot(box.axes.column(i), d);

@@ -96,6 +96,12 @@ class PlaneColumns {
         return splat(p.x) * load(x) + splat(p.y) * load(x + room_) + splat(p.z) * load(x + 2 * room_) -
                load(x + 3 * room_);
     }
+    // The dot products of d with the normals of these planes.
+    columns::F4 along(std::size_t i, math::Vec3 d) const {
+        using namespace columns;
+        const float* const x = all_.data() + i;
+        return splat(d.x) * load(x) + splat(d.y) * load(x + room_) + splat(d.z) * load(x + 2 * room_);
+    }
 
   private:
     std::size_t size_ = 0, room_ = 0; // room: padded to `width`

@@ -1,6 +1,7 @@
 #include "shapes/convex_query.h"
 
 #include "shapes/ball_sweep.h"
+#include "shapes/box_depth.h"
 #include "shapes/box_sweep.h"
 #include "shapes/epa.h"
 
@@ -72,7 +73,12 @@ bool holds_ball(const Convex& c, const Convex& other, double depth) {
     const double reach = inner_radius(other) + outer_radius(c) - depth;
     return reach > 0 && dot(off, off) < reach * reach;
 }
-bool overlap_by_balls(const Convex& a, const Convex& b, double depth) {
+// Whether a formula says that they overlap by more than a depth; of boxes and capsules it says, too, where they do not.
+bool overlap_by_formula(const Convex& a, const Convex& b, double depth) {
+    if (is_box_and_capsule(a, b)) {
+        const double reach = outer_radius(a) + outer_radius(b) - depth;
+        return reach > 0 && square_of_box_and_capsule(a, b) < reach * reach;
+    }
     return holds_ball(a, b, depth) || holds_ball(b, a, depth);
 }
 
@@ -98,7 +104,7 @@ std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& st
         if (boxes.state == BoxSweep::State::missed) return std::nullopt;
         if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
     }
-    if (start.fraction == 0 && overlap_by_balls(moving, still, tolerance)) return ConvexHit{0, {}, {}};
+    if (start.fraction == 0 && overlap_by_formula(moving, still, tolerance)) return ConvexHit{0, {}, {}};
     const CorePair pair{exact_core(moving), exact_core(still)};
     const GjkCast c = gjk_cast(pair, way, limit, tolerance, start.toward);
     switch (c.state) {
@@ -183,7 +189,11 @@ std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_dis
 bool overlap(const Convex& a, const Convex& b) {
     if (is_ball_and_formula(a, b)) return ball_overlaps(a, b);
     if (is_ball_and_formula(b, a)) return ball_overlaps(b, a);
-    if (overlap_by_balls(a, b, 0)) return true;
+    if (is_box_and_capsule(a, b)) {
+        const double reach = outer_radius(a) + outer_radius(b);
+        return square_of_box_and_capsule(a, b) <= reach * reach;
+    }
+    if (overlap_by_formula(a, b, 0)) return true;
     if (is_sharp_box(a) && is_sharp_box(b)) {
         const BoxSweep boxes = sweep_boxes(a, {}, b, 0, sweep_tolerance * extent_of(a, b));
         if (boxes.state != BoxSweep::State::unsettled) return boxes.state == BoxSweep::State::overlapping;
@@ -213,6 +223,12 @@ std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Conv
 }
 
 ConvexHit overlap_hit(const Convex& moving, const Convex& still) {
+    if (moving.kind == Convex::Kind::box) {
+        if (const auto d = box_depth(moving, still))
+            return {0, d->on_other - outer_radius(still) * d->normal, -d->normal};
+    } else if (still.kind == Convex::Kind::box) {
+        if (const auto d = box_depth(still, moving)) return {0, d->on_box + outer_radius(still) * d->normal, d->normal};
+    }
     const ClosestPoints c = closest_points(moving, still);
     return {0, c.on_b, -c.normal};
 }

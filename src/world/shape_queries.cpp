@@ -19,7 +19,8 @@ class ShapeCast {
   public:
     ShapeCast(const QuerySolid& moving, DVec3 translation)
         : moving_(moving), center_(middle(moving.convex)), translation_(translation),
-          square_(math::dot(translation, translation)) {}
+          square_(math::dot(translation, translation)), half_way_(center_ + 0.5 * translation),
+          reach_(math::length(moving.bounds.hi - moving.bounds.lo) + std::sqrt(square_)) {}
 
     // Up to a fraction of the translation.
     std::optional<ConvexHit> against(const PosedInQuery& still, double limit) const {
@@ -48,10 +49,7 @@ class ShapeCast {
     ConvexHit from_within(const PosedInQuery& still) const { return overlap_hit(moving_.convex, convex(still)); }
 
   private:
-    Convex convex(const PosedInQuery& still) const {
-        const double reach = math::length(moving_.bounds.hi - moving_.bounds.lo) + std::sqrt(square_);
-        return still.convex(center_ + 0.5 * translation_, reach);
-    }
+    Convex convex(const PosedInQuery& still) const { return still.convex(half_way_, reach_); }
 
     // Where the balls around both meet first, if they do.
     std::optional<Approach> where_balls_meet(const PosedInQuery& still, double limit) const {
@@ -127,6 +125,8 @@ class ShapeCast {
     DVec3 center_; // of a ball around it
     DVec3 translation_;
     double square_;
+    DVec3 half_way_; // and all that it meets is no farther from there than the reach
+    double reach_;
 };
 
 // The point of a shape nearest to the query's origin, up to a distance.

@@ -1,0 +1,334 @@
+#include "shapes/box_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+constexpr int max_corners = 64;
+// As part of the depth; as part of the size of the other shape.
+constexpr double depth_tolerance = 1e-6, rounding = 1e-13;
+// How far off a point may be that is held to be of a shape, as part of the box.
+constexpr double point_tolerance = 1e-4;
+constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
+constexpr DVec3 along(int axis, double length) {
+    return {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
+}
+
+// Of what may be no number, the least.
+double within(double x, double least, double most) { return !(x > least) ? least : x > most ? most : x; }
+
+// The way from the nearest point of a box to that of a segment, in the frame of the box; 0 where they meet.
+struct SegmentGap {
+    DVec3 on_box, off;
+};
+
+// The square of the distance of a point of the segment from the box is a convex function of its place, whose derivative
+// bends only where the segment crosses a plane of a face: between two of these it is a line.
+SegmentGap gap_to_segment(const Convex& box, const Convex& capsule) {
+    const DVec3 half = box.size, middle = to_local(box, capsule.center - box.center),
+                arm = capsule.size.y * to_local(box, capsule.axes.c1);
+    const auto nearest = [&](double t) {
+        const DVec3 p = middle + t * arm;
+        const DVec3 on_box{within(p.x, -half.x, half.x), within(p.y, -half.y, half.y), within(p.z, -half.z, half.z)};
+        return SegmentGap{on_box, p - on_box};
+    };
+    const auto rise = [&](double t) { return dot(nearest(t).off, arm); };
+    double low = -1, high = 1, below = rise(low), above = rise(high);
+    if (!(below < 0)) return nearest(low);
+    if (!(above > 0)) return nearest(high);
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i)
+        for (const double side : {-half[i], half[i]}) {
+            const double t = (side - middle[i]) / arm[i];
+            if (!(t > low && t < high)) continue;
+            const double here = rise(t);
+            if (here < 0)
+                low = t, below = here;
+            else
+                high = t, above = here;
+        }
+    return nearest(low - below / (above - below) * (high - low));
+}
+
+bool is_capsule_of_one_radius(const Convex& c) { return c.kind == Convex::Kind::capsule && c.size.x == c.size.z; }
+
+struct Chord {
+    DVec3 first, last; // corners of the other shape
+};
+struct Chords {
+    Chords() {}
+    void add(DVec3 first, DVec3 last) { list[count++] = {first, last}; }
+    int count = 0;
+    union { // without values until there are some: clearing them takes longer than all the rest
+        Chord list[max_corners + 2];
+    };
+};
+
+// The way out of a convex shape is least where its surface has one normal alone. The difference of a box and another
+// shape has such places of three kinds: a corner of the box meets the inside of a face of the other, and the normal is
+// that of the face; an edge of the box meets something, and the normal lies in the plane across the edge; or a face of
+// the box does, and it lies in two such planes. So all but the faces of the other is known from three plane figures.
+// Each is looked through as a solid is by EPA (epa.h), with chords in place of triangles: those nearer than the least
+// depth so far are moved out to the support along their normal, and most of them never are.
+//
+// All in the frame of the box, normals from the box to the other.
+class BoxDepthSearch {
+  public:
+    BoxDepthSearch(const Convex& box, const Convex& other)
+        : box_(box), other_(other), core_(exact_core(other)), half_(box.size) {}
+
+    std::optional<BoxDepth> find() {
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int side : {0, 1}) try_face_of_box(axis, side);
+        if (are_apart_) return std::nullopt;
+        try_faces_of_other();
+#pragma GCC unroll 3
+        for (int edge = 0; edge < 3; ++edge) {
+            const int j = after(edge), k = after(j);
+#pragma GCC unroll 4
+            for (int sides = 0; sides < 4; ++sides) {
+                const Quarter q{edge, j, k, sides & 1 ? -1.0 : 1.0, sides & 2 ? -1.0 : 1.0};
+                const Chord whole{ends_[j][sides & 1], ends_[k][sides >> 1]};
+                if (may_be_less(measure(q, whole))) try_edge(q, whole);
+            }
+        }
+        if (are_apart_ || !is_met()) return std::nullopt;
+        return BoxDepth{least_.depth, box_.axes * least_.normal, box_.center + box_.axes * least_.on_box,
+                        box_.center + box_.axes * least_.on_other};
+    }
+
+  private:
+    struct Way {
+        double depth = std::numeric_limits<double>::infinity();
+        DVec3 normal, on_box, on_other;
+        bool is_of_other = false; // the normal is that of a face of the other
+    };
+
+    DVec3 to_box(DVec3 p) const { return to_local(box_, p - box_.center); }
+    DVec3 farthest(DVec3 d) const { return to_box(core_support(core_, box_.axes * d)); }
+    double half_shadow(DVec3 normal) const { return dot(half_, math::abs(normal)); }
+    DVec3 corner(DVec3 d) const {
+        return {d.x < 0 ? -half_.x : half_.x, d.y < 0 ? -half_.y : half_.y, d.z < 0 ? -half_.z : half_.z};
+    }
+
+    void offer(const Way& way) {
+        are_apart_ = are_apart_ || way.depth < 0;
+        if (way.depth < least_.depth) least_ = way;
+    }
+
+    void try_face_of_box(int axis, int side) {
+        const DVec3 normal = along(axis, side == 0 ? 1 : -1), met = farthest(-normal);
+        ends_[axis][side] = met;
+        size_ = std::max(size_, math::length(met));
+        const double depth = half_[axis] - dot(normal, met);
+        offer({depth, normal, met + depth * normal, met});
+    }
+
+    // Of the other, by the direction that its face looks in.
+    void try_face_of_other(DVec3 out) {
+        const DVec3 normal = -out, met = farthest(out), on_box = corner(normal);
+        const double depth = half_shadow(normal) - dot(normal, met);
+        offer({depth, normal, on_box, on_box - depth * normal, true});
+    }
+    void try_faces_of_other() {
+        switch (other_.kind) {
+        case Convex::Kind::box:
+            for (int axis = 0; axis < 3; ++axis) try_both_sides(other_.axes.column(axis));
+            break;
+        case Convex::Kind::polygon:
+            try_both_sides(other_.axes.c1);
+            break;
+        case Convex::Kind::cylinder:
+            try_both_sides(other_.axes.c1);
+            try_round_side();
+            break;
+        case Convex::Kind::hull:
+            try_faces_of_hull();
+            break;
+        case Convex::Kind::ball:
+        case Convex::Kind::capsule:
+            break;
+        }
+    }
+    void try_both_sides(DVec3 axis) {
+        const DVec3 local = to_local(box_, axis);
+        try_face_of_other(local);
+        try_face_of_other(-local);
+    }
+
+    // In the planes through the axis of a cylinder and a corner of the box of which no edge leads farther in.
+    void try_round_side() {
+        const DVec3 size = other_.size, center = to_box(other_.center), axis = to_local(box_, other_.axes.c1);
+        const double slope = size.x - size.z, length = std::sqrt(4 * size.y * size.y + slope * slope);
+        const double across = 2 * size.y / length, up = slope / length; // the normal of the side
+        for (int i = 0; i < 8; ++i) {
+            const DVec3 to{i & 1 ? -half_.x : half_.x, i & 2 ? -half_.y : half_.y, i & 4 ? -half_.z : half_.z};
+            const DVec3 from_center = to - center, off = from_center - dot(from_center, axis) * axis;
+            const double distance = math::length(off);
+            if (!(distance > 0)) continue;
+            const DVec3 out = (across / distance) * off + up * axis;
+            if (out.x * to.x > 0 || out.y * to.y > 0 || out.z * to.z > 0) continue;
+            try_face_of_other(out);
+        }
+    }
+
+    // Those that may be less than the least so far by their planes in floats, which are exact to a part of the sizes.
+    void try_faces_of_hull() {
+        using namespace columns;
+        const HullData& hull = *other_.hull;
+        const DVec3 center = to_local(other_, box_.center - other_.center);
+        math::Vec3 sides[3];
+        for (int i = 0; i < 3; ++i) sides[i] = math::to_float(half_[i] * to_local(other_, box_.axes.column(i)));
+        constexpr double float_rounding = 4e-6;
+        const double slack =
+            float_rounding * (math::length(center) + math::length(half_) + double(hull.bounding_radius)) +
+            double(hull.tolerance);
+        const auto size = [](F4 v) { return greater(v, -v); };
+        for (std::size_t i = 0; i < hull.plane_columns.size(); i += PlaneColumns::width) {
+            const F4 depth = size(hull.plane_columns.along(i, sides[0])) + size(hull.plane_columns.along(i, sides[1])) +
+                             size(hull.plane_columns.along(i, sides[2])) -
+                             hull.plane_columns.above(i, math::to_float(center));
+            unsigned less = bits(depth < splat(float(least_.depth + slack)));
+            for (; less; less &= less - 1) {
+                const std::size_t face = i + std::size_t(__builtin_ctz(less));
+                try_face_of_other(to_local(box_, other_.axes * hull.unit_normal(face)));
+            }
+        }
+    }
+
+    // The quarter of the figure across an edge of the box to which one corner of it belongs.
+    struct Quarter {
+        int edge, j, k;
+        double sign_j, sign_k;
+    };
+    // In the quarter, from the faces of the box on.
+    double on_j(const Quarter& q, DVec3 p) const { return half_[q.j] - q.sign_j * p[q.j]; }
+    double on_k(const Quarter& q, DVec3 p) const { return half_[q.k] - q.sign_k * p[q.k]; }
+    struct ChordMeasures {
+        double first_j, first_k, run, rise;
+        double square, inside; // of its length; its distance times its length
+    };
+    ChordMeasures measure(const Quarter& q, const Chord& c) const {
+        const double first_j = on_j(q, c.first), first_k = on_k(q, c.first);
+        const double run = first_j - on_j(q, c.last), rise = on_k(q, c.last) - first_k;
+        return {first_j, first_k, run, rise, run * run + rise * rise, rise * first_j + run * first_k};
+    }
+    // Not where nothing beyond the chord looks between the two faces.
+    bool may_be_less(const ChordMeasures& m) const {
+        if (!(m.run > 0 && m.rise > 0)) return false;
+        constexpr double part = (1 - depth_tolerance) * (1 - depth_tolerance);
+        return !(m.inside > 0 && m.inside * m.inside >= part * least_.depth * least_.depth * m.square);
+    }
+    void try_edge(const Quarter& q, const Chord& whole) {
+        Chords chords;
+        chords.add(whole.first, whole.last);
+        while (chords.count > 0) {
+            const Chord c = chords.list[--chords.count];
+            const ChordMeasures m = measure(q, c);
+            if (!may_be_less(m)) continue;
+            const double scale = 1 / std::sqrt(m.square);
+            const DVec3 normal = along(q.j, q.sign_j * scale * m.rise) + along(q.k, q.sign_k * scale * m.run);
+            const DVec3 met = farthest(-normal);
+            const double depth = scale * (m.rise * on_j(q, met) + m.run * on_k(q, met));
+            if (depth < least_.depth) {
+                const DVec3 on_other = nearest_of(q, c, m, met);
+                const DVec3 on_box = along(q.edge, on_other[q.edge]) + along(q.j, q.sign_j * half_[q.j]);
+                offer({depth, normal, on_box + along(q.k, q.sign_k * half_[q.k]), on_other});
+            }
+            if (depth - scale * m.inside <= depth_tolerance * depth + rounding * size_) continue;
+            if (are_apart_ || corners_++ == max_corners) return;
+            chords.add(c.first, met);
+            chords.add(met, c.last);
+        }
+    }
+    // Of the line from the first to what was met, and on to the last.
+    DVec3 nearest_of(const Quarter& q, const Chord& c, const ChordMeasures& m, DVec3 met) const {
+        const double nearest = (m.run * m.first_j - m.rise * m.first_k) / m.square;
+        const double middle = (m.run * (m.first_j - on_j(q, met)) + m.rise * (on_k(q, met) - m.first_k)) / m.square;
+        if (nearest < middle) return met + within((middle - nearest) / middle, 0, 1) * (c.first - met);
+        return met + within((nearest - middle) / (1 - middle), 0, 1) * (c.last - met);
+    }
+
+    // Whether what is deepest of one shape is in the other when they have moved apart.
+    bool is_met() {
+        const double slack = point_tolerance * math::length(half_);
+        if (least_.is_of_other) {
+            const DVec3 world = box_.center + box_.axes * least_.on_other;
+            return holds(world, slack);
+        }
+        DVec3& p = least_.on_box;
+        for (int i = 0; i < 3; ++i) p[i] = within(p[i], -half_[i], half_[i]);
+        const DVec3 off = least_.on_other + least_.depth * least_.normal - p;
+        return dot(off, off) <= slack * slack;
+    }
+    // A point on the plane of a face, or on the side of a cylinder.
+    bool holds(DVec3 p, double slack) const {
+        const DVec3 local = to_local(other_, p - other_.center), size = other_.size;
+        switch (other_.kind) {
+        case Convex::Kind::box:
+            return std::fabs(local.x) <= size.x + slack && std::fabs(local.y) <= size.y + slack &&
+                   std::fabs(local.z) <= size.z + slack;
+        case Convex::Kind::cylinder: {
+            const double radius = size.x + (local.y + size.y) / (2 * size.y) * (size.z - size.x);
+            const double most = radius + slack;
+            return std::fabs(local.y) <= size.y + slack && local.x * local.x + local.z * local.z <= most * most;
+        }
+        case Convex::Kind::hull: {
+            const PlaneColumns& planes = other_.hull->plane_columns;
+            for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width)
+                if (columns::bits(planes.above(i, math::to_float(local)) > columns::splat(float(slack)))) return false;
+            return true;
+        }
+        case Convex::Kind::polygon:
+            for (int i = 0; i < other_.corner_count; ++i) {
+                const DVec3 from = other_.corners[i], to = other_.corners[i + 1 == other_.corner_count ? 0 : i + 1];
+                const DVec3 side = math::cross(other_.axes.c1, to - from);
+                if (dot(side, p - from) < -slack * math::length(side)) return false;
+            }
+            return true;
+        default:
+            return false;
+        }
+    }
+    const Convex &box_, &other_;
+    Core core_;
+    DVec3 half_;
+    DVec3 ends_[3][2]; // of the other: what lies farthest against the faces of the box
+    double size_ = 0;
+    Way least_;
+    bool are_apart_ = false;
+    int corners_ = 0;
+};
+
+} // namespace
+
+std::optional<BoxDepth> box_depth(const Convex& box, const Convex& other) {
+    if (other.kind == Convex::Kind::capsule) {
+        if (!is_capsule_of_one_radius(other)) return std::nullopt;
+        const SegmentGap gap = gap_to_segment(box, other);
+        if (const double distance = math::length(gap.off); distance > rounding * math::length(box.size)) {
+            const DVec3 on_box = box.center + box.axes * gap.on_box, off = box.axes * gap.off;
+            return BoxDepth{-distance, (1 / distance) * off, on_box, on_box + off};
+        }
+    }
+    return BoxDepthSearch(box, other).find();
+}
+
+bool is_box_and_capsule(const Convex& a, const Convex& b) {
+    return (a.kind == Convex::Kind::box && is_capsule_of_one_radius(b)) ||
+           (b.kind == Convex::Kind::box && is_capsule_of_one_radius(a));
+}
+
+double square_of_box_and_capsule(const Convex& a, const Convex& b) {
+    const SegmentGap gap = a.kind == Convex::Kind::box ? gap_to_segment(a, b) : gap_to_segment(b, a);
+    return dot(gap.off, gap.off);
+}
+
+} // namespace cairn
