@@ -94,6 +94,9 @@ Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const Posed
     return m;
 }
 
+// By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
+bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].first_joint != none; }
+
 // Of a pair, seen from A.
 class ExpectedWays {
   public:
@@ -115,6 +118,7 @@ class ExpectedWays {
         touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
         touch.arm_a = at_a.arm;
         touch.is_beside = found.distance > 0;
+        if (!touch.is_beside && (is_led(in.bodies, c_.body_a) || is_led(in.bodies, c_.body_b))) return Approach::now;
         if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, c_, at_a, at_b, found);
         return Approach::later;
     }
@@ -146,10 +150,10 @@ double half_width_between(const Shapes& shapes, const ContactInfo& c) {
 
 bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
-    bool is_led = false;         // by joints: what does not move fast goes where they let it
+    bool any_led = false;
     float turn = 0, unknown = 0; // rad/s: of both; of those whose surfaces it takes to where it is not told
     for (const std::int32_t b : {c.body_a, c.body_b}) {
-        is_led = is_led || in.bodies.links[b].first_joint != none;
+        any_led = any_led || is_led(in.bodies, b);
         const float own = math::length(in.bodies.motion[b].w);
         turn += own;
         if (!turns_on_the_spot(in.bodies.links[b])) unknown += own;
@@ -172,7 +176,7 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
         const float time = separation / closing;
         // As far as what counts as touching they may slide along each other until then: a face may end there.
         const float speed = math::length(v + closing * n) + turn * size;
-        if (is_led && horizon * speed <= c.base_margin) continue;
+        if (any_led && horizon * speed <= c.base_margin) continue;
         if (time * speed > float(touch_tolerance(half_width_between(in.shapes, c)))) return true;
     }
     return false;

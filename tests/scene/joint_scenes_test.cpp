@@ -125,7 +125,7 @@ TEST_F(JointScene, TheBallBreaksTheWallAndTheChainHolds) {
     EXPECT_LT(worst_, 0.0002); // 0.02 mm in the swing
     run(8.8);
     EXPECT_LT(worst_, 0.004); // when it hits the wall
-    EXPECT_GE(moved(0.5), 20) << "of " << start.size();
+    EXPECT_GE(moved(0.5), 18) << "of " << start.size();
     EXPECT_LT(glm::distance(body("ball").position(), Position(0, 8.2, 0)), 18 * 0.32 + 0.72 + 0.001);
 }
 
