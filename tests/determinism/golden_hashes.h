@@ -21,7 +21,7 @@ inline constexpr std::uint64_t changes = 0x3df897b3794a4d64;
 inline constexpr std::uint64_t all_shapes = 0xc1124e52a75dcc21;
 inline constexpr std::uint64_t rounded_shapes = 0x796c23a9e762b3df;
 inline constexpr std::uint64_t surfaces = 0xfad315f6118ee8f4;
-inline constexpr std::uint64_t all_joints = 0x701396a424173f24;
-inline constexpr std::uint64_t chains = 0x998e8d2c55c2e840;
+inline constexpr std::uint64_t all_joints = 0xf30fe36861270a00;
+inline constexpr std::uint64_t chains = 0x90ce7ba86715fa7c;
 
 } // namespace cairn_test::golden
