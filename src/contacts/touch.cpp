@@ -21,6 +21,9 @@ namespace {
 // The last substep looks ahead at the next one as well.
 float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.substeps)); }
 
+// By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
+bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].first_joint != none; }
+
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.
 RigidPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, float dt) {
@@ -31,7 +34,8 @@ RigidPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, flo
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
-    way += (0.5 * t * t) * acceleration_at(in.bodies, in.fields, in.settings, b, m.x);
+    if (in.bodies.links[b].contact_count == 0 || is_led(in.bodies, b)) // what lies on something does not fall
+        way += (0.5 * t * t) * acceleration_at(in.bodies, in.fields, in.settings, b, m.x);
     return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 
@@ -93,9 +97,6 @@ Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const Posed
     for (int i = 1; i < 4; ++i) m.points[i][3] = 1e30f;
     return m;
 }
-
-// By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
-bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].first_joint != none; }
 
 // Of a pair, seen from A.
 class ExpectedWays {
