@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x4be9e5ec7f3dffcc;
-inline constexpr std::uint64_t pyramid = 0x4c0d28d3916b9a9f;
-inline constexpr std::uint64_t dominoes = 0x9e0390e22b77ffc2;
-inline constexpr std::uint64_t materials = 0xf385af29aff7a3f5;
-inline constexpr std::uint64_t tumbler = 0x38f1623a09c666cd;
-inline constexpr std::uint64_t sleep_and_wake = 0xf35a62ff1831a19f;
-inline constexpr std::uint64_t compounds = 0xf4a2768ea027dbd1;
-inline constexpr std::uint64_t free_tops = 0xde66db06b5189ad2;
-inline constexpr std::uint64_t explicit_euler = 0x47449e5c988fdbfd;
-inline constexpr std::uint64_t whirl = 0xc5005110e9e2bf21;
-inline constexpr std::uint64_t changes = 0x3df897b3794a4d64;
-inline constexpr std::uint64_t all_shapes = 0xc1124e52a75dcc21;
-inline constexpr std::uint64_t rounded_shapes = 0x796c23a9e762b3df;
-inline constexpr std::uint64_t surfaces = 0xfad315f6118ee8f4;
-inline constexpr std::uint64_t all_joints = 0xf30fe36861270a00;
+inline constexpr std::uint64_t mixed_pile = 0x5de328c2f2b5121e;
+inline constexpr std::uint64_t pyramid = 0x6ca3f13a2ad00f3a;
+inline constexpr std::uint64_t dominoes = 0x3c11551e6e7ff79b;
+inline constexpr std::uint64_t materials = 0x0a468cdc68ca7a5b;
+inline constexpr std::uint64_t tumbler = 0x528cda1f00002b73;
+inline constexpr std::uint64_t sleep_and_wake = 0x742ce017bdf8ef89;
+inline constexpr std::uint64_t compounds = 0x92480b56b5314adc;
+inline constexpr std::uint64_t free_tops = 0x9643f3537bf3534d;
+inline constexpr std::uint64_t explicit_euler = 0x2ff2eaad6f7aa06a;
+inline constexpr std::uint64_t whirl = 0xaf85ac0f1dbc2141;
+inline constexpr std::uint64_t changes = 0x207a11967b28638f;
+inline constexpr std::uint64_t all_shapes = 0xd088cd89359730fe;
+inline constexpr std::uint64_t rounded_shapes = 0x0727b3caca239c68;
+inline constexpr std::uint64_t surfaces = 0x301a7db05b26bd2a;
+inline constexpr std::uint64_t all_joints = 0x2bf20d16f5c2f5af;
 inline constexpr std::uint64_t chains = 0x90ce7ba86715fa7c;
 
 } // namespace cairn_test::golden
