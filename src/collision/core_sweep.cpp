@@ -399,6 +399,12 @@ bool is_certain(const Course& course, const Mover& a, const Mover& b) {
     return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
+// `axis`: the direction to the other where the two touch.
+Nearness nearness_on(const Course& course, double to, DVec3 axis) {
+    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
+    return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
+}
+
 // A ball deep inside of a shape, with that part of its smallest half width.
 Geometry ball_inside(const Mover& m, float part) {
     Geometry ball;
@@ -469,8 +475,7 @@ Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DV
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
     const Course course = course_of(first, second, {0, to}, {within, 0, axis});
-    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
-    return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
+    return nearness_on(course, to, axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const std::uint32_t> triangles,
@@ -485,9 +490,8 @@ Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const s
         for (const std::uint32_t index : triangles)
             meet_triangle(core, first, second, triangle_of(surface, index), {0, to}, {within, 0, axis}, best, overlaps);
     });
-    if (overlaps) return {0, 0, {}, {}};
-    if (best.meeting <= to) return {std::max(best.meeting, 0.0), 0, {}, {}};
-    return {best.nearest, best.gap.distance, best.gap.normal, best.gap.on_a};
+    if (overlaps) best.meeting = overlapped;
+    return nearness_on(best, to, axis);
 }
 
 } // namespace cairn

@@ -110,7 +110,9 @@ class ExpectedWays {
     // What was found of them. Of what touches, the manifold is left out.
     Approach take(const Nearness& found, Touch& touch) const {
         if (!(found.distance <= double(c_.base_margin))) return Approach::passes;
-        if (!(found.time > 0)) return Approach::now;
+        touch.is_beside = found.distance > 0;
+        const bool any_led = is_led(in.bodies, c_.body_a) || is_led(in.bodies, c_.body_b);
+        if (!(found.time > 0) || (any_led && !touch.is_beside)) return Approach::now;
         const PosedBody at_a = posed_a(found), at_b = posed_b(found);
         touch.passed = at_a.moved - at_b.moved;
         const DVec3 from_b = (in.bodies.motion[c_.body_a].x - in.bodies.motion[c_.body_b].x) + touch.passed;
@@ -118,8 +120,6 @@ class ExpectedWays {
                         nullptr};
         touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
         touch.arm_a = at_a.arm;
-        touch.is_beside = found.distance > 0;
-        if (!touch.is_beside && (is_led(in.bodies, c_.body_a) || is_led(in.bodies, c_.body_b))) return Approach::now;
         if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, c_, at_a, at_b, found);
         return Approach::later;
     }
@@ -187,8 +187,7 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, flo
     const ExpectedWays ways(in, c, looked_at(in, pass));
     const Nearness found = nearness_of(ways.of_a(), ways.of_b(), double(c.base_margin), axis);
     const Approach approach = ways.take(found, touch);
-    if (approach == Approach::later && !touch.is_beside && !is_group(c))
-        touch.manifold = ways.manifold_at_touch(found, margin);
+    if (approach == Approach::later && !touch.is_beside) touch.manifold = ways.manifold_at_touch(found, margin);
     return approach;
 }
 

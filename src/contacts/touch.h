@@ -10,7 +10,8 @@
 namespace cairn {
 
 // Whether two shapes, which are apart at the start of the step, slide or turn so far before they touch where the
-// manifold says that they may touch otherwise, or not at all. Bodies with joints do not move as their velocities say.
+// manifold says that they may touch otherwise, or not at all. Bodies with joints do not move as their velocities say,
+// unless they slide by more than the margin in the step.
 bool moves_far(const NarrowInput& in, const ContactInfo& contact, const Manifold& manifold, float dt);
 
 // m: the smaller one of the smallest half widths of the two.

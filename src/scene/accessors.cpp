@@ -178,33 +178,20 @@ std::vector<float> Accessors::finite_numbers(const Value& accessor, const Layout
     return result;
 }
 
-std::vector<Vec3> Accessors::vectors(const Value& index) {
+template <class Tuple> std::vector<Tuple> Accessors::tuples(const Value& index, const char* type) {
+    constexpr int components = Tuple::length();
     const Value accessor = find(index);
-    const Layout form = layout(accessor, "VEC3", 3);
+    const Layout form = layout(accessor, type, std::size_t(components));
     const std::vector<float> values = finite_numbers(accessor, form);
-    std::vector<Vec3> result(form.count);
-    for (std::size_t i = 0; i < form.count; ++i) result[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+    std::vector<Tuple> result(form.count);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        result[i / std::size_t(components)][int(i % std::size_t(components))] = values[i];
     return result;
 }
 
-std::vector<glm::vec2> Accessors::coordinates(const Value& index) {
-    const Value accessor = find(index);
-    const Layout form = layout(accessor, "VEC2", 2);
-    const std::vector<float> values = finite_numbers(accessor, form);
-    std::vector<glm::vec2> result(form.count);
-    for (std::size_t i = 0; i < form.count; ++i) result[i] = {values[2 * i], values[2 * i + 1]};
-    return result;
-}
-
-std::vector<glm::vec4> Accessors::quadruples(const Value& index) {
-    const Value accessor = find(index);
-    const Layout form = layout(accessor, "VEC4", 4);
-    const std::vector<float> values = finite_numbers(accessor, form);
-    std::vector<glm::vec4> result(form.count);
-    for (std::size_t i = 0; i < form.count; ++i)
-        result[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]};
-    return result;
-}
+std::vector<Vec3> Accessors::vectors(const Value& index) { return tuples<Vec3>(index, "VEC3"); }
+std::vector<glm::vec2> Accessors::coordinates(const Value& index) { return tuples<glm::vec2>(index, "VEC2"); }
+std::vector<glm::vec4> Accessors::quadruples(const Value& index) { return tuples<glm::vec4>(index, "VEC4"); }
 
 std::vector<glm::dmat4> Accessors::matrices(const Value& index) {
     constexpr int size = 4;

@@ -34,6 +34,7 @@ class Accessors {
     Value find(const Value& index) const;
     Layout layout(const Value& accessor, const char* type, std::size_t components);
     std::vector<double> numbers(const Value& accessor, const Layout& layout);
+    template <class Tuple> std::vector<Tuple> tuples(const Value& index, const char* type);
     std::vector<float> finite_numbers(const Value& accessor, const Layout& layout);
     void read_sparse(const Value& sparse, const Layout& layout, std::vector<double>& numbers);
 

@@ -31,6 +31,11 @@ void BufferWriter::append(float value) {
     append(word);
 }
 
+// Of what is written in the view that comes next.
+Json BufferWriter::accessor(int component_type, std::size_t count, const char* type) const {
+    return {{"bufferView", views_.size()}, {"componentType", component_type}, {"count", count}, {"type", type}};
+}
+
 std::size_t BufferWriter::finish(std::size_t start, int target, Json accessor) {
     Json view{{"buffer", 0}, {"byteOffset", start}, {"byteLength", bytes_.size() - start}};
     if (target != no_target) view["target"] = target;
@@ -55,64 +60,52 @@ std::size_t BufferWriter::add_vectors(std::span<const Vec3> values, int target, 
             high[i] = std::max(high[i], v[i]);
         }
     }
-    Json accessor{
-        {"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC3"}};
-    if (with_bounds) accessor["min"] = number_array(low), accessor["max"] = number_array(high);
-    return finish(start, target, std::move(accessor));
+    Json entry = accessor(float_type, values.size(), "VEC3");
+    if (with_bounds) entry["min"] = number_array(low), entry["max"] = number_array(high);
+    return finish(start, target, std::move(entry));
 }
 
 std::size_t BufferWriter::add_quaternions(std::span<const Quat> values) {
     const std::size_t start = bytes_.size();
     for (const Quat& q : values) append(q.x), append(q.y), append(q.z), append(q.w);
-    return finish(
-        start, no_target,
-        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC4"}});
+    return finish(start, no_target, accessor(float_type, values.size(), "VEC4"));
 }
 
 std::size_t BufferWriter::add_indices(std::span<const std::uint32_t> values) {
     const std::size_t start = bytes_.size();
     for (const std::uint32_t v : values) append(v);
-    return finish(
-        start, index_target,
-        {{"bufferView", views_.size()}, {"componentType", index_type}, {"count", values.size()}, {"type", "SCALAR"}});
+    return finish(start, index_target, accessor(index_type, values.size(), "SCALAR"));
 }
 
 std::size_t BufferWriter::add_scalars(std::span<const float> values, bool with_bounds) {
     const std::size_t start = bytes_.size();
     for (const float v : values) append(v);
-    Json accessor{
-        {"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "SCALAR"}};
+    Json entry = accessor(float_type, values.size(), "SCALAR");
     if (with_bounds) {
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        accessor["min"] = Json::array({shortest(*low)}), accessor["max"] = Json::array({shortest(*high)});
+        entry["min"] = Json::array({shortest(*low)}), entry["max"] = Json::array({shortest(*high)});
     }
-    return finish(start, no_target, std::move(accessor));
+    return finish(start, no_target, std::move(entry));
 }
 
 std::size_t BufferWriter::add_coordinates(std::span<const glm::vec2> values) {
     const std::size_t start = bytes_.size();
     for (const glm::vec2& v : values) append(v.x), append(v.y);
-    return finish(
-        start, vertex_target,
-        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC2"}});
+    return finish(start, vertex_target, accessor(float_type, values.size(), "VEC2"));
 }
 
 std::size_t BufferWriter::add_bone_numbers(std::span<const BoneWeights> weights) {
     const std::size_t start = bytes_.size();
     for (const BoneWeights& of_vertex : weights)
         for (const std::uint16_t bone : of_vertex.bones) append(bone);
-    return finish(
-        start, vertex_target,
-        {{"bufferView", views_.size()}, {"componentType", short_type}, {"count", weights.size()}, {"type", "VEC4"}});
+    return finish(start, vertex_target, accessor(short_type, weights.size(), "VEC4"));
 }
 
 std::size_t BufferWriter::add_bone_shares(std::span<const BoneWeights> weights) {
     const std::size_t start = bytes_.size();
     for (const BoneWeights& of_vertex : weights)
         for (const float share : of_vertex.shares) append(share);
-    return finish(
-        start, vertex_target,
-        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", weights.size()}, {"type", "VEC4"}});
+    return finish(start, vertex_target, accessor(float_type, weights.size(), "VEC4"));
 }
 
 std::size_t BufferWriter::add_bindings(std::span<const Bone> bones) {
@@ -125,9 +118,7 @@ std::size_t BufferWriter::add_bindings(std::span<const Bone> bones) {
         for (int row = 0; row < 3; ++row) append(float(bone.translation[row]));
         append(1.0f);
     }
-    return finish(
-        start, no_target,
-        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", bones.size()}, {"type", "MAT4"}});
+    return finish(start, no_target, accessor(float_type, bones.size(), "MAT4"));
 }
 
 std::size_t BufferWriter::add_file(const std::string& file) {

@@ -38,6 +38,7 @@ class BufferWriter {
     void append(std::uint16_t word);
     void append(std::uint32_t word);
     void append(float value);
+    nlohmann::ordered_json accessor(int component_type, std::size_t count, const char* type) const;
     std::size_t finish(std::size_t start, int target, nlohmann::ordered_json accessor);
 
     std::string bytes_;

@@ -57,7 +57,7 @@ struct TouchPoint {
 struct FlightPair {
     std::uint32_t place;
     bool is_free;                       // nothing holds its bodies
-    std::uint32_t first_hit, hit_count; // in a list of manifolds: one, but of a group any number
+    std::uint32_t first_hit, hit_count; // in a list of manifolds: one, of a group none
 };
 struct FlightPairs {
     std::vector<FlightPair> pairs;

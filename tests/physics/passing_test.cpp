@@ -262,7 +262,8 @@ double angle_of_car(Obstacle obstacle, double speed, double air, double start) {
     return std::atan2(std::abs(velocity.z), velocity.x) * 57.3;
 }
 
-// They were turned away by 39 to 54 degrees, all of them.
+// At 10 and 30 m/s, with up to 3 cm of air, all were turned away by the pillar and by that of the mesh, by up to 54
+// degrees.
 TEST(Passing, ACarGoesStraightOnPastAPillar) {
     for (const Obstacle obstacle : {Obstacle::box, Obstacle::ball, Obstacle::cylinder, Obstacle::same_mesh})
         for (const double speed : {3.0, 10.0, 30.0})
