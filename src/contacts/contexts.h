@@ -15,6 +15,7 @@ struct NarrowInput {
     const Bodies& bodies;
     const Shapes& shapes;
     const Islands& islands;
+    const Joints& joints;
     const ForceFields& fields;
     int substeps; // of the step, where no island asks for more
 };

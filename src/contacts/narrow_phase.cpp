@@ -390,11 +390,12 @@ void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) 
 } // namespace
 
 std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
-                            const ForceFields& fields, const BroadPhase& broad_phase, StepEvents& events,
-                            const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
+                            const Joints& joints, const ForceFields& fields, const BroadPhase& broad_phase,
+                            StepEvents& events, const WorldDef& settings, StepScratch& step, Communicator* ranks,
+                            float dt) {
     NarrowScratch& narrow = step.narrow;
     ThreadPool& thread_pool = *step.thread_pool;
-    const NarrowInput in{settings, bodies, shapes, islands, fields, substeps_of(settings, dt)};
+    const NarrowInput in{settings, bodies, shapes, islands, joints, fields, substeps_of(settings, dt)};
     const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved, ranks};
     count_motion(bodies, islands, settings, narrow, thread_pool, dt);
     narrow.skipped.clear();

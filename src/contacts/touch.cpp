@@ -8,8 +8,10 @@
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
 #include "math/rotation.h"
+#include "state/joint_links.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cairn {
 
@@ -24,24 +26,63 @@ float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float
 // By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
 bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].first_joint != none; }
 
-// As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
-// from that of the world.
-RigidPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, float dt) {
-    const BodyMotion& m = in.bodies.motion[b];
-    const DVec3 from = m.x - origin;
-    if (in.bodies.settings[b].type == BodyType::static_ ||
-        (in.bodies.is_dynamic(b) && !is_awake(in.bodies, in.islands, b)))
-        return RigidPath::between(from, m.q, from, m.q);
-    const double t = double(dt);
-    DVec3 way = t * math::to_double(m.v);
-    if (in.bodies.links[b].contact_count == 0 || is_led(in.bodies, b)) // what lies on something does not fall
-        way += (0.5 * t * t) * acceleration_at(in.bodies, in.fields, in.settings, b, m.x);
-    return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
+// What is led goes about the point at which it is held by what is heaviest, if that is at least as heavy as itself: a
+// door about its hinge, a shin about the knee. What is heavier goes as if nothing hung on it.
+struct Lead {
+    std::int32_t body; // `none` if it is the world
+    DVec3 arm;         // of the point from the center of mass, in the body's frame
+};
+std::optional<Lead> lead_of(const NarrowInput& in, std::int32_t b) {
+    const auto weight_of = [&](std::int32_t body) {
+        return body == none || !in.bodies.is_dynamic(body) ? unlimited : in.bodies.mass[body].mass;
+    };
+    std::optional<Lead> lead;
+    float least = weight_of(b);
+    for_each_joint(in.bodies, in.joints, b, [&](std::uint32_t joint, int side) {
+        const JointInfo& info = in.joints.info[joint];
+        const std::int32_t other = other_body(info, side);
+        const float weight = weight_of(other);
+        if (info.rules.point != JointLock::full || !(lead ? weight > least : weight >= least)) return;
+        least = weight;
+        lead = {other, (side == 0 ? info.anchor_a : info.anchor_b) - math::to_double(in.bodies.mass[b].center)};
+    });
+    return lead;
 }
 
-SweptShape swept(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const RigidPath& path) {
+// The way of a body, of which a point goes straight on: of what is free, its center of mass.
+struct ExpectedPath {
+    DVec3 point; // from the center of mass, in the body's frame
+    RigidPath path;
+    // Of the center of mass.
+    RigidPath::Pose at(double time) const {
+        const RigidPath::Pose there = path.at(time);
+        return {there.x - math::rotate(there.q, point), there.q};
+    }
+};
+
+// As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
+// from that of the world.
+ExpectedPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, float dt) {
+    const Bodies& bodies = in.bodies;
+    const BodyMotion& m = bodies.motion[b];
+    const DVec3 from = m.x - origin;
+    if (bodies.settings[b].type == BodyType::static_ || (bodies.is_dynamic(b) && !is_awake(bodies, in.islands, b)))
+        return {{}, RigidPath::between(from, m.q, from, m.q)};
+    const double t = double(dt);
+    const std::optional<Lead> lead = lead_of(in, b);
+    const DVec3 point = lead ? lead->arm : DVec3{}, arm = math::rotate(m.q, point), w = math::to_double(m.w);
+    DVec3 way = t * (math::to_double(m.v) + math::cross(w, arm));
+    const auto lies = [&](std::int32_t body) { return bodies.links[body].contact_count > 0; };
+    const bool is_held =
+        lies(b) || (lead && (lead->body == none || !bodies.is_dynamic(lead->body) || lies(lead->body)));
+    if (!is_held) way += (0.5 * t * t) * acceleration_at(bodies, in.fields, in.settings, b, m.x);
+    return {point, RigidPath::between(from + arm, m.q, from + arm + way, math::from_rotation_vector(t * w) * m.q)};
+}
+
+SweptShape swept(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const ExpectedPath& way) {
     const Geometry& g = shapes.geometry[shape];
-    return {g, shapes.data[shape], math::to_double(g.position - bodies.mass[shapes.links[shape].body].center), path};
+    const math::Vec3 center = bodies.mass[shapes.links[shape].body].center;
+    return {g, shapes.data[shape], math::to_double(g.position - center) - way.point, way.path};
 }
 
 struct PosedBody {
@@ -49,12 +90,12 @@ struct PosedBody {
     math::Vec3 arm;
     ShapePose pose;
 };
-PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const RigidPath& path,
+PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const ExpectedPath& way,
                    double time) {
-    const RigidPath::Pose body = path.at(time);
+    const RigidPath::Pose body = way.at(time);
     const Geometry& g = shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    PosedBody p{body.x - path.start, {}, shapes.poses[shape]};
+    PosedBody p{body.x - way.at(0).x, {}, shapes.poses[shape]};
     p.arm = math::rotate(q, g.position - bodies.mass[shapes.links[shape].body].center);
     pose_shape(p.pose, g, bodies.motion[shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
@@ -137,7 +178,7 @@ class ExpectedWays {
     const NarrowInput& in;
     const ContactInfo& c_;
     const float dt_;
-    const RigidPath a_, b_;
+    const ExpectedPath a_, b_;
 };
 
 float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimited_extent : g.bounding_radius; }

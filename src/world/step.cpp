@@ -84,8 +84,8 @@ void World::Impl::make_step(float dt) {
                  state.events, step.thread_pool.get());
     times.broad_phase = clock.lap();
     state.statistics.tested_pairs =
-        update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.fields, state.broad_phase,
-                        state.events, state.settings, step, communicator.get(), dt);
+        update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
+                        state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, dt);
     times.islands = clock.lap();
