@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x5de328c2f2b5121e;
-inline constexpr std::uint64_t pyramid = 0x6ca3f13a2ad00f3a;
-inline constexpr std::uint64_t dominoes = 0x3c11551e6e7ff79b;
-inline constexpr std::uint64_t materials = 0x0a468cdc68ca7a5b;
-inline constexpr std::uint64_t tumbler = 0x528cda1f00002b73;
-inline constexpr std::uint64_t sleep_and_wake = 0x742ce017bdf8ef89;
-inline constexpr std::uint64_t compounds = 0x92480b56b5314adc;
+inline constexpr std::uint64_t mixed_pile = 0xb23c176f2b1ef6c1;
+inline constexpr std::uint64_t pyramid = 0x6c2b004ad0a4049b;
+inline constexpr std::uint64_t dominoes = 0xdf520ee2c112db83;
+inline constexpr std::uint64_t materials = 0x750f6fd16f0be53f;
+inline constexpr std::uint64_t tumbler = 0xffa671115e95c131;
+inline constexpr std::uint64_t sleep_and_wake = 0xf48f996c6fcf4a18;
+inline constexpr std::uint64_t compounds = 0x12512813fae140b2;
 inline constexpr std::uint64_t free_tops = 0x9643f3537bf3534d;
-inline constexpr std::uint64_t explicit_euler = 0x2ff2eaad6f7aa06a;
-inline constexpr std::uint64_t whirl = 0xaf85ac0f1dbc2141;
-inline constexpr std::uint64_t changes = 0x207a11967b28638f;
-inline constexpr std::uint64_t all_shapes = 0xd088cd89359730fe;
-inline constexpr std::uint64_t rounded_shapes = 0x0727b3caca239c68;
-inline constexpr std::uint64_t surfaces = 0x301a7db05b26bd2a;
-inline constexpr std::uint64_t all_joints = 0x2bf20d16f5c2f5af;
-inline constexpr std::uint64_t chains = 0x90ce7ba86715fa7c;
+inline constexpr std::uint64_t explicit_euler = 0xb3222149476c696b;
+inline constexpr std::uint64_t whirl = 0xbeb2e33bcdc22343;
+inline constexpr std::uint64_t changes = 0x7a7c456554f16a73;
+inline constexpr std::uint64_t all_shapes = 0x4ceb9b45a4cabae2;
+inline constexpr std::uint64_t rounded_shapes = 0x5185e134ac5f42c2;
+inline constexpr std::uint64_t surfaces = 0x320ade18f27ff434;
+inline constexpr std::uint64_t all_joints = 0xed8302a89d652bee;
+inline constexpr std::uint64_t chains = 0xc664ace8d3c7d786;
 
 } // namespace cairn_test::golden

@@ -377,7 +377,7 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
         sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m)
-        solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), softness.middle, rows[m].a, rows[m].b);
+        solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), softness, rows[m].a, rows[m].b);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];

@@ -84,15 +84,16 @@ CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, cons
 // share one ellipsoidal limit, the limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and
 // Cutkosky (1996): with r the radius of the load, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the
 // rows are solved with their own masses. The rows stand at the friction center, which is fixed for the step; the load
-// is e beside it, and the limit is its.
+// is e beside it, and the limit is its. The slip is that of the middle of the substep, half of which d is ahead of: by
+// the slip of its end, what rides on a turntable crept inward.
 template <int N>
-CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, float middle,
-                                 Velocityx8& a, Velocityx8& b) {
+CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal,
+                                 const ContactSoftness& softness, Velocityx8& a, Velocityx8& b) {
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
-    const Vec3x8 dw = b.w - a.w;
-    Vec3x8 velocity = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
+    const Vec3x8 dw = b.w - a.w, dv = b.v - a.v;
+    Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + splat(0.5f * softness.h) * dv);
     if constexpr (N == 1)
-        if (block.turns) velocity = velocity + slip_of_turning(block, middle);
+        if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};
