@@ -14,7 +14,7 @@ namespace {
 
 constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits that are one patch
 constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
-constexpr double flatness = 1e-4;            // of the shape's size: how far out of a plane a point may be
+constexpr double flatness = 1e-4;            // of the shape's size: how far off a plane or a triangle a point may be
 constexpr std::size_t none = ~std::size_t{}; // of the patches
 
 // Where the frame of the hits is in the common one: as it comes, it is that.
@@ -36,7 +36,8 @@ double squared(DVec3 v) { return math::dot(v, v); }
 
 bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distance * distance; }
 
-// An edge between triangles in the plane of a deeper patch is none: the shape slides over it.
+// An edge between triangles in the plane of a deeper patch is none: the shape slides over it. (Feet of boxes at edges
+// that are apart are some micrometers off, too far for those of LocalMinima.)
 bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, const TriangleHit& hit, double size) {
     if (hit.on_face || is_near(patch.normal, hit.normal, same_normal)) return false;
     const double tolerance = flatness * size, deepest = std::max(patch.depth, 0.0) + tolerance;
@@ -167,6 +168,63 @@ class HitSearch {
     SurfaceScratch& scratch_;
 };
 
+// Whether a point is on a triangle, but for a tolerance.
+bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
+    const DVec3 n = math::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double square = squared(n), height = math::dot(n, p - corners[0]);
+    if (!(height * height <= tolerance * tolerance * square)) return false;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
+        const double inside = math::dot(math::cross(edge, p - from), n);
+        if (inside < 0 && inside * inside > tolerance * tolerance * squared(edge) * square) return false;
+    }
+    return true;
+}
+
+// What touches a surface is nearest to it there, among all places around: the edge of a triangle where another one goes
+// on towards the shape is not. The next triangle of a floor begins there, or the next facet of a bowl.
+class LocalMinima {
+  public:
+    LocalMinima(const Surface& surface, const Placement& frame, const SurfaceScratch& scratch, double tolerance)
+        : surface_(surface), frame_(frame), scratch_(scratch), tolerance_(tolerance) {}
+
+    // Of a hit at that place in the order of depths.
+    bool has(std::size_t place) const {
+        const TriangleHit& hit = scratch_.hits[scratch_.order[place]];
+        if (hit.on_face) return true;
+        for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i) {
+            const SurfacePoint& p = scratch_.points[i];
+            if (!goes_on(place, hit, p.position + 0.5 * p.separation * hit.normal)) return true;
+        }
+        return false;
+    }
+
+  private:
+    // Whether a triangle that is touched deeper, elsewhere, has that point, too.
+    bool goes_on(std::size_t place, const TriangleHit& hit, DVec3 foot) const {
+        for (std::size_t k = 0; k < place; ++k) {
+            const TriangleHit& other = scratch_.hits[scratch_.order[k]];
+            if (!is_near(other.normal, hit.normal, same_normal) && is_on_triangle(other.triangle, foot)) return true;
+        }
+        return false;
+    }
+    bool is_on_triangle(std::uint32_t index, DVec3 p) const {
+        bool is_on_it = false;
+        with_data(surface_, [&](const auto& data) {
+            const Triangle t = triangle_of(data, index);
+            const auto placed = [&](math::Vec3 v) {
+                return frame_.placed_back(surface_.center + surface_.axes * math::to_double(v));
+            };
+            is_on_it = is_on({placed(t.a), placed(t.b), placed(t.c)}, p, tolerance_);
+        });
+        return is_on_it;
+    }
+    const Surface& surface_;
+    const Placement& frame_;
+    const SurfaceScratch& scratch_;
+    const double tolerance_;
+};
+
 // The points of all hits of a patch, reduced to four.
 void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent, Manifold& out) {
     const DVec3 normal = scratch.patches[patch].normal;
@@ -218,12 +276,13 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     const DVec3 axis = surface.axes.c0;
     const double size = is_box ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
     scratch.patches.clear();
-    for (const std::uint32_t k : scratch.order) {
-        TriangleHit& hit = scratch.hits[k];
-        const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
-            return is_internal_edge(scratch, patch, hit, size);
+    const LocalMinima minima(surface, frame, scratch, flatness * size);
+    for (std::size_t place = 0; place < scratch.order.size(); ++place) {
+        TriangleHit& hit = scratch.hits[scratch.order[place]];
+        const bool is_edge = std::any_of(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& p) {
+            return is_internal_edge(scratch, p, hit, size);
         });
-        if (seam != scratch.patches.end()) continue;
+        if (is_edge || !minima.has(place)) continue;
         const auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
             return is_near(patch.normal, hit.normal, same_patch);
         });

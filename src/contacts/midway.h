@@ -22,20 +22,26 @@ inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether a pair is looked for there: it has met, moves, and neither turns far until then, nor passes the other by more
-// than the margin: what slides or rolls on in haste may be over another shape by then, whose contact is of the start.
-// What meets only in this step is asked where it does; bodies with joints do not move as their velocities say, nor do
-// the surfaces of conveyors. The middle of a step of one substep is its start.
-inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
+// Whether bodies that touch may be looked for there: they move, neither turns far until then, and neither passes the
+// other by more than `farthest`, m. Bodies with joints do not move as their velocities say, nor do the surfaces of
+// conveyors. The middle of a step of one substep is its start.
+inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time, float farthest) {
     constexpr float small = 0.25f; // rad
-    if (!(time > 0) || !c.touching || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
+    if (!(time > 0) || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         const math::Vec3 w = bodies.motion[b].w;
         if (bodies.links[b].first_joint != none || time * time * math::dot(w, w) > small * small) return false;
     }
     const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
-    return math::dot(passing, passing) <= c.base_margin * c.base_margin;
+    return math::dot(passing, passing) <= farthest * farthest;
+}
+
+// Whether a pair is looked for there: it has met, and does not pass by more than the margin: what slides or rolls on in
+// haste may be over another shape by then, whose contact is of the start. What meets only in this step is asked where
+// it does.
+inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
+    return c.touching && may_be_midway(bodies, c, time, c.base_margin);
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -5,6 +5,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/flight.h"
+#include "contacts/midway.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "contacts/record_owners.h"
@@ -136,10 +137,44 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     if (order == 0 && group.related == none) narrow.outcomes[place] = take_distance(in.bodies, contacts, id, 0);
 }
 
+// Whether it goes on as at the start until it is in the middle of the step, where it touches what it touches now and
+// nothing else: its patches are settled then. It passes by not more than half of its smallest half width, so that it is
+// in what it meets until then, but not beyond.
+bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
+                        NarrowBatch& own, float dt) {
+    const ContactInfo& group = contacts.info[id];
+    const float time = midway_time(in.substeps, dt), margin = contact_margin(in.bodies, narrow, group, dt);
+    if (!may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius)) return false;
+    find_patches(shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
+                 shape_midway(in.bodies, in.shapes, narrow, group.shape_b), margin, margin, own.surface, own.hits);
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
+    own.triangles.clear(); // which patch each is
+    for (const Manifold& hit : own.hits) {
+        const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
+        if (patch == none || !contacts.info[patch].touching || stays_apart(in.bodies, in.shapes, group, hit, dt) ||
+            approach_of(in.bodies, in.shapes, group, hit) * time > group.base_margin)
+            return false;
+        narrow.patch_outcomes[patch] = tested_patches;
+        own.triangles.push_back(std::uint32_t(patch));
+    }
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
+        if (narrow.patch_outcomes[p] == not_found) return false;
+    const Moment midway = moment_midway(in.bodies, in.shapes, narrow, group, time);
+    for (std::size_t k = 0; k < own.hits.size(); ++k)
+        narrow.patch_outcomes[own.triangles[k]] =
+            take_points(in.bodies, in.shapes, contacts, in.islands, own.triangles[k], own.hits[k], midway);
+    keep_answer(in.bodies, contacts, id, 0);
+    return true;
+}
+
 void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt) {
     const std::uint32_t id = narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
+    if (stays_until_midway(in, contacts, narrow, id, own, dt)) {
+        narrow.outcomes[place] = tested_patches;
+        return;
+    }
     const float distance = find_at_start(in, narrow, group, dt, own);
     if (own.hits.empty() && group.related == none) {
         narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
