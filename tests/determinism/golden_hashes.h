@@ -18,9 +18,9 @@ inline constexpr std::uint64_t free_tops = 0x9643f3537bf3534d;
 inline constexpr std::uint64_t explicit_euler = 0xb3222149476c696b;
 inline constexpr std::uint64_t whirl = 0xbeb2e33bcdc22343;
 inline constexpr std::uint64_t changes = 0x7a7c456554f16a73;
-inline constexpr std::uint64_t all_shapes = 0x4ceb9b45a4cabae2;
-inline constexpr std::uint64_t rounded_shapes = 0x5185e134ac5f42c2;
-inline constexpr std::uint64_t surfaces = 0x320ade18f27ff434;
+inline constexpr std::uint64_t all_shapes = 0x79c81cb64495d672;
+inline constexpr std::uint64_t rounded_shapes = 0xbf5d8cfb546b2b8f;
+inline constexpr std::uint64_t surfaces = 0x30a89f2ce5868d3e;
 inline constexpr std::uint64_t all_joints = 0xed8302a89d652bee;
 inline constexpr std::uint64_t chains = 0xc664ace8d3c7d786;
 
