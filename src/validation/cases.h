@@ -37,6 +37,9 @@ Result measure_stack_forces();
 Result measure_moved_worlds();
 Result measure_towers();
 
+// turntable.cpp
+Result measure_turntable();
+
 // impacts.cpp
 Result measure_billiards();
 Result measure_shots();

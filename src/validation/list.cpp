@@ -97,6 +97,10 @@ std::span<const Case> cases() {
         {22, "towers", "What must stand",
          "Statics: balance with friction 0.6, so nothing moves; each run with and without sleeping, the worse counts.",
          measure_towers},
+        {31, "turntable", "A table that turns: a box rides, a ball rolls",
+         "Friction holds what rides up to w^2 r = mu g. A solid ball that rolls goes in a circle at 2/7 of the table's "
+         "rate (K. Weltner, Am. J. Phys. 47, 984, 1979).",
+         measure_turntable},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "
