@@ -62,8 +62,12 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
                       std::uint32_t place, const Manifold& m, float margin, float time, float dt) {
     const ContactInfo& c = contacts.info[id];
     if (m.count == 0) return false;
-    const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
-    if ((c.flipped ? -along : along) <= 0) return false;
+    if (c.touching) {
+        const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
+        if ((c.flipped ? -along : along) <= 0) return false;
+    } else if (least_separation(m) > c.base_margin + (1 - time / dt) * (margin - c.base_margin)) {
+        return false; // at the start it may be farther than what is asked for
+    }
     if (meets_before(in, c, (margin - c.base_margin) / dt, time) &&
         meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time))
         return false;
@@ -195,9 +199,12 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
         }
     }
     if (is_looked_for_midway(in.bodies, c, midway)) {
-        const Manifold m =
-            test_convex_pair(kind, shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
-                             shape_midway(in.bodies, in.shapes, narrow, c.shape_b), guess, margin, memory);
+        const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
+                         b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
+        ContactMemory memory_then = memory;
+        Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory_then);
+        if (c.touching) memory = memory_then;
+        if (kind == PairKind::convex_convex && !c.touching) part_points(a_then, b_then, m);
         is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }
     if (!is_settled) {

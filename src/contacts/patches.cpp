@@ -144,7 +144,9 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
                         NarrowBatch& own, float dt) {
     const ContactInfo& group = contacts.info[id];
     const float time = midway_time(in.substeps, dt), margin = contact_margin(in.bodies, narrow, group, dt);
-    if (!may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius)) return false;
+    if (group.point_count == 0 ||
+        !may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
+        return false;
     find_patches(shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
                  shape_midway(in.bodies, in.shapes, narrow, group.shape_b), margin, margin, own.surface, own.hits);
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;

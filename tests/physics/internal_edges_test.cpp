@@ -1,4 +1,5 @@
 // Sliding over seams: what slides over many surfaces side by side loses no more speed than on one.
+#include "starts.h"
 #include "support.h"
 
 #include <array>
@@ -173,6 +174,32 @@ TEST(Seams, NothingBumpsAskewOverTiles) {
             EXPECT_NEAR(over_tiles.speed, on_plane.speed, 0.025 * on_plane.speed) << s.name << " " << i;
             EXPECT_LT(over_tiles.highest, on_plane.highest + 0.002) << s.name << " " << i;
         }
+}
+
+// A ball was tested with the tile behind in the middle of the step, and with the one ahead at its start: neither had
+// the normal of its face, and it lost 0.2 % at one seam of three.
+TEST(Seams, ASlowBallLosesNothingBetweenBoxes) {
+    Starts starts(4);
+    double least = 1;
+    for (int i = 0; i < 40; ++i) {
+        World world(without_sleep());
+        const double angle = starts.between(0, 6.2), speed = starts.between(0.3, 1.6);
+        const glm::dquat turn = glm::angleAxis(angle, glm::dvec3(0, 1, 0));
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.rotation = Quat(turn);
+        for (int k = -2; k < 20; ++k) {
+            def.position = turn * glm::dvec3(0.5 * k + 0.25, -0.25, 0);
+            add_body(world, Box{{0.25f, 0.25f, 1}}, def, surface(0));
+        }
+        def.type = BodyType::dynamic;
+        def.position = turn * glm::dvec3(-0.3 - speed / 60 * starts.between(0, 1), 0.2, 0);
+        def.linear_velocity = Vec3(turn * glm::dvec3(speed, 0, 0));
+        const BodyId ball = add_body(world, Sphere{0.2f}, def, surface(0));
+        run(world, 1.0f / 60, int(8 / speed * 60));
+        least = std::min(least, glm::length(glm::dvec3(world.body(ball).linear_velocity())) / speed);
+    }
+    EXPECT_GT(least, 0.9998);
 }
 
 // What stands out is no seam: a box on a floor of boxes stops at a wall of the same kind, and at a low curb.
