@@ -150,21 +150,21 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     find_patches(shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
                  shape_midway(in.bodies, in.shapes, narrow, group.shape_b), margin, margin, own.surface, own.hits);
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
-    own.triangles.clear(); // which patch each is
+    own.matched.clear();
     for (const Manifold& hit : own.hits) {
         const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
         if (patch == none || !contacts.info[patch].touching || stays_apart(in.bodies, in.shapes, group, hit, dt) ||
             approach_of(in.bodies, in.shapes, group, hit) * time > group.base_margin)
             return false;
         narrow.patch_outcomes[patch] = tested_patches;
-        own.triangles.push_back(std::uint32_t(patch));
+        own.matched.push_back(std::uint32_t(patch));
     }
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
         if (narrow.patch_outcomes[p] == not_found) return false;
     const Moment midway = moment_midway(in.bodies, in.shapes, narrow, group, time);
     for (std::size_t k = 0; k < own.hits.size(); ++k)
-        narrow.patch_outcomes[own.triangles[k]] =
-            take_points(in.bodies, in.shapes, contacts, in.islands, own.triangles[k], own.hits[k], midway);
+        narrow.patch_outcomes[own.matched[k]] =
+            take_points(in.bodies, in.shapes, contacts, in.islands, own.matched[k], own.hits[k], midway);
     keep_answer(in.bodies, contacts, id, 0);
     return true;
 }

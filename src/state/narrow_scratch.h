@@ -83,6 +83,7 @@ struct NarrowBatch {
     std::vector<Manifold> hits;          // of one group
     SurfaceScratch surface_at_touch;     // of one of its patches
     std::vector<Manifold> hits_at_touch; // there
+    std::vector<std::uint32_t> matched;  // of the patches of a group in the middle of the step, which each of `hits` is
     std::vector<std::uint32_t> triangles;
     std::vector<FreshPatch> fresh; // of the groups of this thread
     FlightPairs flights;
