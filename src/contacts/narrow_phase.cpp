@@ -201,9 +201,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
     if (is_looked_for_midway(in.bodies, c, midway)) {
         const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
                          b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
-        ContactMemory memory_then = memory;
-        Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory_then);
-        if (c.touching) memory = memory_then;
+        Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a_then, b_then, m);
         is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }

@@ -99,7 +99,7 @@ std::span<const Case> cases() {
          measure_towers},
         {31, "turntable", "A table that turns: a box rides, a ball rolls",
          "Friction holds what rides up to w^2 r = mu g. A solid ball that rolls goes in a circle at 2/7 of the table's "
-         "rate (K. Weltner, Am. J. Phys. 47, 984, 1979).",
+         "rate W: m dv/dt = F and 2/5 m r^2 dw/dt = moment of F give dv/dt = 2/7 W x v.",
          measure_turntable},
         // --- impacts
         {29, "billiards", "A break, impact after impact",

@@ -14,6 +14,13 @@ namespace cairn_test {
 using namespace cairn;
 using namespace cairn::validation;
 
+inline std::vector<Vec3> box_corners(const Vec3& half) {
+    std::vector<Vec3> result;
+    for (int i = 0; i < 8; ++i)
+        result.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+    return result;
+}
+
 // A test that is run with several lengths of the step; the parameter is the number of steps per second.
 class EveryStep : public testing::TestWithParam<int> {
   protected:
