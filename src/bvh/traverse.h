@@ -66,11 +66,15 @@ float visit_by_distance(const TreeView (&trees)[tree_count], float max, Enter&& 
     for (std::uint32_t tree = 0; tree < tree_count; ++tree) {
         const TreeView& view = trees[tree];
         if (view.level_count == 0) continue;
-        add_children(tree, 1u << 3 * (max_tree_levels - view.level_count), view.levels[view.level_count - 1][0]);
+        const std::uint32_t top = view.leaf_count == 1 ? 0 : view.level_count - 1; // a leaf alone needs nothing above
+        add_children(tree, 1u << 3 * (std::uint32_t(max_tree_levels) - 1 - top), view.levels[top][0]);
     }
     while (count > 0) {
         const Entry top = list[--count];
-        if (top.distance > max) continue;
+        if (top.distance > max) {
+            if (tree_count > 1 && count <= sorted_room) return max; // all others are farther
+            continue;
+        }
         const std::uint32_t tree = top.place >> place_bits, place = top.place % (1u << place_bits);
         if (place >= first_item) {
             max = visit(tree, place - first_item, max);

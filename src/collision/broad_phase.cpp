@@ -5,6 +5,7 @@
 #include "core/room.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cmath>
 #include <cstring>
 
@@ -64,16 +65,21 @@ TreeBox BroadPhase::relative(const DBounds& bounds) const {
 }
 
 TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec3 half) const {
+    constexpr std::uint32_t to_lo = offsetof(Node8, lo) / sizeof(float), to_hi = offsetof(Node8, hi) / sizeof(float);
+    constexpr double rounding = 0x1p-23;
+    const math::DVec3 place = origin - origin_, size = math::abs(place);
+    const double slack = rounding * std::max(size.x, std::max(size.y, size.z));
     TreeRay ray;
-    double largest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double relative = clamped(origin[axis] - origin_[axis]);
-        largest = std::max(largest, std::fabs(relative));
-        ray.origin[axis] = float(relative);
-        ray.inverse_direction[axis] = direction[axis] == 0 ? largest_bound : float(clamped(1.0 / direction[axis]));
+        const bool is_forward = !(direction[axis] < 0);
+        const double reach = half[axis] * (1 + rounding) + slack, outward = is_forward ? reach : -reach;
+        const std::uint32_t row = 8 * std::uint32_t(axis);
+        ray.entered[axis] = row + (is_forward ? to_lo : to_hi);
+        ray.left[axis] = row + (is_forward ? to_hi : to_lo);
+        ray.entered_place[axis] = float(place[axis] + outward);
+        ray.left_place[axis] = float(place[axis] - outward);
+        ray.rate[axis] = direction[axis] == 0 ? -largest_bound : -float(clamped(1 / direction[axis]));
     }
-    for (int axis = 0; axis < 3; ++axis)
-        ray.half[axis] = float(clamped(half[axis]) * (1 + 0x1p-23) + largest * 0x1p-23);
     return ray;
 }
 

@@ -15,16 +15,16 @@ int hit_box(const Node8& node, const TreeBox& box) { return hits(node, splat(box
 // The slab test of Kay and Kajiya. The far distance is widened by the rounding errors of both (Ize, "Robust BVH ray
 // traversal", 2013), so that no box is missed.
 int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* entry) {
-    f32x8 near = splat(-largest_bound), far = splat(max_distance);
-    const f32x8 widening = splat(1.0000005f);
-    for (int axis = 0; axis < 3; ++axis) {
-        const f32x8 origin = splat(ray.origin[axis]), inverse = splat(ray.inverse_direction[axis]);
-        const f32x8 half = splat(ray.half[axis]);
-        const f32x8 low = load(node.lo[axis]) - half, high = load(node.hi[axis]) + half;
-        const bool forward = ray.inverse_direction[axis] > 0.0f;
-        near = max(near, ((forward ? low : high) - origin) * inverse);
-        far = min(far, ((forward ? high : low) - origin) * inverse * widening);
+    const auto sides = reinterpret_cast<const float*>(&node);
+    const auto distances = [&](const std::uint32_t* side, const float* place, int axis) {
+        return (splat(place[axis]) - load(sides + side[axis])) * splat(ray.rate[axis]);
+    };
+    f32x8 near = distances(ray.entered, ray.entered_place, 0), far = distances(ray.left, ray.left_place, 0);
+    for (int axis = 1; axis < 3; ++axis) {
+        near = max(near, distances(ray.entered, ray.entered_place, axis));
+        far = min(far, distances(ray.left, ray.left_place, axis));
     }
+    far = min(splat(max_distance), far * splat(1.0000005f));
     store(entry, near);
     return 255 ^ bits((near > far) | (far < zero()));
 }
