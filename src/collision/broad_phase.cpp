@@ -71,14 +71,15 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec
     const double slack = rounding * std::max(size.x, std::max(size.y, size.z));
     TreeRay ray;
     for (int axis = 0; axis < 3; ++axis) {
-        const bool is_forward = !(direction[axis] < 0);
+        const double rate = clamped(1 / direction[axis]); // also where it does not move along the axis
+        const bool is_forward = rate > 0;
         const double reach = half[axis] * (1 + rounding) + slack, outward = is_forward ? reach : -reach;
         const std::uint32_t row = 8 * std::uint32_t(axis);
         ray.entered[axis] = row + (is_forward ? to_lo : to_hi);
         ray.left[axis] = row + (is_forward ? to_hi : to_lo);
         ray.entered_place[axis] = float(place[axis] + outward);
         ray.left_place[axis] = float(place[axis] - outward);
-        ray.rate[axis] = direction[axis] == 0 ? -largest_bound : -float(clamped(1 / direction[axis]));
+        ray.rate[axis] = -float(rate);
     }
     return ray;
 }

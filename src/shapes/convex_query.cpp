@@ -95,34 +95,6 @@ std::optional<ConvexHit> sweep_ball_and(const Convex& moving, DVec3 way, const C
     return ConvexHit{s.fraction, still.center - still.radius * s.normal, -s.normal};
 }
 
-std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, Approach start) {
-    const double tolerance = sweep_tolerance * extent_of(moving, still);
-    if (is_ball_and_formula(moving, still) || is_ball_and_formula(still, moving))
-        return sweep_ball_and(moving, way, still, start.fraction, limit, tolerance);
-    if (is_sharp_box(moving) && is_sharp_box(still)) {
-        const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
-        if (boxes.state == BoxSweep::State::missed) return std::nullopt;
-        if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
-    }
-    if (start.fraction == 0 && overlap_by_formula(moving, still, tolerance)) return ConvexHit{0, {}, {}};
-    const CorePair pair{exact_core(moving), exact_core(still)};
-    const GjkCast c = gjk_cast(pair, way, limit, tolerance, start.toward);
-    switch (c.state) {
-    case GjkCast::State::missed:
-        return std::nullopt;
-    case GjkCast::State::overlapping:
-        if (pair.a.radius + pair.b.radius > tolerance || is_deeper(c.simplex, tolerance)) return ConvexHit{0, {}, {}};
-        break;
-    case GjkCast::State::met:
-        if (c.fraction == 0 && c.distance >= pair.a.radius + pair.b.radius - tolerance && !(dot(way, c.normal) > 0))
-            return std::nullopt; // they touch, and move apart or past each other
-        return ConvexHit{c.fraction, c.on_b - pair.b.radius * c.normal, -c.normal};
-    case GjkCast::State::unsettled:
-        break;
-    }
-    return advance(moving, way, still, tolerance, limit, c.fraction);
-}
-
 } // namespace
 
 bool has_nearest(const Convex& c) {
@@ -214,12 +186,36 @@ bool contains(const Convex& c, DVec3 point) {
 
 std::optional<ConvexHit> cast_ray(const Convex& c, DVec3 origin, DVec3 way) {
     if (contains(c, origin)) return std::nullopt;
-    return sweep(make_point(origin), way, c, 1, {});
+    return cast_convex(make_point(origin), way, c, 1);
 }
 
 std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit,
                                      Approach start) {
-    return sweep(moving, way, still, limit, start);
+    const double tolerance = sweep_tolerance * extent_of(moving, still);
+    if (is_ball_and_formula(moving, still) || is_ball_and_formula(still, moving))
+        return sweep_ball_and(moving, way, still, start.fraction, limit, tolerance);
+    if (is_sharp_box(moving) && is_sharp_box(still)) {
+        const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
+        if (boxes.state == BoxSweep::State::missed) return std::nullopt;
+        if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
+    }
+    if (start.fraction == 0 && overlap_by_formula(moving, still, tolerance)) return ConvexHit{0, {}, {}};
+    const CorePair pair{exact_core(moving), exact_core(still)};
+    const GjkCast c = gjk_cast(pair, way, limit, tolerance, start.toward);
+    switch (c.state) {
+    case GjkCast::State::missed:
+        return std::nullopt;
+    case GjkCast::State::overlapping:
+        if (pair.a.radius + pair.b.radius > tolerance || is_deeper(c.simplex, tolerance)) return ConvexHit{0, {}, {}};
+        break;
+    case GjkCast::State::met:
+        if (c.fraction == 0 && c.distance >= pair.a.radius + pair.b.radius - tolerance && !(dot(way, c.normal) > 0))
+            return std::nullopt; // they touch, and move apart or past each other
+        return ConvexHit{c.fraction, c.on_b - pair.b.radius * c.normal, -c.normal};
+    case GjkCast::State::unsettled:
+        break;
+    }
+    return advance(moving, way, still, tolerance, limit, c.fraction);
 }
 
 ConvexHit overlap_hit(const Convex& moving, const Convex& still) {

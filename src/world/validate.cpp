@@ -22,9 +22,11 @@ template <class V> std::string list_text(const V& v, int n) {
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void require_size(std::string_view field, float value) {
-    if (!(value >= smallest_size && value <= largest_size))
-        refuse(field, to_text(value), "must be a size in meters from 1e-6 to 1e9");
+[[noreturn]] void refuse_size(std::string_view field, float value) {
+    refuse(field, to_text(value), "must be a size in meters from 1e-6 to 1e9");
+}
+inline void require_size(std::string_view field, float value) {
+    if (!(value >= smallest_size && value <= largest_size)) refuse_size(field, value);
 }
 
 void require_mass(std::string_view field, float mass) {
