@@ -113,9 +113,7 @@ class BoxPair {
         if (!meet(shallowest_axis_, r)) r.normal = {};
         return r;
     }
-    DVec3 axis(int k) const {
-        if (k < 3) return a_.axes.column(k);
-        if (k < 6) return b_.axes.column(k - 3);
+    DVec3 axis(int k) const { // of two edges
         const int pair = k - 6;
         return (1 / shadows_[k].length) * math::cross(a_.axes.column(pair / 3), b_.axes.column(pair % 3));
     }
@@ -134,30 +132,43 @@ class BoxPair {
     }
     // Whether a corner of one box meets a face of the other at the fraction, within it, and where.
     bool meet_face(int k, BoxSweep& r) const {
-        if (!meet(k, r)) return false;
-        const Convex& box = k < 3 ? a_ : b_;
-        DVec3 corner = r.point - r.fraction * way_;
-        if (k >= 3 && !farthest(a_, -r.normal, none, corner)) return false;
-        const DVec3 local = to_local(box, k < 3 ? corner - box.center : corner + r.fraction * way_ - box.center);
+        DVec3 local; // in the frame of the face
+        if (k < 3) {
+            if (!meet_own_face(k, r)) return false;
+            local = to_local(a_, r.point - r.fraction * way_ - a_.center);
+        } else if (!meet_other_face(k, r, local)) {
+            return false;
+        }
+        const DVec3 size = k < 3 ? a_.size : b_.size;
         for (int j = 0; j < 3; ++j)
-            if (j != k % 3 && !(std::fabs(local[j]) <= box.size[j])) return false;
+            if (j != k % 3 && !(std::fabs(local[j]) <= size[j])) return false;
+        return true;
+    }
+    bool meet_own_face(int k, BoxSweep& r) const {
+        r.normal = shadows_[k].apart > 0 ? -a_.axes.column(k) : a_.axes.column(k);
+        return farthest(b_, r.normal, none, r.point);
+    }
+    // `local`: where in the plane of the face, in the frame of its box.
+    bool meet_other_face(int k, BoxSweep& r, DVec3& local) const {
+        const int face = k - 3;
+        const double side = shadows_[k].apart > 0 ? -1 : 1;
+        r.normal = side * b_.axes.column(face);
+        DVec3 corner;
+        if (!farthest(a_, -r.normal, none, corner)) return false;
+        local = to_local(b_, corner + r.fraction * way_ - b_.center);
+        DVec3 on_face;
+        for (int j = 0; j < 3; ++j) on_face[j] = j == face ? side * b_.size[j] : within(local[j], b_.size[j]);
+        r.point = b_.center + b_.axes * on_face;
         return true;
     }
     // Where they meet along an axis at the fraction, or are deepest within each other. False where it is not one point.
     bool meet(int k, BoxSweep& r) const {
+        DVec3 local;
+        if (k < 3) return meet_own_face(k, r);
+        if (k < 6) return meet_other_face(k, r, local);
         const Shadows& s = shadows_[k];
         const DVec3 at = r.fraction * way_;
         r.normal = s.apart > 0 ? -axis(k) : axis(k);
-        if (k < 3) return farthest(b_, r.normal, none, r.point);
-        if (k < 6) {
-            DVec3 corner;
-            if (!farthest(a_, -r.normal, none, corner)) return false;
-            DVec3 local = to_local(b_, corner + at - b_.center);
-            for (int j = 0; j < 3; ++j) local[j] = within(local[j], b_.size[j]);
-            local[k - 3] = s.apart > 0 ? -b_.size[k - 3] : b_.size[k - 3];
-            r.point = b_.center + b_.axes * local;
-            return true;
-        }
         const int i = (k - 6) / 3, j = (k - 6) % 3;
         DVec3 on_a, on_b;
         if (!farthest(a_, -r.normal, i, on_a) || !farthest(b_, r.normal, j, on_b)) return false;
