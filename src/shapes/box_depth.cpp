@@ -1,5 +1,7 @@
 #include "shapes/box_depth.h"
 
+#include "shapes/box_capsule.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,41 +25,6 @@ constexpr DVec3 along(int axis, double length) {
 
 // Of what may be no number, the least.
 double within(double x, double least, double most) { return !(x > least) ? least : x > most ? most : x; }
-
-// The way from the nearest point of a box to that of a segment, in the frame of the box; 0 where they meet.
-struct SegmentGap {
-    DVec3 on_box, off;
-};
-
-// The square of the distance of a point of the segment from the box is a convex function of its place, whose derivative
-// bends only where the segment crosses a plane of a face: between two of these it is a line.
-SegmentGap gap_to_segment(const Convex& box, const Convex& capsule) {
-    const DVec3 half = box.size, middle = to_local(box, capsule.center - box.center),
-                arm = capsule.size.y * to_local(box, capsule.axes.c1);
-    const auto nearest = [&](double t) {
-        const DVec3 p = middle + t * arm;
-        const DVec3 on_box{within(p.x, -half.x, half.x), within(p.y, -half.y, half.y), within(p.z, -half.z, half.z)};
-        return SegmentGap{on_box, p - on_box};
-    };
-    const auto rise = [&](double t) { return dot(nearest(t).off, arm); };
-    double low = -1, high = 1, below = rise(low), above = rise(high);
-    if (!(below < 0)) return nearest(low);
-    if (!(above > 0)) return nearest(high);
-#pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i)
-        for (const double side : {-half[i], half[i]}) {
-            const double t = (side - middle[i]) / arm[i];
-            if (!(t > low && t < high)) continue;
-            const double here = rise(t);
-            if (here < 0)
-                low = t, below = here;
-            else
-                high = t, above = here;
-        }
-    return nearest(low - below / (above - below) * (high - low));
-}
-
-bool is_capsule_of_one_radius(const Convex& c) { return c.kind == Convex::Kind::capsule && c.size.x == c.size.z; }
 
 struct Chord {
     DVec3 first, last; // corners of the other shape
@@ -319,16 +286,6 @@ std::optional<BoxDepth> box_depth(const Convex& box, const Convex& other) {
         }
     }
     return BoxDepthSearch(box, other).find();
-}
-
-bool is_box_and_capsule(const Convex& a, const Convex& b) {
-    return (a.kind == Convex::Kind::box && is_capsule_of_one_radius(b)) ||
-           (b.kind == Convex::Kind::box && is_capsule_of_one_radius(a));
-}
-
-double square_of_box_and_capsule(const Convex& a, const Convex& b) {
-    const SegmentGap gap = a.kind == Convex::Kind::box ? gap_to_segment(a, b) : gap_to_segment(b, a);
-    return dot(gap.off, gap.off);
 }
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// The least way that parts a box from another shape that it overlaps, and how far it is from a segment.
+// The least way that parts a box from another shape that it overlaps.
 #pragma once
 
 #include "shapes/convex.h"
@@ -17,10 +17,5 @@ struct BoxDepth {
 // least found so far, which still parts them. None where the cores do not overlap, but for capsules; where more than
 // one point is deepest; and of capsules whose ends differ.
 std::optional<BoxDepth> box_depth(const Convex& box, const Convex& other);
-
-// Whether one is a box and the other a capsule of one radius.
-bool is_box_and_capsule(const Convex& a, const Convex& b);
-// The square of the distance of the cores of two that are.
-double square_of_box_and_capsule(const Convex& a, const Convex& b);
 
 } // namespace cairn

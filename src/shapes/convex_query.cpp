@@ -1,6 +1,7 @@
 #include "shapes/convex_query.h"
 
 #include "shapes/ball_sweep.h"
+#include "shapes/box_capsule.h"
 #include "shapes/box_depth.h"
 #include "shapes/box_sweep.h"
 #include "shapes/epa.h"
@@ -73,12 +74,7 @@ bool holds_ball(const Convex& c, const Convex& other, double depth) {
     const double reach = inner_radius(other) + outer_radius(c) - depth;
     return reach > 0 && dot(off, off) < reach * reach;
 }
-// Whether a formula says that they overlap by more than a depth; of boxes and capsules it says, too, where they do not.
 bool overlap_by_formula(const Convex& a, const Convex& b, double depth) {
-    if (is_box_and_capsule(a, b)) {
-        const double reach = outer_radius(a) + outer_radius(b) - depth;
-        return reach > 0 && square_of_box_and_capsule(a, b) < reach * reach;
-    }
     return holds_ball(a, b, depth) || holds_ball(b, a, depth);
 }
 
@@ -198,6 +194,11 @@ std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Conv
         const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
         if (boxes.state == BoxSweep::State::missed) return std::nullopt;
         if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
+    }
+    if (is_box_and_capsule(moving, still)) {
+        const CapsuleSweep c = sweep_box_and_capsule(moving, way, still, start.fraction, limit, tolerance);
+        if (c.state == CapsuleSweep::State::missed) return std::nullopt;
+        return ConvexHit{c.state == CapsuleSweep::State::met ? c.fraction : 0, c.point, c.normal};
     }
     if (start.fraction == 0 && overlap_by_formula(moving, still, tolerance)) return ConvexHit{0, {}, {}};
     const CorePair pair{exact_core(moving), exact_core(still)};

@@ -1,5 +1,5 @@
-// Sweeps and overlaps of balls with shapes whose nearest point a formula tells, and balls within shapes, against
-// distances by GJK and depths by EPA.
+// Sweeps and overlaps of balls with shapes whose nearest point a formula tells, and of boxes and capsules, and balls
+// within shapes, against distances by GJK and depths by EPA.
 #include "cast_test_support.h"
 
 #include <gtest/gtest.h>
@@ -29,43 +29,73 @@ Cast any_cast(Random& random, int k) {
     return c;
 }
 
+Cast any_cast_of_capsule(Random& random, int k) {
+    const double size = random.below(3) == 0 ? random.uniform(2, 8) : random.uniform(0.2, 1);
+    const auto u = [&] { return size * random.uniform(0.05, 1); };
+    const Solid sharp = box(u(), u(), u());
+    const bool in_line = random.below(4) == 0; // so that whole edges and faces meet at once
+    Cast c{random.below(3) == 0 ? rounded(sharp, 0.2 * size) : sharp,
+           capsule(u(), u()),
+           {},
+           {},
+           in_line ? DQuat{0, 0, 0, 1} : random.rotation(),
+           in_line ? DQuat{0, 0, 0, 1} : random.rotation()};
+    if (k % 2 == 0) std::swap(c.moving, c.still);
+    c.from = 2 * size * random.uniform(0, 2) * random.direction();
+    c.way = -1.5 * c.from + random.uniform(0, 6) * size * random.direction();
+    return c;
+}
+
+struct Counts {
+    int hits = 0, misses = 0;
+};
+
+void expect_that_of_advancement(const Cast& cast, int k, Counts& counts) {
+    const auto expected = advance(cast), hit = cast_convex(cast.a(), cast.way, cast.b());
+    const double near = 4 * cast.tolerance(), length = convex_test::length(cast.way);
+    if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
+        const auto least = closest_points(cast.a(hit ? hit->fraction : expected->fraction), cast.b());
+        EXPECT_LT(std::fabs(dot(least.normal, cast.way)), 3e-3 * length) << k;
+        EXPECT_LT(std::fabs(least.distance), near) << k;
+        return;
+    }
+    if (!hit) {
+        ++counts.misses;
+        return;
+    }
+    ASSERT_EQ(hit->fraction == 0, expected->fraction == 0) << k;
+    if (hit->fraction == 0) return;
+    ++counts.hits;
+    const double steep = std::min(-dot(hit->normal, cast.way), -dot(expected->normal, cast.way));
+    EXPECT_GT(steep, 0) << k;
+    EXPECT_NEAR(hit->fraction * steep, expected->fraction * steep, near) << k;
+    EXPECT_NEAR(convex_test::length(hit->normal), 1, 1e-9) << k;
+    // They touch there, and the plane through the point parts them.
+    const Convex met = cast.a(hit->fraction);
+    EXPECT_NEAR(closest_points(met, cast.b()).distance, 0, near) << k;
+    EXPECT_NEAR(dot(support(cast.b(), hit->normal) - hit->point, hit->normal), 0, near) << k;
+    EXPECT_NEAR(dot(support(met, -hit->normal) - hit->point, hit->normal), 0, near) << k;
+    EXPECT_FALSE(cast_convex(cast.a(), cast.way, cast.b(), 0.999 * hit->fraction)) << k;
+    // The same from a fraction before which they do not meet.
+    const auto later = cast_convex(cast.a(), cast.way, cast.b(), 1, {{}, 0.7 * hit->fraction});
+    ASSERT_TRUE(later) << k;
+    EXPECT_NEAR(later->fraction * steep, hit->fraction * steep, near) << k;
+}
+
 TEST(BallSweeps, AreThoseOfConservativeAdvancement) {
     Random random(1);
-    int hits = 0, misses = 0;
-    for (int k = 0; k < 40000; ++k) {
-        const Cast cast = any_cast(random, k);
-        const auto expected = advance(cast), hit = cast_convex(cast.a(), cast.way, cast.b());
-        const double near = 4 * cast.tolerance(), length = convex_test::length(cast.way);
-        if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
-            const auto least = closest_points(cast.a(hit ? hit->fraction : expected->fraction), cast.b());
-            EXPECT_LT(std::fabs(dot(least.normal, cast.way)), 3e-3 * length) << k;
-            EXPECT_LT(std::fabs(least.distance), near) << k;
-            continue;
-        }
-        if (!hit) {
-            ++misses;
-            continue;
-        }
-        ASSERT_EQ(hit->fraction == 0, expected->fraction == 0) << k;
-        if (hit->fraction == 0) continue;
-        ++hits;
-        const double steep = std::min(-dot(hit->normal, cast.way), -dot(expected->normal, cast.way));
-        EXPECT_GT(steep, 0) << k;
-        EXPECT_NEAR(hit->fraction * steep, expected->fraction * steep, near) << k;
-        EXPECT_NEAR(convex_test::length(hit->normal), 1, 1e-9) << k;
-        // They touch there, and the plane through the point parts them.
-        const Convex met = cast.a(hit->fraction);
-        EXPECT_NEAR(closest_points(met, cast.b()).distance, 0, near) << k;
-        EXPECT_NEAR(dot(support(cast.b(), hit->normal) - hit->point, hit->normal), 0, near) << k;
-        EXPECT_NEAR(dot(support(met, -hit->normal) - hit->point, hit->normal), 0, near) << k;
-        EXPECT_FALSE(cast_convex(cast.a(), cast.way, cast.b(), 0.999 * hit->fraction)) << k;
-        // The same from a fraction before which they do not meet.
-        const auto later = cast_convex(cast.a(), cast.way, cast.b(), 1, {{}, 0.7 * hit->fraction});
-        ASSERT_TRUE(later) << k;
-        EXPECT_NEAR(later->fraction * steep, hit->fraction * steep, near) << k;
-    }
-    EXPECT_GT(hits, 10000);
-    EXPECT_GT(misses, 5000);
+    Counts counts;
+    for (int k = 0; k < 40000; ++k) expect_that_of_advancement(any_cast(random, k), k, counts);
+    EXPECT_GT(counts.hits, 10000);
+    EXPECT_GT(counts.misses, 5000);
+}
+
+TEST(CapsuleSweeps, OfBoxesAreThoseOfConservativeAdvancement) {
+    Random random(3);
+    Counts counts;
+    for (int k = 0; k < 40000; ++k) expect_that_of_advancement(any_cast_of_capsule(random, k), k, counts);
+    EXPECT_GT(counts.hits, 10000);
+    EXPECT_GT(counts.misses, 5000);
 }
 
 TEST(BallSweeps, OverlapsFromTheStartTellTheLeastWayApart) {

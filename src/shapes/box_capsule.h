@@ -1,0 +1,42 @@
+// Boxes and capsules of one radius: how far they are from each other, and when they meet, by a formula.
+#pragma once
+
+#include "shapes/convex.h"
+
+namespace cairn {
+
+inline bool is_capsule_of_one_radius(const Convex& c) {
+    return c.kind == Convex::Kind::capsule && c.size.x == c.size.z;
+}
+inline bool is_box_and_capsule(const Convex& a, const Convex& b) {
+    return (a.kind == Convex::Kind::box && is_capsule_of_one_radius(b)) ||
+           (b.kind == Convex::Kind::box && is_capsule_of_one_radius(a));
+}
+
+// The way from the nearest point of a box to that of a segment, in the frame of the box; 0 where they meet.
+struct SegmentGap {
+    math::DVec3 on_box, off;
+};
+// Of the cores of a box and a capsule.
+SegmentGap gap_to_segment(const Convex& box, const Convex& capsule);
+// The square of the distance of the cores of a box and a capsule, in any order.
+double square_of_box_and_capsule(const Convex& a, const Convex& b);
+
+struct CapsuleSweep {
+    enum class State : std::uint8_t {
+        missed,      // not before `limit`, a fraction of the way
+        met,         // at `fraction` they are nearer than the tolerance
+        overlapping, // from the start, and deeper than the tolerance
+    };
+    State state = State::missed;
+    double fraction = 0;
+    math::DVec3 point;  // of the surface of the still one
+    math::DVec3 normal; // unit, out of the still one
+};
+
+// Newton's method on the distance, as of balls (ball_sweep.h), whichever of them moves: it never passes the first touch.
+// They stop at half the tolerance, m > 0. `from`: a fraction before which they do not meet.
+CapsuleSweep sweep_box_and_capsule(const Convex& moving, math::DVec3 way, const Convex& still, double from,
+                                   double limit, double tolerance);
+
+} // namespace cairn
