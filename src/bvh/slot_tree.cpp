@@ -36,6 +36,16 @@ TreeBox SlotTree::bounds() const {
     return tree.level_count == 0 ? empty_box : bounds_of(tree.levels[tree.level_count - 1][0]);
 }
 
+TreeView SlotTree::view() const {
+    TreeView view = {};
+    while (view.level_count < std::uint32_t(max_tree_levels) && !levels_[view.level_count].empty()) {
+        view.levels[view.level_count] = levels_[view.level_count].data();
+        ++view.level_count;
+    }
+    view.leaf_count = leaf_count();
+    return view;
+}
+
 // Gives every level the nodes that the one below it needs, up to a single root. A new root over what was a root until
 // now starts with its bounds.
 void SlotTree::grow_levels() {

@@ -62,18 +62,10 @@ class SlotTree {
     TreeBox box(std::uint32_t slot) const { return box_of_lane(levels_[0][slot / 8], slot % 8); }
     TreeBox leaf_bounds(std::uint32_t leaf) const { return box_of_lane(levels_[1][leaf / 8], leaf % 8); }
     const Node8& leaf(std::uint32_t leaf) const { return levels_[0][leaf]; }
+    const Node8& node(std::uint32_t level, std::uint32_t i) const { return levels_[level][i]; }
     const Node8* leaves() const { return levels_[0].data(); }
     const std::uint32_t* items() const { return items_.data(); } // by slot
-    TreeView view() const {
-        TreeView view; // without values for levels that are not there: clearing them takes longer than all the rest
-        view.leaf_count = leaf_count();
-        view.level_count = 0;
-        while (view.level_count < std::uint32_t(max_tree_levels) && !levels_[view.level_count].empty()) {
-            view.levels[view.level_count] = levels_[view.level_count].data();
-            ++view.level_count;
-        }
-        return view;
-    }
+    TreeView view() const;
     TreeBox bounds() const; // of all items; between refits perhaps larger
 
     std::uint32_t append(std::uint32_t item, const TreeBox& box); // returns the slot

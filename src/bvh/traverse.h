@@ -1,7 +1,7 @@
 // Walks through the implicit tree for queries.
 #pragma once
 
-#include "bvh/tree.h"
+#include "bvh/slot_tree.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -33,6 +33,13 @@ template <class F> void visit_box(const BroadKernels& kernels, const TreeView& t
     }
 }
 
+inline std::uint32_t leaf_count_of(const TreeView& tree) { return tree.leaf_count; }
+inline std::uint32_t leaf_count_of(const SlotTree& tree) { return tree.leaf_count(); }
+inline const Node8& node_of(const TreeView& tree, std::uint32_t level, std::uint32_t i) {
+    return tree.levels[level][i];
+}
+inline const Node8& node_of(const SlotTree& tree, std::uint32_t level, std::uint32_t i) { return tree.node(level, i); }
+
 // max = visit(tree, slot, max) for all items of some trees that lie at a distance up to `max`, about in the order of
 // these; less than 0 ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8
 // floats, aligned to 32 bytes); of those that are nowhere farther than the start, less than 0 says which come first.
@@ -41,8 +48,8 @@ template <class F> void visit_box(const BroadKernels& kernels, const TreeView& t
 // Of several trees what is nearest of all that is left comes next, so that the trees bound each other; as long as the
 // list of it is short. Else, and in a tree alone, it is what is nearest of the children of the last node: no more than
 // the depth of a tree is added to the list then, and less is moved about in it.
-template <std::size_t tree_count, class Enter, class F>
-float visit_by_distance(const TreeView (&trees)[tree_count], float max, Enter&& enter, F&& visit) {
+template <class Tree, std::size_t tree_count, class Enter, class F>
+float visit_by_distance(const Tree* const (&trees)[tree_count], float max, Enter&& enter, F&& visit) {
     // A node is known by a one and below it three bits for each lane on the way to it from level max_tree_levels.
     constexpr std::uint32_t place_bits = 3 * max_tree_levels + 1, first_item = 1u << (place_bits - 1);
     static_assert(tree_count <= 1u << (32 - place_bits));
@@ -64,10 +71,10 @@ float visit_by_distance(const TreeView (&trees)[tree_count], float max, Enter&& 
         }
     };
     for (std::uint32_t tree = 0; tree < tree_count; ++tree) {
-        const TreeView& view = trees[tree];
-        if (view.level_count == 0) continue;
-        const std::uint32_t top = view.leaf_count == 1 ? 0 : view.level_count - 1; // a leaf alone needs nothing above
-        add_children(tree, 1u << 3 * (std::uint32_t(max_tree_levels) - 1 - top), view.levels[top][0]);
+        std::uint32_t nodes = leaf_count_of(*trees[tree]), top = 0; // a leaf alone needs nothing above it
+        if (nodes == 0) continue;
+        for (; nodes > 1; nodes = (nodes + 7) / 8) ++top;
+        add_children(tree, 1u << 3 * (std::uint32_t(max_tree_levels) - 1 - top), node_of(*trees[tree], top, 0));
     }
     while (count > 0) {
         const Entry top = list[--count];
@@ -82,7 +89,8 @@ float visit_by_distance(const TreeView (&trees)[tree_count], float max, Enter&& 
             continue;
         }
         const auto depth = std::uint32_t(31 - __builtin_clz(place));
-        add_children(tree, place, trees[tree].levels[max_tree_levels - 1 - depth / 3][place - (1u << depth)]);
+        const std::uint32_t level = std::uint32_t(max_tree_levels) - 1 - depth / 3;
+        add_children(tree, place, node_of(*trees[tree], level, place - (1u << depth)));
     }
     return max;
 }

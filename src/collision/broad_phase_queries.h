@@ -43,15 +43,14 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
 // Through some trees: max = visit(shape, max) as in visit_by_distance.
 template <std::size_t count, class Enter, class F>
 float BroadPhase::query_trees(const SlotTree* const (&trees)[count], float max, Enter&& enter, F&& visit) const {
-    TreeView views[count];
-    for (std::size_t i = 0; i < count; ++i) views[i] = trees[i]->view();
-    return visit_by_distance(views, max, enter, [&](std::uint32_t tree, std::uint32_t slot, float limit) {
+    return visit_by_distance(trees, max, enter, [&](std::uint32_t tree, std::uint32_t slot, float limit) {
         const std::uint32_t item = trees[tree]->item(slot);
         if (trees[tree] != &top_) return visit(item, limit);
         const Island& island = islands_[item];
         if (island.shape_count == 1) return visit(island_shapes_[island.shape_base], limit);
-        const TreeView below[] = {island_view(island)};
-        return visit_by_distance(below, limit, enter, [&](std::uint32_t, std::uint32_t place, float least) {
+        const TreeView below = island_view(island);
+        const TreeView* const alone[] = {&below};
+        return visit_by_distance(alone, limit, enter, [&](std::uint32_t, std::uint32_t place, float least) {
             return visit(island_shapes_[island.shape_base + place], least);
         });
     });
