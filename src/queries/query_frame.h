@@ -36,6 +36,18 @@ struct PosedInQuery {
     }
 };
 
+// Of a box along the axes that casts know, of other shapes along these rounded to float, as in the broad phase.
+inline DBounds bounds_in_query(const PosedInQuery& shape, const Convex& convex) {
+    if (convex.kind != Convex::Kind::box)
+        return geometry_bounds(shape.geometry, shape.data, shape.center,
+                               math::to_matrix(math::to_float(shape.rotation)));
+    const math::DVec3 size = convex.size;
+    const double radius = outer_radius(convex);
+    const math::DVec3 half = size.x * math::abs(convex.axes.c0) + size.y * math::abs(convex.axes.c1) +
+                             size.z * math::abs(convex.axes.c2) + math::DVec3{radius, radius, radius};
+    return {convex.center - half, convex.center + half};
+}
+
 // A convex shape in the query's frame, its bounds, and the radius of a ball around its middle that holds it.
 struct QuerySolid {
     Convex convex;
@@ -43,8 +55,7 @@ struct QuerySolid {
     double radius;
 
     explicit QuerySolid(const PosedInQuery& shape)
-        : convex(shape.convex({}, 0)), bounds(geometry_bounds(shape.geometry, shape.data, shape.center,
-                                                              math::to_matrix(math::to_float(shape.rotation)))),
+        : convex(shape.convex({}, 0)), bounds(bounds_in_query(shape, convex)),
           radius(double(shape.geometry.bounding_radius)) {}
 };
 
