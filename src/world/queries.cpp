@@ -47,10 +47,13 @@ bool bounds_overlap(const DBounds& a, const DBounds& b) {
 } // namespace
 
 Sight::Sight(const State& state, const QueryFilter& filter)
-    : state_(state), filter_(filter), sees_all_bodies_(filter.static_bodies && filter.kinematic_bodies &&
-                                                       filter.dynamic_bodies && filter.ignored_bodies.empty()) {}
+    : state_(state), filter_(filter),
+      sees_all_others_(filter.layers == all_layers && filter.own_layers == all_layers && filter.static_bodies &&
+                       filter.kinematic_bodies && filter.dynamic_bodies && filter.ignored_bodies.empty()) {}
 
-bool Sight::sees_body(std::int32_t body) const {
+bool Sight::passes(const CollisionFilter& layers, std::int32_t body) const {
+    if (filter_.layers != all_layers && (layers.layers & filter_.layers) == 0) return false;
+    if (filter_.own_layers != all_layers && (layers.collides_with & filter_.own_layers) == 0) return false;
     const BodyType type = state_.bodies.settings[body].type;
     const bool is_asked_for = type == BodyType::static_     ? filter_.static_bodies
                               : type == BodyType::kinematic ? filter_.kinematic_bodies

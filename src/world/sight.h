@@ -14,17 +14,15 @@ class Sight {
     bool sees(std::uint32_t shape) const {
         const ShapeTraits& traits = state_.shapes.traits[shape];
         if (traits.is_trigger && !filter_.triggers) return false;
-        if (filter_.layers != all_layers && (traits.filter.layers & filter_.layers) == 0) return false;
-        if (filter_.own_layers != all_layers && (traits.filter.collides_with & filter_.own_layers) == 0) return false;
-        return sees_all_bodies_ || sees_body(state_.shapes.links[shape].body);
+        return sees_all_others_ || passes(traits.filter, state_.shapes.links[shape].body);
     }
     bool any() const { return filter_.any; }
 
   private:
-    bool sees_body(std::int32_t body) const;
+    bool passes(const CollisionFilter& layers, std::int32_t body) const;
     const State& state_;
     const QueryFilter& filter_;
-    bool sees_all_bodies_;
+    bool sees_all_others_; // than triggers
 };
 
 } // namespace cairn
