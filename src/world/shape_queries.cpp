@@ -17,13 +17,14 @@ namespace {
 // The first hit of a shape that starts at the query's origin.
 class ShapeCast {
   public:
-    ShapeCast(const QuerySolid& moving, DVec3 translation)
-        : moving_(moving), center_(middle(moving.convex)), translation_(translation),
+    ShapeCast(const Shapes& shapes, DVec3 origin, const QuerySolid& moving, DVec3 translation)
+        : shapes_(shapes), origin_(origin), moving_(moving), center_(middle(moving.convex)), translation_(translation),
           square_(math::dot(translation, translation)), half_way_(center_ + 0.5 * translation),
           reach_(math::length(moving.bounds.hi - moving.bounds.lo) + std::sqrt(square_)) {}
 
     // Up to a fraction of the translation.
-    std::optional<ConvexHit> against(const PosedInQuery& still, double limit) const {
+    std::optional<ConvexHit> against(std::uint32_t shape, double limit) const {
+        const PosedInQuery still(shapes_, shape, origin_);
         switch (still.geometry.type) {
         case ShapeType::plane: {
             const DVec3 up = still.up();
@@ -46,7 +47,9 @@ class ShapeCast {
         return cast_convex(moving_.convex, translation_, convex(still), limit, *start);
     }
     // Of a convex shape that it overlaps at the start.
-    ConvexHit from_within(const PosedInQuery& still) const { return overlap_hit(moving_.convex, convex(still)); }
+    ConvexHit from_within(std::uint32_t shape) const {
+        return overlap_hit(moving_.convex, convex(PosedInQuery(shapes_, shape, origin_)));
+    }
 
   private:
     Convex convex(const PosedInQuery& still) const { return still.convex(half_way_, reach_); }
@@ -121,6 +124,8 @@ class ShapeCast {
         return ConvexHit{fraction, lowest + fraction * translation_, up};
     }
 
+    const Shapes& shapes_;
+    DVec3 origin_;
     const QuerySolid& moving_;
     DVec3 center_; // of a ball around it
     DVec3 translation_;
@@ -200,8 +205,8 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     const ShapeData data = make_shape_data(shape);
     const DVec3 origin = to_math(start.position), way = math::to_double(to_math(translation));
     const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation));
-    const ShapeCast cast(moving, way);
     const State& s = impl_->seen_by(filter, "World::cast_shape");
+    const ShapeCast cast(s.shapes, origin, moving, way);
     const Sight sight(s, filter);
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
@@ -209,7 +214,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
             // Of two at the same fraction the one with the lower index counts, in whatever order they come.
             if (!sight.sees(other) || (limit == 0 && best && other > met)) return limit;
-            const auto hit = cast.against(PosedInQuery(s.shapes, other, origin), limit);
+            const auto hit = cast.against(other, limit);
             if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
                 return limit;
             best = hit;
@@ -217,7 +222,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
             return sight.any() ? -1 : hit->fraction;
         });
     if (!best) return std::nullopt;
-    if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s.shapes, met, origin));
+    if (best->normal == DVec3{}) best = cast.from_within(met);
     return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
                         to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }

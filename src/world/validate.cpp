@@ -75,9 +75,9 @@ void require_above(std::string_view field, double value, double limit) {
 Quat checked_rotation(std::string_view field, const Quat& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     const double square = x * x + y * y + z * z + w * w;
+    if (std::fabs(square - 1) < 4e-7) return q; // as near to unit length as a float gets: leave its bits alone
     if (!std::isfinite(square)) refuse(field, to_text(q), "must be finite");
     if (!(square > 1e-24)) refuse(field, to_text(q), "must not be zero");
-    if (std::fabs(square - 1) < 4e-7) return q; // as near to unit length as a float gets: leave its bits alone
     const double scale = 1 / std::sqrt(square);
     return Quat(float(w * scale), float(x * scale), float(y * scale), float(z * scale));
 }
