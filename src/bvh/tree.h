@@ -30,10 +30,10 @@ struct TreeView {
     std::uint32_t leaf_count;
 };
 
-// A ray relative to the region origin, or a box around it that moves along. On each axis it enters boxes at one of their
-// sides and leaves them at the other: where the eight of a node are, as floats from its beginning; and how far along the
-// ray they lie, (place - side) * rate. The places are the origin, moved out by half the size of the box that moves along
-// and by what rounding to float may lose.
+// A ray relative to the region origin, or a box around it that moves along. On each axis it enters boxes at one of
+// their sides and leaves them at the other: where the eight of a node are, as floats from its beginning; and how far
+// along the ray they lie, (place - side) * rate. The places are the origin, moved out by half the size of the box that
+// moves along and by what rounding to float may lose.
 struct TreeRay {
     std::uint32_t entered[3], left[3];
     float entered_place[3], left_place[3], rate[3];

@@ -5,8 +5,8 @@
 #include "core/room.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace cairn {

@@ -34,9 +34,7 @@ template <class T> constexpr TVec3<T> min(TVec3<T> a, TVec3<T> b) {
 template <class T> constexpr TVec3<T> max(TVec3<T> a, TVec3<T> b) {
     return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
-template <class T> inline TVec3<T> abs(TVec3<T> a) {
-    return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)};
-}
+template <class T> inline TVec3<T> abs(TVec3<T> a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
 constexpr DVec3 to_double(Vec3 a) { return {a.x, a.y, a.z}; }
 constexpr Vec3 to_float(DVec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
 

@@ -34,8 +34,8 @@ struct CapsuleSweep {
     math::DVec3 normal; // unit, out of the still one
 };
 
-// Newton's method on the distance, as of balls (ball_sweep.h), whichever of them moves: it never passes the first touch.
-// They stop at half the tolerance, m > 0. `from`: a fraction before which they do not meet.
+// Newton's method on the distance, as of balls (ball_sweep.h), whichever of them moves: it never passes the first
+// touch. They stop at half the tolerance, m > 0. `from`: a fraction before which they do not meet.
 CapsuleSweep sweep_box_and_capsule(const Convex& moving, math::DVec3 way, const Convex& still, double from,
                                    double limit, double tolerance);
 
