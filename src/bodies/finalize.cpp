@@ -52,18 +52,19 @@ float surface_radius(const Bodies& bodies, std::int32_t b) {
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
 
-// How long the body has been slower than the sleep speed, and its mean velocity of the last quarter of a sleep time,
-// and of the quarter before: what an island gains shows in their difference (islands.cpp).
-void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float speed, float dt) {
+// How long the body has been slower than the sleep speed, and half of its mean squared speed of the last quarter of a
+// sleep time, and of the quarter before: what an island gains shows in their difference (islands.cpp).
+void note_rest(const WorldDef& settings, BodyLinks& links, float speed, float dt) {
     if (!settings.enable_sleep || !(speed < settings.sleep_speed)) {
         links.quiet_time = 0;
         return;
     }
+    const float energy = 0.5f * speed * speed;
     if (links.quiet_time == 0) {
-        links.late = links.later = v;
+        links.late = links.later = energy;
     } else {
         const float share = dt / (dt + lag_of_rest * settings.sleep_time);
-        links.late += share * (v - links.late);
+        links.late += share * (energy - links.late);
         links.later += share * (links.late - links.later);
     }
     links.quiet_time += dt;
@@ -108,7 +109,7 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
         if (has_strayed) own.strayed.push_back(b);
     }
     const float speed = velocity + math::length(motion.w) * surface_radius(bodies, b);
-    note_rest(settings, links, motion.v, speed, dt);
+    note_rest(settings, links, speed, dt);
 }
 
 void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {

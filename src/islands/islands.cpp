@@ -144,21 +144,19 @@ void measure_rest(const Bodies& bodies, Islands& islands, std::int32_t i) {
     island.greatest_quiet_time = greatest;
 }
 
-// What gains speed steadily will not stay where it is, however slow it is yet. The whole of an island is asked: its
-// parts may sway for long before they come to rest.
+// What gains speed steadily will not stay where it is, however slow it is yet: with e = v^2 / 2 the energy of a
+// kilogram, de/dt = v dv/dt. The whole of an island is asked: its parts may sway for long before they come to rest. Not
+// its momentum: that of a wheel, and of two bodies on one rope, is zero.
 bool gains_speed(const Bodies& bodies, const WorldDef& settings, const Island& island) {
     constexpr float steady_gain = 0.25f; // of the sleep speed, in a sleep time
-    float mass = 0;
-    math::Vec3 momentum, difference;
+    float gain = 0, momentum = 0;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         const BodyLinks& links = bodies.links[b];
-        const float m = bodies.mass[b].mass;
-        mass += m;
-        momentum += m * links.late;
-        difference += m * (links.late - links.later);
+        const float mass = bodies.mass[b].mass;
+        gain += mass * (links.late - links.later);
+        momentum += mass * std::sqrt(2 * links.late);
     }
-    return math::dot(difference, momentum) > 0 &&
-           math::length(difference) > lag_of_rest * steady_gain * settings.sleep_speed * mass;
+    return gain > lag_of_rest * steady_gain * settings.sleep_speed * momentum;
 }
 
 } // namespace

@@ -47,7 +47,7 @@ struct BodyLinks {
     std::int32_t next_in_island = none, previous_in_island = none;
     float radius = 0;                                   // of the body about its center of mass; planes not counted
     float quiet_time = 0;                               // s that it has been slower than the sleep speed
-    math::Vec3 late, later;                             // m/s: its velocity meanwhile, as it lags behind
+    float late = 0, later = 0;                          // J/kg: half of its squared speed meanwhile, as it lags behind
     std::int32_t contact_count = 0;                     // that are solved
     std::uint64_t colors = 0;                           // of its contacts, one bit each
     std::uint64_t joint_colors = 0;                     // likewise

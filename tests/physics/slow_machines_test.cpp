@@ -1,0 +1,83 @@
+// Machines whose parts move against each other, or turn about a point that stays, gain speed slowly: they must not fall
+// asleep, though the momenta of their parts add up to nothing.
+#include "support.h"
+
+#include "validation/random_starts.h"
+
+#include <cmath>
+
+namespace cairn_test {
+namespace {
+
+constexpr float dt = 1.0f / 60;
+
+// Two balls of nearly the same mass on a rope over two rollers, at 0.05 to 0.1 m/s^2.
+TEST(SlowMachines, AnAtwoodMachineGoesOn) {
+    RandomStart random(5);
+    for (int i = 0; i < 24; ++i) {
+        World world;
+        const double mass = random.uniform(1, 50), difference = random.uniform(0.005, 0.01);
+        BodyDef def;
+        def.position = {-0.5, 0, 0};
+        def.mass = float(mass * (1 + difference));
+        const BodyId heavy = add_body(world, Sphere{0.1f}, def);
+        def.position = {0.5, 0, 0};
+        def.mass = float(mass * (1 - difference));
+        const BodyId light = add_body(world, Sphere{0.1f}, def);
+        PulleyJoint pulley;
+        pulley.ground_a = {-0.5, 5, 0};
+        pulley.ground_b = {0.5, 5, 0};
+        JointDef joint;
+        joint.body_a = heavy;
+        joint.body_b = light;
+        joint.joint = pulley;
+        world.create_joint(joint);
+        run(world, dt, 180);
+        EXPECT_TRUE(world.body(heavy).is_awake()) << i;
+        EXPECT_NEAR(world.body(heavy).position().y / (-0.5 * difference * 9.80665 * 9), 1, 0.02) << i;
+    }
+}
+
+// A flywheel with a weak motor: its rim gains 0.05 to 0.1 m/s^2.
+TEST(SlowMachines, AFlywheelComesUpToSpeed) {
+    RandomStart random(6);
+    for (int i = 0; i < 24; ++i) {
+        World world;
+        const double radius = random.uniform(0.2, 2), gain = random.uniform(0.05, 0.1);
+        BodyDef def;
+        def.mass = 10.0f;
+        def.rotation = glm::angleAxis(float(pi / 2), Vec3(1, 0, 0));
+        const BodyId wheel = add_body(world, Cylinder{0.1f, float(radius)}, def);
+        HingeJoint hinge;
+        hinge.angle.motor = JointMotor{};
+        hinge.angle.motor->velocity = 10;
+        hinge.angle.motor->max_force = float(0.5 * 10 * radius * gain); // I a / r, I = m r^2 / 2
+        world.create_joint(world.joint_at({}, wheel, {0, 0, 0}, {0, 0, 1}, hinge));
+        run(world, dt, 240);
+        EXPECT_TRUE(world.body(wheel).is_awake()) << i;
+        EXPECT_NEAR(double(world.body(wheel).angular_velocity().z) * radius / (4 * gain), 1, 0.02) << i;
+    }
+}
+
+// What has come to rest does fall asleep.
+TEST(SlowMachines, BalancedOnesRest) {
+    World world;
+    BodyDef def;
+    def.position = {-0.5, 0, 0};
+    const BodyId left = add_body(world, Sphere{0.1f}, def);
+    def.position = {0.5, 0, 0};
+    const BodyId right = add_body(world, Sphere{0.1f}, def);
+    PulleyJoint pulley;
+    pulley.ground_a = {-0.5, 5, 0};
+    pulley.ground_b = {0.5, 5, 0};
+    JointDef joint;
+    joint.body_a = left;
+    joint.body_b = right;
+    joint.joint = pulley;
+    world.create_joint(joint);
+    run(world, dt, 120);
+    EXPECT_FALSE(world.body(left).is_awake());
+}
+
+} // namespace
+} // namespace cairn_test
