@@ -75,11 +75,28 @@ struct Sink final : PairSink {
         bool swapped = false;
         const std::optional<PairKind> kind = pair_kind(shapes.geometry[a], shapes.geometry[b], swapped);
         if (!kind) return false;
-        // A is the dynamic one; of two dynamic ones, the kernel's first.
-        const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
+        // A is the dynamic one.
+        const bool b_is_a = a_moves && b_moves ? goes_first(b, a, swapped) : b_moves;
         const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds;
         contact = create(b_is_a ? b : a, b_is_a ? a : b, *kind, flipped, a_moves && b_moves);
         return true;
+    }
+
+    // Of two dynamic ones, whether A is the shape `a`. While the bodies pass each other, the place of touch stays with
+    // A (solver.md, Arms that follow the bodies): it does with what is round and slides over a face. Where both are
+    // round it stays with neither: then what turns most easily is A, which is the one that no couple acts on.
+    // `otherwise`: where neither is true.
+    bool goes_first(std::uint32_t a, std::uint32_t b, bool otherwise) const {
+        const auto is_round = [&](std::uint32_t shape) {
+            const Geometry& g = shapes.geometry[shape];
+            return g.rounding > 0 || (g.type != ShapeType::box && g.type != ShapeType::hull);
+        };
+        if (is_round(a) != is_round(b)) return is_round(a);
+        const auto inertia = [&](std::uint32_t shape) {
+            const math::Vec3 i = bodies.mass[shapes.links[shape].body].inertia;
+            return std::min(i.x, std::min(i.y, i.z));
+        };
+        return inertia(a) != inertia(b) ? inertia(a) < inertia(b) : otherwise;
     }
 
     void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
