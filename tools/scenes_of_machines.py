@@ -241,7 +241,7 @@ def chain_reaction():
     for k in range(11):
         s.body(s.box(0.08, 0.56, 0.3), stone, (first + 0.5 + 0.28 * k, shelf + 0.28, 0), None, f"domino {k + 1}",
                blend(YELLOW, RED, k / 10))
-    light = s.material(0.5, 0.0, 1500, rolling=0.001)
+    light = s.material(0.5, 0.0, 1500, rolling=0.0003)
     s.body(s.sphere(0.2), light, (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
     # The seesaw: its right end is down until the ball comes.
     pivot = (0.7, 1.35, 0)

@@ -4,6 +4,9 @@
 
 #include "solver/impact_lists.h"
 
+#include "solver/impacts.h"
+#include "solver/rank_impacts.h"
+
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -13,20 +16,9 @@ namespace cairn {
 namespace {
 
 constexpr float unknown_speed = -1;
+enum StruckWhen : std::uint8_t { untouched, in_this_round, before };
 
 // --- once in a step
-
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
-    while (parent[row] != row) {
-        parent[row] = parent[parent[row]];
-        row = parent[row];
-    }
-    return row;
-}
-void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
-    const std::int32_t root_a = root_of(parent, a), root_b = root_of(parent, b);
-    parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
-}
 
 void find_components(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
@@ -52,7 +44,7 @@ void find_components(const Bodies& bodies, const Joints& joints, BatchScratch& s
         component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
         work.rows_of.add(component[row], row);
     }
-    work.is_struck.assign(rows, 0);
+    work.struck_when.assign(rows, untouched);
     work.speed.assign(rows, unknown_speed);
     work.group.assign(rows, none);
     work.place_of.resize(rows);
@@ -89,9 +81,7 @@ void find_runs(BatchScratch& scratch) {
 void begin_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
-        for (const std::int32_t row : work.rows) work.group[row] = none;
-        for (const std::int32_t component : work.struck) work.is_struck[component] = 0;
-        for (const std::int32_t row : work.measured) work.speed[row] = unknown_speed;
+        for (const std::int32_t component : work.ever_struck) work.struck_when[component] = untouched;
     } else {
         find_components(bodies, joints, scratch);
         find_sides(scratch.one_lanes, scratch.row_count(), work.one_sides_of);
@@ -99,26 +89,83 @@ void begin_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scrat
         find_runs(scratch);
         work.has_components = true;
     }
-    work.struck.clear(), work.measured.clear(), work.struck_lanes.clear();
-    work.groups.clear(), work.rows.clear(), work.before.clear(), work.listed.clear();
+    work.struck.clear(), work.ever_struck.clear(), work.struck_lanes.clear();
+}
+
+void empty_lists(ImpactWork& work) {
+    for (const std::int32_t row : work.rows) work.group[row] = none;
+    for (const std::int32_t row : work.measured) work.speed[row] = unknown_speed;
+    work.measured.clear(), work.groups.clear(), work.rows.clear(), work.before.clear(), work.listed.clear();
 }
 
 // --- what is struck
 
-// Both bodies of a struck contact.
-template <class Block> void mark_struck(BatchScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
+// none: the body has none here, as it moves by no force or is another rank's.
+std::int32_t held_row(const BatchScratch& scratch, std::int32_t body) {
+    return body == none ? none : scratch.row_of_body[body];
+}
+
+void mark_row(ImpactWork& work, std::int32_t row) {
+    const std::int32_t component = work.component[row];
+    if (component == fixed_row || work.struck_when[component] == in_this_round) return;
+    if (work.struck_when[component] == untouched) work.ever_struck.push_back(component);
+    work.struck_when[component] = in_this_round;
+    work.struck.push_back(component);
+}
+
+template <class Block> float least_separation(const Block& b, std::size_t lane) {
+    float least = b.separation[0][lane];
+    for (const auto& separation : b.separation) least = std::min(least, separation[lane]);
+    return least;
+}
+
+// Whether a contact pushes its bodies apart faster than the speed at which that would be an impact.
+template <class Block> bool pushes_out(const Block& b, std::size_t lane, const ContactSoftness& softness) {
+    const float rate = (b.mass_b[lane] == 0 ? softness.on_immovable : softness.on_movable).push_rate;
+    return rate * least_separation(b, lane) < -impact_speed;
+}
+bool is_pushed_out(const BatchScratch& scratch, std::int32_t row, const ContactSoftness& softness) {
+    const ImpactWork& work = scratch.impact;
+    if (work.component[row] == fixed_row) return false;
+    bool pushed = false;
+    work.one_sides_of.for_each(
+        row, [&](std::size_t side) { pushed |= pushes_out(scratch.one_blocks[side / 16], side / 2 % 8, softness); });
+    work.four_sides_of.for_each(
+        row, [&](std::size_t side) { pushed |= pushes_out(scratch.four_blocks[side / 16], side / 2 % 8, softness); });
+    return pushed;
+}
+
+// Without the hits of what is pushed out.
+void keep_real_hits(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness) {
+    std::vector<ImpactWork::Hit>& hits = scratch.impact.hits;
+    if (scratch.border) share_hits(*ranks, hits);
+    std::vector<std::int32_t>& pushed = scratch.impact.pushed;
+    pushed.clear();
+    for (const ImpactWork::Hit& hit : hits)
+        for (const std::int32_t body : {hit.first, hit.other})
+            if (const std::int32_t row = held_row(scratch, body); row != none && is_pushed_out(scratch, row, softness))
+                pushed.push_back(body);
+    if (scratch.border) share_bodies(*ranks, pushed);
+    std::sort(pushed.begin(), pushed.end());
+    const auto is_pushed = [&](std::int32_t body) { return std::binary_search(pushed.begin(), pushed.end(), body); };
+    std::erase_if(hits, [&](const ImpactWork::Hit& hit) { return is_pushed(hit.first) || is_pushed(hit.other); });
+}
+
+void mark_hits(BatchScratch& scratch) {
+    for (const ImpactWork::Hit& hit : scratch.impact.hits)
+        for (const std::int32_t body : {hit.first, hit.other})
+            if (const std::int32_t row = held_row(scratch, body); row != none) mark_row(scratch.impact, row);
+}
+
+// Both bodies of the struck contacts.
+template <class Block> void list_struck(BatchScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
     ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
         if (blocks[k].struck == 0) continue;
         work.struck_lanes.push_back(&blocks[k].struck);
         for (unsigned left = blocks[k].struck; left != 0; left &= left - 1) {
             const std::size_t lane = 8 * k + std::size_t(std::countr_zero(left));
-            for (const std::int32_t row : {lanes.row_a[lane], lanes.row_b[lane]}) {
-                const std::int32_t component = work.component[row];
-                if (component == fixed_row || work.is_struck[component]) continue;
-                work.is_struck[component] = 1;
-                work.struck.push_back(component);
-            }
+            work.hits.push_back({scratch.row_bodies[lanes.row_a[lane]], scratch.row_bodies[lanes.row_b[lane]]});
         }
     }
 }
@@ -167,11 +214,16 @@ float speed_of(BatchScratch& scratch, std::int32_t row) {
     return speed;
 }
 
-// Contacts are there for what may meet within the whole step; in this substep they close at that speed only.
-template <class Block> float closing_speed(const Block& b, std::size_t lane, float h) {
-    float least = b.separation[0][lane];
-    for (const auto& separation : b.separation) least = std::min(least, separation[lane]);
-    return least / h;
+// Contacts are there for what may meet within the whole step; in this substep they close at the speeds of now only.
+template <class Block>
+bool may_close(BatchScratch& scratch, const Block& b, std::size_t lane, std::int32_t row, std::int32_t other, float h) {
+    const bool is_struck = (b.struck >> lane & 1) != 0;
+    return is_struck || least_separation(b, lane) <= h * (speed_of(scratch, row) + speed_of(scratch, other));
+}
+
+bool is_in_round(const ImpactWork& work, std::int32_t row) {
+    const std::int32_t component = work.component[row];
+    return component != fixed_row && work.struck_when[component] == in_this_round;
 }
 
 // The contacts of a row that the impact may close.
@@ -183,12 +235,9 @@ void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowL
         const std::size_t lane = side / 2;
         const bool is_b = side % 2 != 0;
         const std::int32_t other = is_b ? lanes.row_a[lane] : lanes.row_b[lane];
-        const std::int32_t component = work.component[other];
-        if (is_b && work.is_struck[component]) return; // A lists it
-        const Block& block = blocks[lane / 8];
-        const bool is_struck = (block.struck >> lane % 8 & 1) != 0;
-        if (!is_struck && closing_speed(block, lane % 8, h) > speed_of(scratch, row) + speed_of(scratch, other)) return;
-        if (component != fixed_row) {
+        if (is_b && is_in_round(work, other)) return; // A lists it
+        if (!may_close(scratch, blocks[lane / 8], lane % 8, row, other, h)) return;
+        if (work.component[other] != fixed_row) {
             list_row(work, other, other);
             unite(work.group, row, other);
         }
@@ -196,23 +245,56 @@ void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowL
     });
 }
 
-// --- side by side
+// --- what is hit in turn
 
-// Puts the items of each part side by side, in the order in which they are listed.
-template <class Part, class Item, class F>
-void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
-    for (Part& part : parts) part.end = 0;
-    for (const Item& item : items) ++parts[part_of(item)].end;
-    std::size_t begin = 0;
-    for (Part& part : parts) {
-        const std::size_t count = part.end;
-        part.begin = part.end = begin;
-        begin += count;
+// Whether something approaches a contact faster than the solver should stop it.
+template <class Block> bool is_hit(const BatchScratch& scratch, const Block& b, std::size_t lane, float h) {
+    const auto at = [&](const auto& rows) { return math::Vec3{rows[0][lane], rows[1][lane], rows[2][lane]}; };
+    const SolverVelocity& a = scratch.velocity[b.a[lane] / row_bytes];
+    const SolverVelocity& other = scratch.velocity[b.b[lane] / row_bytes];
+    const math::Vec3 normal = at(b.normal), w = math::to_vec(other.w), turning = w - math::to_vec(a.w);
+    const float common =
+        math::dot(normal, math::to_vec(other.v) - math::to_vec(a.v)) + math::dot(math::cross(at(b.d), normal), w);
+    for (std::size_t i = 0; i < std::size(b.impulse); ++i) {
+        if (b.effective_mass[i][lane] == 0) continue;
+        math::Vec3 arm;
+        if constexpr (requires { b.arm; })
+            arm = at(b.arm[i]);
+        else
+            arm = math::cross(at(b.center), normal);
+        const float s = b.separation[i][lane];
+        if (s < -impact_speed * h) continue;                                         // it is pushed out
+        if (b.restitution[lane] > 0 && s > 0 && !(b.impulse[i][lane] > 0)) continue; // it will bounce
+        if (common + math::dot(arm, turning) + std::max(s, 0.0f) / h < -impact_speed) return true;
     }
-    sorted.resize(items.size());
-    for (const Item& item : items) sorted[parts[part_of(item)].end++] = item;
-    items.swap(sorted);
+    return false;
 }
+
+// Whether a row was driven away from what joints hold to it, as they took no part.
+bool is_torn(const BatchScratch& scratch, std::int32_t row, const SolverVelocity& before) {
+    const ImpactWork& work = scratch.impact;
+    if (is_in_round(work, row) || work.rows_of.next[work.rows_of.first[work.component[row]]] < 0) return false;
+    const math::Vec3 change = math::to_vec(scratch.velocity[row].v) - math::to_vec(before.v);
+    return math::dot(change, change) > impact_speed * impact_speed;
+}
+
+// What a row is driven into by contacts that took no part.
+template <class Block>
+void list_hits(BatchScratch& scratch, std::int32_t row, const RowLists& sides, const LaneLists& lanes,
+               const std::vector<Block>& blocks, float h) {
+    ImpactWork& work = scratch.impact;
+    sides.for_each(row, [&](std::size_t side) {
+        const std::size_t lane = side / 2;
+        const std::int32_t other = side % 2 != 0 ? lanes.row_a[lane] : lanes.row_b[lane];
+        const Block& block = blocks[lane / 8];
+        if (!is_hit(scratch, block, lane % 8, h)) return;
+        if ((is_in_round(work, row) || is_in_round(work, other)) && may_close(scratch, block, lane % 8, row, other, h))
+            return;
+        work.hits.push_back({scratch.row_bodies[row], scratch.row_bodies[other]});
+    });
+}
+
+// --- side by side
 
 // What contacts or joints that take part do not connect, even over others, cannot strike each other: it settles each
 // for itself.
@@ -222,7 +304,7 @@ void find_groups(BatchScratch& scratch) {
         std::int32_t& place = work.place_of[root_of(work.group, row)];
         if (place == none) {
             place = std::int32_t(work.groups.size());
-            work.groups.push_back({0, 0, false});
+            work.groups.push_back({0, 0, false, false});
         }
         work.place_of[row] = place;
     }
@@ -233,13 +315,28 @@ void find_groups(BatchScratch& scratch) {
     for (ImpactWork::ListedLane& lane : work.listed) lane.group = place_of(lane.group);
 }
 
+// The group of a body that took part.
+std::int32_t place_of_body(const BatchScratch& scratch, std::int32_t body) {
+    const ImpactWork& work = scratch.impact;
+    if (!scratch.border) return work.place_of[scratch.row_of_body[body]];
+    return work.shared.groups[std::size_t(row_of_shared(work.shared, body))];
+}
+
 } // namespace
 
-void list_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, float h) {
-    ImpactWork& work = scratch.impact;
+void begin_impact_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, Communicator* ranks,
+                        const ContactSoftness& softness) {
     begin_lists(bodies, joints, scratch);
-    mark_struck(scratch, scratch.one_lanes, scratch.one_blocks);
-    mark_struck(scratch, scratch.four_lanes, scratch.four_blocks);
+    scratch.impact.hits.clear();
+    list_struck(scratch, scratch.one_lanes, scratch.one_blocks);
+    list_struck(scratch, scratch.four_lanes, scratch.four_blocks);
+    keep_real_hits(scratch, ranks, softness);
+    mark_hits(scratch);
+}
+
+void list_impact(BatchScratch& scratch, float h) {
+    ImpactWork& work = scratch.impact;
+    empty_lists(work);
     std::sort(work.struck.begin(), work.struck.end());
     const auto for_struck_rows = [&](auto&& f) {
         for (const std::int32_t component : work.struck)
@@ -251,10 +348,41 @@ void list_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scrat
         list_contacts(scratch, four_points_type, row, work.four_sides_of, scratch.four_lanes, scratch.four_blocks, h);
         list_contacts(scratch, one_point_type, row, work.one_sides_of, scratch.one_lanes, scratch.one_blocks, h);
     });
-    for (std::uint8_t* const lanes : work.struck_lanes) *lanes = 0;
     find_groups(scratch);
     put_together(work.listed_runs, work.listed, work.sorted_lanes,
                  [](const ImpactWork::ListedLane& lane) { return lane.run; });
+}
+
+bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness) {
+    ImpactWork& work = scratch.impact;
+    work.hits.clear();
+    for (std::size_t i = 0; i < work.rows.size(); ++i) {
+        const std::int32_t row = work.rows[i];
+        if (is_torn(scratch, row, work.before[i]))
+            work.hits.push_back({scratch.row_bodies[row], scratch.row_bodies[row]});
+        list_hits(scratch, row, work.four_sides_of, scratch.four_lanes, scratch.four_blocks, softness.h);
+        list_hits(scratch, row, work.one_sides_of, scratch.one_lanes, scratch.one_blocks, softness.h);
+    }
+    keep_real_hits(scratch, ranks, softness);
+    for (ImpactWork::Group& group : work.groups) group.goes_on = false;
+    for (const ImpactWork::Hit& hit : work.hits)
+        work.groups[std::size_t(place_of_body(scratch, hit.first))].goes_on = true;
+    work.struck.clear();
+    for (const ImpactWork::Group& group : work.groups)
+        for (std::size_t i = group.begin; i < group.end; ++i) {
+            const std::int32_t row = work.rows[i], component = work.component[row];
+            if (work.struck_when[component] != in_this_round) continue;
+            if (!group.goes_on)
+                work.struck_when[component] = before;
+            else if (row == component)
+                work.struck.push_back(component);
+        }
+    mark_hits(scratch);
+    return !work.hits.empty();
+}
+
+void end_impact_lists(ImpactWork& work) {
+    for (std::uint8_t* const lanes : work.struck_lanes) *lanes = 0;
 }
 
 } // namespace cairn

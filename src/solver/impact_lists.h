@@ -5,10 +5,61 @@
 #include "state/solver_scratch.h"
 #include "state/state.h"
 
+#include <cairn/communicator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace cairn {
 
-// Lists the rows, the groups and the lanes of an impact in scratch.impact, and takes the blocks' marks of what was
-// struck.
-void list_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, float h);
+// Once for an impact: takes from the blocks what was struck. What is pushed out of something faster than an impact has
+// no velocity of its own, and strikes nothing. `ranks`: of a batch that is cut.
+void begin_impact_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, Communicator* ranks,
+                        const ContactSoftness& softness);
+
+// Lists the rows, the groups and the lanes of a round of an impact in scratch.impact.
+void list_impact(BatchScratch& scratch, float h);
+
+// Whether something that took part is driven into what did not. In the next round that takes part too.
+bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness);
+
+// Takes back the blocks' marks of what was struck.
+void end_impact_lists(ImpactWork& work);
+
+// --- sets of rows, as trees of which the roots stand for the sets
+
+inline std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
+    while (parent[row] != row) {
+        parent[row] = parent[parent[row]];
+        row = parent[row];
+    }
+    return row;
+}
+inline void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
+    const std::int32_t root_a = root_of(parent, a), root_b = root_of(parent, b);
+    parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
+}
+
+// Puts the items of each part side by side, in the order in which they are listed.
+template <class Part, class Item, class F>
+void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
+    for (Part& part : parts) part.end = 0;
+    for (const Item& item : items) ++parts[part_of(item)].end;
+    std::size_t begin = 0;
+    for (Part& part : parts) {
+        const std::size_t count = part.end;
+        part.begin = part.end = begin;
+        begin += count;
+    }
+    sorted.resize(items.size());
+    for (const Item& item : items) sorted[parts[part_of(item)].end++] = item;
+    items.swap(sorted);
+}
+
+// The row of a body that takes part, among those of all ranks.
+inline std::ptrdiff_t row_of_shared(const ImpactWork::Shared& shared, std::int32_t body) {
+    return std::lower_bound(shared.bodies.begin(), shared.bodies.end(), body) - shared.bodies.begin();
+}
 
 } // namespace cairn

@@ -1,10 +1,12 @@
-// Impacts in islands with joints: what hits a contact is stopped at once, by passes over all rows near it.
+// Impacts: what hits a contact is stopped at once, by passes over all rows near it, and what that hits in turn.
 // docs/solver.md says why.
 #pragma once
 
 #include "jobs/thread_pool.h"
 #include "state/solver_scratch.h"
 #include "state/state.h"
+
+#include <cairn/communicator.h>
 
 #include <atomic>
 
@@ -14,8 +16,8 @@ inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left 
 inline constexpr float no_impact_speed = 1e30f;
 
 // After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
-// it is set back to 0.
-void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool, float h,
-                   std::atomic<int>& struck_contacts);
+// it is set back to 0. `ranks`: of a batch that is cut.
+void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool,
+                   Communicator* ranks, const ContactSoftness& softness, std::atomic<int>& struck_contacts);
 
 } // namespace cairn

@@ -14,7 +14,7 @@
 //      | for each substep        >       velocities      chunks of rows
 //      |                         >       bounce          color after color, chunks of the blocks of one color
 //      |                         >       solve           runs of joint rows, direct sets, then color after color
-//      |   impacts on joints     >       poses           chunks of rows
+//      |   impacts               >       poses           chunks of rows
 //      |                         >       relax           runs of joint rows, then color after color
 //      |   store joints          >     store impulses, move and finalize bodies
 //

@@ -16,7 +16,8 @@ namespace cairn {
 template <class Block, class Impact> struct StruckBlocks {
     struct Lane {
         std::uint32_t source; // the lane of the batch that it is a copy of
-        std::int32_t group;   // its place in ImpactWork::groups
+        std::int32_t group;   // its place in ImpactWork::groups; none: an empty lane
+        bool is_own;          // not another rank's
     };
     std::vector<Block> blocks;
     std::vector<Impact> impacts; // beside them
@@ -28,6 +29,7 @@ template <class Block, class Impact> struct StruckBlocks {
 // Blocks of one color and type; which: in ImpactWork::blocks.
 struct StruckRun {
     int type;
+    std::uint32_t listed; // its place in ImpactWork::listed_runs
     std::uint32_t first, count;
 };
 
@@ -59,8 +61,14 @@ struct ImpactWork {
     std::array<std::vector<std::uint32_t>, block_types> run_of_lane; // its place in `listed_runs`
 
     // What is known of components in this impact; the next one takes it back.
-    std::vector<std::uint8_t> is_struck; // by component
-    std::vector<std::int32_t> struck;    // those of which it is true
+    std::vector<std::uint8_t> struck_when;         // by component: not, in this round of it, or in one before
+    std::vector<std::int32_t> struck, ever_struck; // those of this round, and of all
+    // Bodies that strike each other: the first one is of a group that took part, or about to.
+    struct Hit {
+        std::int32_t first, other;
+    };
+    std::vector<Hit> hits;
+    std::vector<std::int32_t> pushed; // bodies that are pushed out of something, of those
     // m/s: of its fastest body, or by row: of what no force moves; negative where it has not been measured.
     std::vector<float> speed;
     std::vector<std::int32_t> measured;      // those where it has
@@ -70,6 +78,7 @@ struct ImpactWork {
     struct Group {
         std::size_t begin, end; // in `rows`
         bool is_settled;
+        bool goes_on; // something in it is driven into what did not take part
     };
     std::vector<Group> groups;
     // By row: parents, of which the roots stand for groups, and -1 for rows that take no part; the places of the
@@ -98,6 +107,14 @@ struct ImpactWork {
                StruckBlocks<ContactBlock<4>, ContactImpact<4>>>
         blocks;
     std::vector<StruckRun> runs; // in the order of the solver
+
+    // Of a batch that is cut, in place of the batch's rows: those of all ranks that take part (rank_impacts.h).
+    struct Shared {
+        std::vector<SolverVelocity> velocity; // of bodies that move, of what does not, and rows to discard
+        std::vector<std::int32_t> bodies;     // of the first rows: ascending
+        std::vector<std::int32_t> own_rows;   // of those, here; none: it is none of the bodies of this rank
+        std::vector<std::int32_t> groups;     // of those: places in ImpactWork::groups
+    } shared;
 };
 
 } // namespace cairn

@@ -7,26 +7,6 @@
 namespace cairn_test {
 namespace {
 
-TEST(KnownLimits, StackThatIsDroppedRisesAgain) {
-    World world(without_sleep());
-    add_ground(world, surface(0.6f));
-    std::vector<BodyId> boxes;
-    for (int i = 0; i < 10; ++i) {
-        BodyDef def;
-        def.position = {0, 1.5 + i, 0};
-        boxes.push_back(add_body(world, Box{}, def, surface(0.6f)));
-    }
-    double rise = 0; // m/s, of the middle of all
-    for (int i = 0; i < 120; ++i) {
-        world.step(1.0f / 60);
-        double speed = 0;
-        for (const BodyId box : boxes) speed += double(world.body(box).linear_velocity().y) / 10;
-        rise = std::max(rise, speed);
-    }
-    EXPECT_LT(rise, 2.2);
-    EXPECT_GT(rise, 0.8);
-}
-
 // m/s at which the middle of ten capsules in a row, upright, rises after they fell 2 m onto one end.
 double rise_of_chain(JointSolver solver) {
     World world(without_sleep());

@@ -48,7 +48,6 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     for (int i = 0; i < N; ++i) {
         const f32x8 change = impulse[i] - old[i];
         store(impact.impulse[i], impulse[i]);
-        store(block.total_impulse[i], load(block.total_impulse[i]) + change);
         sum += change;
         load_sum += impulse[i];
         const Vec3x8 arm = arm_of(block, normal, i);
@@ -73,8 +72,6 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     p2 = select(active, scale * p2, old2);
     store(impact.tangent[0], p1);
     store(impact.tangent[1], p2);
-    store(block.total_tangent[0], load(block.total_tangent[0]) + (p1 - old1));
-    store(block.total_tangent[1], load(block.total_tangent[1]) + (p2 - old2));
     apply_friction(block, center, d, (p1 - old1) * t1 + (p2 - old2) * t2, zero3(), a, b);
     scatter_velocity(velocity, block.a, a);
     scatter_velocity(velocity, block.write_b, b);
