@@ -1,6 +1,7 @@
 // Boxes and capsules of one radius: how far they are from each other, and when they meet, by a formula.
 #pragma once
 
+#include "shapes/ball_sweep.h"
 #include "shapes/convex.h"
 
 namespace cairn {
@@ -23,11 +24,7 @@ SegmentGap gap_to_segment(const Convex& box, const Convex& capsule);
 double square_of_box_and_capsule(const Convex& a, const Convex& b);
 
 struct CapsuleSweep {
-    enum class State : std::uint8_t {
-        missed,      // not before `limit`, a fraction of the way
-        met,         // at `fraction` they are nearer than the tolerance
-        overlapping, // from the start, and deeper than the tolerance
-    };
+    using State = BallSweep::State;
     State state = State::missed;
     double fraction = 0;
     math::DVec3 point;  // of the surface of the still one

@@ -16,7 +16,7 @@ namespace cairn {
 namespace {
 
 constexpr float unknown_speed = -1;
-enum StruckWhen : std::uint8_t { untouched, in_this_round, before };
+enum StruckWhen : std::uint8_t { untouched, in_this_round, in_an_earlier_round };
 
 // --- once in a step
 
@@ -373,7 +373,7 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
             const std::int32_t row = work.rows[i], component = work.component[row];
             if (work.struck_when[component] != in_this_round) continue;
             if (!group.goes_on)
-                work.struck_when[component] = before;
+                work.struck_when[component] = in_an_earlier_round;
             else if (row == component)
                 work.struck.push_back(component);
         }

@@ -51,7 +51,8 @@ template <class T> void share(Communicator& ranks, std::vector<T>& values) {
 
 // What goes with a block: its rows are of this rank alone.
 struct SharedLanes {
-    StruckRun run;                     // of one block
+    int type;                          // of its run, and
+    std::uint32_t listed;              // where that is in ImpactWork::listed_runs
     std::int32_t body_a[8], body_b[8]; // none: it does not move by forces, or the lane is empty
     std::uint32_t source[8];
     SolverVelocity velocity_a[8], velocity_b[8];
@@ -63,7 +64,7 @@ void append_block(const BatchScratch& scratch, const StruckRun& run, std::size_t
                   const StruckBlocks<Block, Impact>& struck, Bytes& bytes) {
     const Block& b = struck.blocks[block];
     SharedLanes lanes = {};
-    lanes.run = {run.type, run.listed, std::uint32_t(block), 1};
+    lanes.type = run.type, lanes.listed = run.listed;
     lanes.active = struck.impacts[block].active;
     for (std::size_t i = 0; i < 8; ++i) {
         lanes.body_a[i] = lanes.body_b[i] = none;
@@ -99,16 +100,15 @@ std::vector<SharedBlock> read_blocks(const std::vector<Bytes>& all, int rank) {
             take(from, block.lanes);
             block.bytes = from;
             block.is_own = int(k) == rank;
-            from += size_of_block(block.lanes.run.type);
+            from += size_of_block(block.lanes.type);
         }
     }
-    std::stable_sort(blocks.begin(), blocks.end(), [](const SharedBlock& a, const SharedBlock& b) {
-        return a.lanes.run.listed < b.lanes.run.listed;
-    });
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const SharedBlock& a, const SharedBlock& b) { return a.lanes.listed < b.lanes.listed; });
     return blocks;
 }
 
-void number_bodies(const std::vector<SharedBlock>& blocks, const BatchScratch& scratch, ImpactWork::Shared& shared) {
+void number_bodies(const std::vector<SharedBlock>& blocks, ImpactWork::Shared& shared) {
     shared.bodies.clear();
     for (const SharedBlock& block : blocks)
         for (const auto& bodies : {block.lanes.body_a, block.lanes.body_b})
@@ -117,8 +117,6 @@ void number_bodies(const std::vector<SharedBlock>& blocks, const BatchScratch& s
     shared.bodies.erase(std::unique(shared.bodies.begin(), shared.bodies.end()), shared.bodies.end());
     std::erase(shared.bodies, none);
     shared.velocity.assign(shared.bodies.size(), {});
-    shared.own_rows.clear();
-    for (const std::int32_t body : shared.bodies) shared.own_rows.push_back(scratch.row_of_body[body]);
 }
 
 // Of each lane: the rows of both of its bodies, where that of B takes what happens to it, and the group of both.
@@ -209,16 +207,16 @@ void share_impact(BatchScratch& scratch, Communicator& ranks) {
     for (const std::int32_t row : work.rows) work.group[row] = none;
     work.runs.clear();
     for_contact_types(work, [](auto& struck) { struck.clear(); });
-    number_bodies(blocks, scratch, work.shared);
+    number_bodies(blocks, work.shared);
     for (const SharedBlock& block : blocks) {
         const auto take_one = [&](auto& to) {
             const std::uint32_t place = std::uint32_t(to.blocks.size());
             take_block(block, work, to);
-            if (work.runs.empty() || work.runs.back().listed != block.lanes.run.listed)
-                work.runs.push_back({block.lanes.run.type, block.lanes.run.listed, place, 0});
+            if (work.runs.empty() || work.runs.back().listed != block.lanes.listed)
+                work.runs.push_back({block.lanes.type, block.lanes.listed, place, 0});
             ++work.runs.back().count;
         };
-        if (block.lanes.run.type == four_points_type)
+        if (block.lanes.type == four_points_type)
             take_one(std::get<four_points_type>(work.blocks));
         else
             take_one(std::get<one_point_type>(work.blocks));
@@ -233,8 +231,8 @@ void return_shared_velocities(BatchScratch& scratch) {
     for (ImpactWork::Group& group : work.groups) {
         const std::size_t begin = kept;
         for (std::size_t i = group.begin; i < group.end; ++i) {
-            const std::int32_t row = shared.own_rows[std::size_t(work.rows[i])];
-            if (row == none) continue;
+            const std::int32_t row = scratch.row_of_body[shared.bodies[std::size_t(work.rows[i])]];
+            if (row == none) continue; // another rank's body
             scratch.velocity[std::size_t(row)] = shared.velocity[std::size_t(work.rows[i])];
             work.place_of[row] = std::int32_t(&group - work.groups.data());
             work.before[kept] = work.before[i];

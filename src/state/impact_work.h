@@ -112,7 +112,6 @@ struct ImpactWork {
     struct Shared {
         std::vector<SolverVelocity> velocity; // of bodies that move, of what does not, and rows to discard
         std::vector<std::int32_t> bodies;     // of the first rows: ascending
-        std::vector<std::int32_t> own_rows;   // of those, here; none: it is none of the bodies of this rank
         std::vector<std::int32_t> groups;     // of those: places in ImpactWork::groups
     } shared;
 };

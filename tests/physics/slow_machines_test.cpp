@@ -11,30 +11,36 @@ namespace {
 
 constexpr float dt = 1.0f / 60;
 
-// Two balls of nearly the same mass on a rope over two rollers, at 0.05 to 0.1 m/s^2.
+// Two balls on a rope over two rollers; returns the left one.
+BodyId hang_balls(World& world, double left_mass, double right_mass) {
+    BodyDef def;
+    def.position = {-0.5, 0, 0};
+    def.mass = float(left_mass);
+    const BodyId left = add_body(world, Sphere{0.1f}, def);
+    def.position = {0.5, 0, 0};
+    def.mass = float(right_mass);
+    const BodyId right = add_body(world, Sphere{0.1f}, def);
+    PulleyJoint pulley;
+    pulley.ground_a = {-0.5, 5, 0};
+    pulley.ground_b = {0.5, 5, 0};
+    JointDef joint;
+    joint.body_a = left;
+    joint.body_b = right;
+    joint.joint = pulley;
+    world.create_joint(joint);
+    return left;
+}
+
+// Of nearly the same mass, at 0.05 to 0.1 m/s^2.
 TEST(SlowMachines, AnAtwoodMachineGoesOn) {
     RandomStart random(5);
     for (int i = 0; i < 24; ++i) {
         World world;
         const double mass = random.uniform(1, 50), difference = random.uniform(0.005, 0.01);
-        BodyDef def;
-        def.position = {-0.5, 0, 0};
-        def.mass = float(mass * (1 + difference));
-        const BodyId heavy = add_body(world, Sphere{0.1f}, def);
-        def.position = {0.5, 0, 0};
-        def.mass = float(mass * (1 - difference));
-        const BodyId light = add_body(world, Sphere{0.1f}, def);
-        PulleyJoint pulley;
-        pulley.ground_a = {-0.5, 5, 0};
-        pulley.ground_b = {0.5, 5, 0};
-        JointDef joint;
-        joint.body_a = heavy;
-        joint.body_b = light;
-        joint.joint = pulley;
-        world.create_joint(joint);
+        const Body heavy = world.body(hang_balls(world, mass * (1 + difference), mass * (1 - difference)));
         run(world, dt, 180);
-        EXPECT_TRUE(world.body(heavy).is_awake()) << i;
-        EXPECT_NEAR(world.body(heavy).position().y / (-0.5 * difference * 9.80665 * 9), 1, 0.02) << i;
+        EXPECT_TRUE(heavy.is_awake()) << i;
+        EXPECT_NEAR(heavy.position().y / (-0.5 * difference * 9.80665 * 9), 1, 0.02) << i;
     }
 }
 
@@ -62,21 +68,9 @@ TEST(SlowMachines, AFlywheelComesUpToSpeed) {
 // What has come to rest does fall asleep.
 TEST(SlowMachines, BalancedOnesRest) {
     World world;
-    BodyDef def;
-    def.position = {-0.5, 0, 0};
-    const BodyId left = add_body(world, Sphere{0.1f}, def);
-    def.position = {0.5, 0, 0};
-    const BodyId right = add_body(world, Sphere{0.1f}, def);
-    PulleyJoint pulley;
-    pulley.ground_a = {-0.5, 5, 0};
-    pulley.ground_b = {0.5, 5, 0};
-    JointDef joint;
-    joint.body_a = left;
-    joint.body_b = right;
-    joint.joint = pulley;
-    world.create_joint(joint);
+    const Body ball = world.body(hang_balls(world, 5, 5));
     run(world, dt, 120);
-    EXPECT_FALSE(world.body(left).is_awake());
+    EXPECT_FALSE(ball.is_awake());
 }
 
 } // namespace
