@@ -123,18 +123,23 @@ math::Vec3 axis_of(const ShapePose& pose, int i) {
     return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
 }
 
+// Of a tapered cylinder: by how much its radius shrinks, over a length along its axis.
+float narrowing_of(const Geometry& g) { return (g.size.x - g.size.z) / (2 * g.size.y); }
+
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
-// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
-// shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
-float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 normal, float separation) {
+// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius of
+// curvature. Rounded shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a
+// face lies flat.
+float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation) {
     if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
     const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
     if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
     const float mean = 0.5f * (g.size.x + g.size.z);
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
-    const float along = math::dot(normal, axis_of(pose, 1));
-    constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
-    return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
+    const float slope = narrowing_of(g), slant = std::sqrt(1 + slope * slope);
+    const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
+    constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
+    return std::fabs(along) < steepest ? slant * mean + g.rounding + 0.5f * separation : around;
 }
 
 // Whether a shape touches another by a flat face with that normal, as far as its geometry says.
@@ -160,25 +165,43 @@ bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, mat
     return true;
 }
 
+// Of a cone that touches along its side with two points: the direction of that, times how its radius of curvature grows
+// along it.
+math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecord& r) {
+    if (g.type != ShapeType::cylinder || g.size.x == g.size.z) return {};
+    const math::Vec3 way = to_vec(point_of(r, 1)) - to_vec(point_of(r, 0));
+    const float square = math::dot(way, way), growth = -narrowing_of(g);
+    if (!(square > 0)) return {};
+    const float sign = math::dot(way, axis_of(pose, 1)) < 0 ? -1.0f : 1.0f;
+    return (sign * growth / std::sqrt(square)) * way;
+}
+
 bool has_corners(const Geometry& g) {
     return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
            g.type != ShapeType::cylinder;
 }
 
-// How the surfaces are round where they touch, and how the only point moves over them.
+// How the surfaces are round where they touch, and how the points move over them: the only one, or those of what is
+// round on a face.
 void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
                     ContactRecord& r) {
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
-    r.radius_b = contact_radius(b, *at.pose_b, normal, m.points[0][3]);
-    if (m.count > 1) return;
+    r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
     const bool on_a = is_flat(a, *at.pose_a, normal), on_b = !on_a && is_flat(b, *at.pose_b, normal);
     if (!on_a && !on_b) {
+        if (m.count > 1) return;
         if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;
         return;
     }
     float &face = on_a ? r.radius_a : r.radius_b, &other = on_a ? r.radius_b : r.radius_a;
     const Geometry& g = on_a ? b : a;
+    if (m.count > 1) {
+        if (!(other > 0)) return; // faces on each other
+        face = on_face;           // along a line, or with rounded corners
+        if (m.count == 2) put(r.more_points[2], taper_of(g, on_a ? *at.pose_b : *at.pose_a, r));
+        return;
+    }
     face = on_face;
     if (math::Vec3 rim; find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, rim)) {
         other = rolls_on_rim;
@@ -212,7 +235,7 @@ void write_record(const Shapes& shapes, ContactInfo& c, ContactRecord& r, const 
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const bool stay = m.count == c.point_count && points_stay(r, points, kept, c.match_tolerance);
+    const bool stay = m.count == c.point_count && points_stay(r, points, m.count, c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count);
     put(r.normal, normal);

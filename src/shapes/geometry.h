@@ -52,6 +52,12 @@ struct Geometry {
     std::uint16_t is_double_sided = 0; // of planes and rectangles
 };
 
+// Whether a shape has surfaces that are round: places where they touch move over them as they roll.
+inline bool is_round(const Geometry& g) {
+    return g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder ||
+           g.rounding > 0;
+}
+
 // The least width of a shape, m; of surfaces one that is larger than any.
 inline constexpr float unlimited_extent = 1e9f;
 float smallest_extent(const Geometry& geometry, const ShapeData& data);

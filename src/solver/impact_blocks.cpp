@@ -60,18 +60,19 @@ template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and
 };
 template <int N> struct NotStruck<PointRows<N>> {
     using B = PointRows<N>;
-    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse);
+    static constexpr auto list =
+        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope);
 };
 template <> struct NotStruck<PointRows<1>> {
-    static constexpr auto list = std::tuple(&PointRows<1>::separation0, &PointRows<1>::turning, &PointRows<1>::sliding,
-                                            &PointRows<1>::rim, &PointRows<1>::total_impulse);
+    static constexpr auto list =
+        std::tuple(&PointRows<1>::separation0, &PointRows<1>::rim, &PointRows<1>::total_impulse);
 };
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
     using B = ContactBlock<N>;
-    static constexpr auto list =
-        std::tuple(&B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square,
-                   &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
-                   &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
+    static constexpr auto list = std::tuple(
+        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::turning, &B::sliding,
+        &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
+        &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
 };
 
 // One lane of a row, or of rows of rows.

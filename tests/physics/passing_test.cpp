@@ -297,19 +297,20 @@ double slowed_by_frame(const Shape& jamb, double half_jamb, double air, double s
 }
 
 // At 5 rad/s and more 21 of 90 were stopped: the center of a door was expected to go straight on, which took its edge
-// into the jamb.
+// into the jamb. Then 4 of 600: what had not touched the jamb slid over the face of the door without end.
 TEST(Passing, ADoorSwingsThroughItsFrame) {
     Starts random(3);
     int slowed = 0;
     for (const auto& [jamb, half_jamb] : {std::pair<Shape, double>{Box{{0.05f, 1, 0.1f}}, 0.05},
                                           {Box{{0.05f, 1, 0.02f}}, 0.05},
-                                          {Cylinder{1, 0.05f}, 0.05}})
+                                          {Cylinder{1, 0.05f}, 0.05},
+                                          {Sphere{0.05f}, 0.05}})
         for (int i = 0; i < 60; ++i) {
             const double air = std::pow(10, random.between(-3, -2)), speed = std::pow(10, random.between(-0.5, 1.2));
             const double angle = random.between(0.8, 1.5), heading = random.between(0, 6.28);
             slowed += slowed_by_frame(jamb, half_jamb, air, speed, angle, heading) > 0.01;
         }
-    std::printf("slowed %d of 180\n", slowed);
+    std::printf("slowed %d of 240\n", slowed);
     EXPECT_LE(slowed, 2);
 }
 

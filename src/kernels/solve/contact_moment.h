@@ -51,28 +51,44 @@ CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 
 // what slides over it, the corner or the center of what is round, parts from it by w x n times its way and the time.
 // Where neither is a face, two edges meet: the point moves with both, in the mean. That is true of small turns, up to
 // the time `until`: of lanes that turn farther, or change by nothing that could be seen, nothing moves.
-CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
-                                  const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
+template <int N>
+CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
+                                  const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper) {
     constexpr float unseen = 1e-6f; // m
-    const Vec3x8 r = load3(block.center), rim = load3(block.rim), apart = b.v - a.v;
+    const Vec3x8 r = load3(block.center), apart = b.v - a.v;
     const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d), rolling = cross(a.w - b.w, normal);
-    const Vec3x8 rolled =
-        select(face_a, load(block.radius_b), load(block.radius_a)) * rolling + dot(rim, rolling) * rim;
+    const auto times_curvature = [&](Vec3x8 u) {
+        const Vec3x8 around = select(face_a, load(block.radius_b), load(block.radius_a)) * u;
+        if constexpr (N == 1) return around + dot(load3(block.rim), u) * load3(block.rim);
+        return around;
+    };
+    const Vec3x8 rolled = times_curvature(rolling);
     const Vec3x8 from_a =
         select(face_b, with_a - rolled, select(face_a, with_b - rolled, splat(0.5f) * (with_a + with_b)));
     const Vec3x8 turned = cross(select(face_b, b.w, select(face_a, a.w, zero3())), normal);
     const Vec3x8 turning = cross(b.w - a.w, from_a) + dot(turned, with_b - with_a) * normal;
     const f32x8 square = until * until;
-    const mask8 moves = (is_edge | face_a | face_b) & turns_little(square, a.w, r, r - load(block.radius_a) * normal) &
+    mask8 touches = mask_from_bits(0);
+    for (int i = 0; i < N; ++i)
+        touches = touches | (load(block.impulse[i]) > zero()) | (load(block.separation0[i]) <= splat(unseen));
+    const mask8 moves = (is_edge | face_a | face_b) & touches &
+                        turns_little(square, a.w, r, r - load(block.radius_a) * normal) &
                         turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal) &
                         (square * square * dot(turning, turning) > splat(unseen * unseen));
     block.turns = any(moves);
     if (!block.turns) return;
-    const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled),
+    const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled +
+                                          splat(0.5f) * times_curvature(turned)),
                 found = load(block.found);
     store3(block.turning, select(moves, turning, zero3()));
+    if constexpr (N > 1) {
+        const Vec3x8 dw = b.w - a.w, slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) -
+                                             dot(rolling, rolling) * taper;
+        store3(block.turning_slope, select(moves, slope, zero3()));
+    }
     store(block.sliding, select(moves, sliding, zero()));
-    store(block.separation0[0], load(block.separation0[0]) + select(moves, found * found * sliding, zero()));
+    const f32x8 parted = select(moves, found * found * sliding, zero());
+    for (int i = 0; i < N; ++i) store(block.separation0[i], load(block.separation0[i]) + parted);
 }
 
 } // namespace cairn::CAIRN_ISA

@@ -283,18 +283,19 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     Before start = {zero3(), zero3(), zero()};
     const bool is_of_later = any(found > zero());
     Velocityx8 at_a, at_b;
-    mask8 on_a, on_b;
+    const mask8 on_rim = (radius_a == splat(rolls_on_rim)) | (radius_b == splat(rolls_on_rim));
     if constexpr (N == 1) {
-        on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim);
-        block.rims = any(on_a | on_b);
+        block.rims = any(on_rim);
         store3(block.rim, zero3());
         if (block.rims) {
             Vec3x8 rim;
             gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
-            store3(block.rim, select(on_a | on_b, rim, zero3()));
+            store3(block.rim, select(on_rim, rim, zero3()));
         }
     }
-    if (N == 1 || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
+    const mask8 face_a = radius_a == splat(on_face), face_b = radius_b == splat(on_face);
+    const bool may_turn = N == 1 || any(face_a | face_b);
+    if (may_turn || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
     if (is_of_later) {
         start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
         if constexpr (N == 1) {
@@ -308,9 +309,15 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.d_touch, d);
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
-    if constexpr (N == 1)
-        prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), radius_a == splat(on_face),
-                        radius_b == splat(on_face), max(found, splat(half_step)), at_a, at_b, normal, d);
+    if (!may_turn) return;
+    const mask8 is_edge = N == 1 ? (radius_a == zero()) & (radius_b == zero()) : mask_from_bits(0);
+    Vec3x8 taper = zero3();
+    if constexpr (N > 1) {
+        f32x8 separation;
+        gather_field(record, point_offset(3), taper.x, taper.y, taper.z, separation);
+        taper = select(separation >= splat(unused_separation), taper, zero3());
+    }
+    prepare_turning<N>(block, is_edge, face_a, face_b, max(found, splat(half_step)), at_a, at_b, normal, d, taper);
 }
 
 } // namespace

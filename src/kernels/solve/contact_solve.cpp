@@ -68,10 +68,10 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
             const f32x8 along = dot(load3(block.rim), difference);
             common -= splat(0.5f) * bend * along * along;
         }
-        if (block.turns) {
-            const float elapsed = 1 / inverse_elapsed;
-            common += splat(elapsed * elapsed) * bend * load(block.sliding);
-        }
+    }
+    if (block.turns) {
+        const float elapsed = 1 / inverse_elapsed;
+        common += splat(elapsed * elapsed) * bend * load(block.sliding);
     }
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
@@ -174,6 +174,20 @@ template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactB
 }
 
 template <int N>
+CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal, f32x8* v) {
+    f32x8 slip = dot(slip_of_turning(block, softness.middle), normal);
+    if constexpr (N == 1) {
+        v[0] += slip;
+    } else {
+        const Vec3x8 slope = (splat(softness.middle) - load(block.found)) * load3(block.turning_slope);
+        const f32x8 along = dot(slope, normal);
+        const Vec3x8 across = cross(slope, normal);
+        slip -= dot(slope, load3(block.center));
+        for (int i = 0; i < N; ++i) v[i] += slip + (along * load(block.height[i]) + dot(across, load3(block.arm[i])));
+    }
+}
+
+template <int N>
 CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
                               Rows<N>& rows) {
     rows.a = gather_velocity(velocity, block.a);
@@ -188,8 +202,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     f32x8 v[N];
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    if constexpr (N == 1)
-        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
+    if (block.turns) add_turning<N>(block, softness, normal, v);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -309,8 +322,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    if constexpr (N == 1)
-        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
+    if (block.turns) add_turning<N>(block, softness, normal, v);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);

@@ -92,8 +92,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w, dv = b.v - a.v;
     Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + splat(0.5f * softness.h) * dv);
-    if constexpr (N == 1)
-        if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
+    if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};

@@ -163,7 +163,7 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
 // move by the velocities of a substep have those that they should have in its middle: then what turns from substep to
 // substep takes as much from them as it gives. Kept where they are in the middle of the step, the arms of Euler's disk
 // take a third of its energy in a second.
-CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<1>& block, float middle) {
+template <int N> CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<N>& block, float middle) {
     return (splat(middle) - load(block.found)) * load3(block.turning);
 }
 

@@ -68,13 +68,15 @@ struct alignas(64) ContactRecord {
     float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what rolls on a rim the first is the direction in which it
-                             // rolls, times the root of its radius of curvature there
+                             // rolls, times the root of its radius of curvature there; of a cone on its side the last
+                             // is the direction of that, times how its radius of curvature grows along it
     float more_totals[3];
     float more_padding;
 };
 
-// How the only point of a contact moves over the surfaces, in place of a radius of A or B: over a face of that one; on
-// the rim of that one, over a face of the other; or in a way that nobody knows, as A's radius.
+// How the points of a contact move over the surfaces, in place of a radius of A or B: over a face of that one; on the
+// rim of that one, over a face of the other; or in a way that nobody knows, as A's radius. Several points move if what
+// is round touches a face.
 inline constexpr float rolls_on_rim = -1, rolls_somehow = -2, on_face = -3;
 
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
@@ -84,6 +86,7 @@ template <int N> struct PointRows {
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
     float square_lever[N][8];              // m^2: of each point from the friction center
     float total_impulse[N][8];
+    float turning_slope[3][8]; // 1/s^2: how the normal part of `turning` grows with the place; where the block turns
     // And by solve.
     float arm[N][3][8];          // j_i
     float share[share_count][8]; // K_ji / K_jj, i != j, see share_index; 0 for unused points j
@@ -93,10 +96,8 @@ template <int N> struct PointRows {
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
     float separation0[1][8], total_impulse[1][8];
+    float rim[3][8]; // of what rolls on a rim, as in the record; where the block has any
     float effective_mass[1][8], impulse[1][8], separation[1][8];
-    float turning[3][8]; // m/s^2: see slip_of_turning; where the block turns
-    float sliding[8];    // m/s^2: likewise, how fast the points part as they slide over a face that turns
-    float rim[3][8];     // of what rolls on a rim, as in the record; where the block has any
 };
 
 // One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps. In large
@@ -124,6 +125,8 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float found[8];                 // s from the start of the step: that moment
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
     float passing_square[8];        // of how far d may be from there
+    float turning[3][8];            // m/s^2: see slip_of_turning; where the block turns
+    float sliding[8];               // m/s^2: likewise, how fast the points part as they slide over a face that turns
     float tangent[3][8];            // the second tangent is this x normal
     float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];

@@ -1,0 +1,165 @@
+// What touches along a line, or with several points of something round: the places move over both surfaces as they
+// roll.
+#include "support.h"
+
+#include "validation/random_starts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn_test {
+namespace {
+
+double energy_of(const World& world) { return world.kinetic_energy() + world.potential_energy(); }
+
+Material rough() {
+    Material material = surface(1);
+    material.torsional_friction = 0;
+    return material;
+}
+
+// A plank that lies across a fixed log and rocks on it by up to 0.15 rad: 1/s, at which its energy grows, above that of
+// lying level, once it has sunk into the log as far as its weight takes it.
+double growth_of_plank(RandomStart& random, bool is_capsule, int hertz) {
+    const double radius = random.uniform(0.1, 1), thickness = random.uniform(0.01, 0.4) * radius;
+    const double half = random.uniform(1, 3) * radius, lean = random.uniform(0.03, 0.15);
+    const glm::dquat heading = glm::angleAxis(random.uniform(0, 2 * pi), glm::dvec3(0, 1, 0)),
+                     turn = heading * glm::angleAxis(lean, glm::dvec3(0, 0, 1));
+    World world(without_sleep());
+    BodyDef log;
+    log.type = BodyType::static_;
+    log.rotation = Quat(heading * glm::angleAxis(pi / 2, glm::dvec3(1, 0, 0)));
+    if (is_capsule)
+        add_body(world, Capsule{float(2 * radius), float(radius), {}}, log, surface(1));
+    else
+        add_body(world, Cylinder{float(2 * radius), float(radius)}, log, surface(1));
+    BodyDef def;
+    def.rotation = Quat(turn);
+    def.position = turn * glm::dvec3(radius * lean, radius + thickness, 0);
+    const BodyId plank = add_body(world, Box{{float(half), float(thickness), float(0.3 * half)}}, def, surface(1));
+    const double level = double(world.body(plank).mass()) * gravity * (radius + thickness);
+    run(world, 1.0f / float(hertz), 2 * hertz);
+    const double before = energy_of(world) - level;
+    run(world, 1.0f / float(hertz), 6 * hertz);
+    return std::log((energy_of(world) - level) / before) / 6;
+}
+
+// Points went along with the plank until it had moved by some thousandths of its radius: 0.03 to 0.07 /s.
+TEST(RollingLines, APlankThatRocksOnALogKeepsItsEnergy) {
+    RandomStart random(5);
+    for (const bool is_capsule : {false, true})
+        for (const int hertz : {60, 240})
+            for (int i = 0; i < 12; ++i)
+                EXPECT_NEAR(growth_of_plank(random, is_capsule, hertz), 0, 0.006) << is_capsule << hertz << " " << i;
+}
+
+// A cylinder or a capsule on its side whose center of mass is below its axis rolls to and fro: what is left of its
+// energy after 9 s, of what it has after one.
+double left_of_roll(RandomStart& random, bool is_capsule, int hertz) {
+    const double radius = random.uniform(0.1, 0.5), below = random.uniform(0.2, 0.6) * radius;
+    const double lean = random.uniform(0.1, 0.6);
+    const glm::dquat lying = glm::angleAxis(pi / 2, glm::dvec3(1, 0, 0)),
+                     heading = glm::angleAxis(random.uniform(0, 2 * pi), glm::dvec3(0, 1, 0));
+    World world(without_sleep());
+    add_ground(world, surface(1));
+    BodyDef def;
+    def.position = {0, radius, 0};
+    def.rotation = Quat(heading * glm::angleAxis(lean, glm::dvec3(0, 0, 1)) * lying);
+    MassProperties mass;
+    mass.mass = 5;
+    mass.center_of_mass = Vec3(glm::inverse(lying) * glm::dvec3(0, -below, 0));
+    mass.inertia_diagonal = Vec3(float(1.5 * radius * radius));
+    def.mass_properties = mass;
+    if (is_capsule)
+        add_body(world, Capsule{0.3f, float(radius), {}}, def, surface(1));
+    else
+        add_body(world, Cylinder{0.3f, float(radius)}, def, surface(1));
+    const double lowest = 5 * gravity * (radius - below);
+    run(world, 1.0f / float(hertz), hertz);
+    const double before = energy_of(world) - lowest;
+    run(world, 1.0f / float(hertz), 9 * hertz);
+    return (energy_of(world) - lowest) / before;
+}
+
+// Lines of touch stood still within a step, and went along with the bodies from step to step: 0.56 to 1.15 were left.
+TEST(RollingLines, ARolyPolyKeepsItsEnergy) {
+    RandomStart random(7);
+    for (const bool is_capsule : {false, true})
+        for (const int hertz : {60, 240})
+            for (int i = 0; i < 12; ++i)
+                EXPECT_NEAR(left_of_roll(random, is_capsule, hertz), 1, 0.04) << is_capsule << hertz << " " << i;
+}
+
+// A cone, or a part of one, that lies on its side and rolls about its line of touch in a circle: what is left of its
+// kinetic energy after 5 s.
+double left_of_cone(RandomStart& random, bool has_tip, int hertz) {
+    const double base = random.uniform(0.05, 0.3), half = random.uniform(0.5, 2) * base;
+    const double top = has_tip ? 0 : random.uniform(0.2, 0.8) * base, rate = random.uniform(1.5, 6);
+    const double slope = std::atan((base - top) / (2 * half)), height = 0.5 * (base + top) * std::cos(slope);
+    const glm::dquat heading = glm::angleAxis(random.uniform(0, 2 * pi), glm::dvec3(0, 1, 0));
+    const glm::dvec3 line = heading * glm::dvec3(1, 0, 0);
+    World world(without_sleep());
+    add_ground(world, rough());
+    BodyDef def;
+    def.position = {0, height, 0};
+    def.rotation = Quat(heading * glm::angleAxis(-(pi / 2 + slope), glm::dvec3(0, 0, 1)));
+    const BodyId cone = add_body(world, Cylinder{float(half), float(base), float(top)}, def, rough());
+    const glm::dvec3 arm = {0, world.body(cone).center_of_mass().y, 0};
+    world.body(cone).set_angular_velocity(Vec3(rate * line));
+    world.body(cone).set_linear_velocity(Vec3(rate * glm::cross(line, arm)));
+    run(world, 1.0f / float(hertz), hertz / 2);
+    const double before = world.kinetic_energy();
+    run(world, 1.0f / float(hertz), 5 * hertz);
+    return world.kinetic_energy() / before;
+}
+
+// Which way the line of touch turns within a step, and that a cone is rounder at one end, was left out: 0.82 were left
+// of cones in the mean, at least 0.53.
+TEST(RollingLines, AConeRollsInACircle) {
+    RandomStart random(9);
+    for (const bool has_tip : {true, false}) {
+        double sum = 0, least = 1;
+        for (int i = 0; i < 24; ++i) {
+            const double left = left_of_cone(random, has_tip, 60);
+            sum += left, least = std::min(least, left);
+            EXPECT_LT(left, 1.02) << i;
+        }
+        EXPECT_GT(sum / 24, 0.95) << has_tip;
+        EXPECT_GT(least, 0.75) << has_tip;
+    }
+}
+
+// Whether a standing cylinder of 1 kg falls that is pushed at the height of its center with that share of what tips it,
+// m g r / h, which grows for a second.
+bool falls(double radius, double half, double share, double heading, double turn) {
+    World world;
+    add_ground(world, surface(3));
+    BodyDef def;
+    def.mass = 1;
+    def.position = {0, half, 0};
+    def.rotation = glm::angleAxis(float(turn), Vec3(0, 1, 0));
+    const BodyId cylinder = add_body(world, Cylinder{float(half), float(radius)}, def, surface(3));
+    run(world, 1.0f / 60, 30);
+    const double force = share * gravity * radius / half;
+    for (int i = 0; i < 240; ++i) {
+        const double grown = std::min(1.0, i / 60.0);
+        world.body(cylinder).add_force(Vec3(force * grown * glm::dvec3(std::cos(heading), 0, std::sin(heading))));
+        world.step(1.0f / 60);
+        if ((world.body(cylinder).rotation() * Vec3(0, 1, 0)).y < 0.97f) return true;
+    }
+    return false;
+}
+
+// The four points of its rim went along with it, to the side of the load: it fell at 0.88 to 0.996.
+TEST(RollingLines, ACylinderTipsAtItsRim) {
+    RandomStart random(11);
+    for (int i = 0; i < 24; ++i) {
+        const double radius = random.uniform(0.02, 0.3), half = random.uniform(2, 4) * radius;
+        const double heading = random.uniform(0, 2 * pi), turn = random.uniform(0, 2 * pi);
+        EXPECT_FALSE(falls(radius, half, 0.97, heading, turn)) << radius << " " << half << " " << heading;
+        EXPECT_TRUE(falls(radius, half, 1.02, heading, turn)) << radius << " " << half << " " << heading;
+    }
+}
+
+} // namespace
+} // namespace cairn_test
