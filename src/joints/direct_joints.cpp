@@ -309,14 +309,11 @@ double return_rate(const SetView& v, double h) {
     return (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
 }
 
-// Joints hold what moves the poses: that of a body that turns freely is half a substep behind its angular velocity.
-// Held at that, a taut chain with a link that spins gained energy without end.
 void read_velocities(const SetView& v, const BatchScratch& scratch) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
-        if (!scratch.free_correction.empty()) b.ahead = vector_of(scratch.free_correction[b.row].w);
         b.v = vector_of(scratch.velocity[b.row].v);
-        b.w = vector_of(scratch.velocity[b.row].w) + b.ahead;
+        b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
 }
@@ -377,7 +374,7 @@ void hold_set(const SetView& v, BatchScratch& scratch, double h) {
         if (!b.by_forces) continue;
         SolverVelocity& velocity = scratch.velocity[b.row];
         b.kept_v = math::to_vec(velocity.v), b.kept_w = math::to_vec(velocity.w);
-        put(velocity.v, math::to_float(b.v + b.dv)), put(velocity.w, math::to_float((b.w - b.ahead) + b.dw));
+        put(velocity.v, math::to_float(b.v + b.dv)), put(velocity.w, math::to_float(b.w + b.dw));
     }
 }
 

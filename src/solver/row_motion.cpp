@@ -197,13 +197,50 @@ void update_free_motion(const Bodies& bodies, const ForceFields& fields, const W
     if (scratch.bounces) scratch.correction = scratch.free_correction;
 }
 
+namespace {
+
+// Calls f(row, k) for the rows that may turn freely, with their places in held_turns.
+template <class F> void for_turning_rows(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
+    const std::size_t wide = scratch.spin_rows.size(), all = wide + scratch.spinning_rows.size();
+    for_chunks(thread_pool, int(all), rows_per_chunk, [&](int begin, int end, int) {
+        for (auto k = std::size_t(begin); k < std::size_t(end); ++k)
+            f(std::size_t(k < wide ? scratch.spin_rows[k] : scratch.spinning_rows[k - wide].row), k);
+    });
+}
+// What was to move the pose beside the velocity.
+void move_to_velocity(BatchScratch& scratch, std::size_t row, math::Vec3 turn) {
+    SolverTwist& rest = (scratch.bounces ? scratch.correction : scratch.free_correction)[row];
+    SolverVelocity& velocity = scratch.velocity[row];
+    put(velocity.w, math::to_vec(velocity.w) + turn);
+    put(rest.w, math::to_vec(rest.w) - turn);
+}
+
+} // namespace
+
+void hold_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
+    scratch.held_turns.resize(scratch.spin_rows.size() + scratch.spinning_rows.size());
+    for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
+        const math::Vec3 turn = scratch.held_turns[k] = math::to_vec(scratch.free_correction[row].w);
+        if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, turn);
+    });
+}
+void release_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
+    for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
+        const math::Vec3 turn = scratch.held_turns[k];
+        if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, -turn);
+    });
+}
+
 void turn_spinning_rows(const Bodies& bodies, BatchScratch& scratch, float h) {
-    for (const SpinningRow& r : scratch.spinning_rows) {
+    for (std::size_t k = 0; k < scratch.spinning_rows.size(); ++k) {
+        const SpinningRow& r = scratch.spinning_rows[k];
         if (!r.turns) continue;
         const std::size_t row = std::size_t(r.row);
-        DVec3 contacts = row_vector(scratch.velocity[row].w) - r.free_w;
+        const math::Vec3 held = scratch.held_turns[scratch.spin_rows.size() + k];
+        DVec3 contacts = row_vector(scratch.velocity[row].w) - math::to_double(held) - r.free_w;
         if (scratch.bounces)
-            contacts += row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w);
+            contacts += row_vector(scratch.correction[row].w) + math::to_double(held) -
+                        row_vector(scratch.free_correction[row].w);
         const DQuat start = bodies.motion[scratch.row_bodies[row]].q;
         const math::Quat turn =
             math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));

@@ -16,6 +16,11 @@ void prepare_free_motion(const Bodies& bodies, const ForceFields& fields, const 
 void update_free_motion(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings,
                         BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& solver_bodies, float h,
                         bool first);
+// Contacts and joints hold what moves the poses. Of a body that turns freely that is its angular velocity in the middle
+// of the substep, half a substep behind that of its end: between these two calls the rows have that one. As long as the
+// other was held, a taut chain with a link that spins gained energy, and tops on their tips nutated.
+void hold_what_turns(BatchScratch& scratch, ThreadPool* thread_pool);
+void release_what_turns(BatchScratch& scratch, ThreadPool* thread_pool);
 // After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
 // others, where single precision and a series for small angles do not do.
 void turn_spinning_rows(const Bodies& bodies, BatchScratch& scratch, float h);

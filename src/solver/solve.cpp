@@ -141,6 +141,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
+        hold_what_turns(scratch, thread_pool);
         begin_direct_limits(direct, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.solve(blocks, velocity, joint_soft);
@@ -156,7 +157,9 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
         turn_spinning_rows(bodies, scratch, h);
         release_direct_bodies(direct, scratch, thread_pool);
+        release_what_turns(scratch, thread_pool);
         renew_inertia(bodies, scratch, thread_pool);
+        hold_what_turns(scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.relax(blocks, solver_bodies, joint_soft);
         });
@@ -164,6 +167,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
+        release_what_turns(scratch, thread_pool);
         solve_impacts(bodies, joints, scratch, thread_pool, ranks, softness, struck);
     }
 }

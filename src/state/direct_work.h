@@ -21,7 +21,6 @@ struct DirectBody {
     math::DVec3 stiffness;                // geometric: least moments about the principal axes, kg m^2
     math::DSym3 inverse_inertia;
     math::DVec3 v, w;             // by which the pose moves
-    math::DVec3 ahead;            // how far w is ahead of the angular velocity, as the body turns freely meanwhile
     math::DVec3 dv, dw;           // what the impulses add
     math::DVec3 held_dv, held_dw; // likewise, while other impulses are tried
     math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another

@@ -157,6 +157,7 @@ struct BatchScratch {
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
     std::vector<std::int32_t> spin_rows; // of their lanes
+    std::vector<math::Vec3> held_turns;  // of spin_rows, then of spinning_rows: see hold_what_turns
     // Rows, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
