@@ -53,6 +53,14 @@ inline constexpr float max_agitation = 1.0f;
 // m: what is narrower must not overlap as far as what is wider, but in proportion.
 inline constexpr float usual_width = 0.015f;
 
+// m/s^2: what a load asks for, by the sum of the inverse masses that bear it.
+inline float demand_of(const ContactInfo& c, float load, float inverse_mass) {
+    const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
+    // The margin is a quarter of the smaller shape's least width, or less.
+    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
+    return load * (inverse_mass / stiffness) * smallness;
+}
+
 // After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it; `gain`: see
 // load_gain. Others may be at work on other contacts of the island.
 inline void note_load(Island& island, ContactInfo& c, float force, float inverse_mass, float gain) {
@@ -62,11 +70,8 @@ inline void note_load(Island& island, ContactInfo& c, float force, float inverse
     if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
     c.force = force;
     const float load = std::min(c.load, max_share * island.weight);
-    const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
     raise(island.greatest_load, load);
-    // The margin is a quarter of the smaller shape's least width, or less.
-    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
-    raise(island.greatest_demand, load * (inverse_mass / stiffness) * smallness);
+    raise(island.greatest_demand, demand_of(c, load, inverse_mass));
 }
 
 } // namespace cairn

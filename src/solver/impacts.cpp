@@ -14,8 +14,8 @@ namespace cairn {
 
 namespace {
 
-constexpr int max_passes = 48; // in a round of an impact, and rounds
-// m/s, rad/s: a group whose bodies change by less in a pass has settled.
+constexpr int max_passes = 96; // in a round of an impact, and rounds
+// m/s, rad/s: a group whose bodies are to change by less in all passes to come has settled.
 constexpr SettledChange settled = {0.01f, 0.04f};
 
 // --- passes
@@ -70,7 +70,10 @@ bool settle_groups(BatchScratch& scratch) {
         const float change =
             kernels().solver.change_since(velocities(scratch), work.rows.data() + group.begin,
                                           int(group.end - group.begin), work.last.data() + group.begin, settled);
-        group.is_settled = !(change >= 1);
+        // Where each pass changes r times what the one before it did, those to come change r + r^2 + ... = r / (1 - r)
+        // times what this one has.
+        group.is_settled = change == 0 || change * change < group.change - change;
+        group.change = change;
         (group.is_settled ? any_settled : any_left) = true;
     }
     if (any_left && any_settled) retire_lanes(scratch);
@@ -107,7 +110,10 @@ void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scr
     for (int round = 0; round < max_passes; ++round) {
         list_impact(scratch, softness.h);
         copy_listed(scratch);
-        if (scratch.border) share_impact(scratch, *ranks);
+        if (scratch.border) {
+            share_impact(scratch, *ranks);
+            retire_lanes(scratch); // of groups without any body of this rank
+        }
         for (int pass = 0; pass < max_passes; ++pass) {
             strike_all(scratch, thread_pool, softness.h);
             if (!settle_groups(scratch)) break;

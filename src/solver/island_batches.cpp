@@ -7,6 +7,7 @@
 #include "islands/substep_policy.h"
 #include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
+#include "solver/standing_loads.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -19,19 +20,6 @@ namespace {
 constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t batch_bodies = 4096;
 constexpr int contacts_per_chunk = 512, max_chunks = 64; // for threads
-
-// Impulses are those of one substep: with another length of substep they are others.
-void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h) {
-    if (c.substep_time > 0 && records.has(id)) {
-        ContactRecord& r = records[id];
-        const float ratio = h / c.substep_time;
-        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
-        for (float& impulse : r.impulses) impulse *= factor;
-        for (float& impulse : r.friction_impulse) impulse *= factor;
-        r.torsion_impulse *= factor;
-    }
-    c.substep_time = h;
-}
 
 void open_batch(SolverScratch& scratch, const Island& island) {
     IslandBatch batch;
@@ -98,6 +86,18 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
 
 } // namespace
 
+void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h) {
+    if (c.substep_time > 0 && records.has(id)) {
+        ContactRecord& r = records[id];
+        const float ratio = h / c.substep_time;
+        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+        for (float& impulse : r.impulses) impulse *= factor;
+        for (float& impulse : r.friction_impulse) impulse *= factor;
+        r.torsion_impulse *= factor;
+    }
+    c.substep_time = h;
+}
+
 void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
                   StepScratch& step, float dt) {
     SolverScratch& scratch = step.solver;
@@ -112,6 +112,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
+    count_standing_loads(bodies, contacts, islands, settings, scratch, dt);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);

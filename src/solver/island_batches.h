@@ -12,4 +12,7 @@ namespace cairn {
 void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
                   StepScratch& step, float dt);
 
+// Impulses are those of one substep: with another length of it, `h` in s, they are others.
+void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h);
+
 } // namespace cairn

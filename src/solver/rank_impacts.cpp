@@ -174,7 +174,7 @@ void find_shared_groups(ImpactWork& work) {
         const std::int32_t root = root_of(parent, row);
         if (place[root] == none) {
             place[root] = std::int32_t(work.groups.size());
-            work.groups.push_back({0, 0, false, false});
+            work.groups.push_back({0, 0, false, false, 0});
         }
         place[row] = place[root];
     }
@@ -222,6 +222,14 @@ void share_impact(BatchScratch& scratch, Communicator& ranks) {
             take_one(std::get<one_point_type>(work.blocks));
     }
     find_shared_groups(work);
+    const auto is_needed = [&](std::int32_t row) {
+        return scratch.row_of_body[work.shared.bodies[std::size_t(row)]] != none;
+    };
+    for (ImpactWork::Group& group : work.groups) {
+        const auto begin = work.rows.begin();
+        group.is_settled =
+            std::none_of(begin + std::ptrdiff_t(group.begin), begin + std::ptrdiff_t(group.end), is_needed);
+    }
 }
 
 void return_shared_velocities(BatchScratch& scratch) {

@@ -44,6 +44,24 @@ struct SortedContact {
     std::uint8_t padding = 0;
 };
 
+// Islands in which each body stands on one other (solver/standing_loads.h), one after the other.
+struct StandingContact {
+    std::uint32_t id;
+    std::int32_t a, b; // bodies; B: none if it does not move by forces
+    float load;        // N
+};
+struct StandingLoads {
+    std::vector<StandingContact> contacts;
+    std::vector<std::int32_t> end_of_island; // in `contacts`, of awake islands; none: it is no such island
+    struct Body {
+        float weight; // N: with that of all that stands on it
+        // How many contacts have not been found yet, and their places, all of them as one exclusive or.
+        std::uint32_t contacts, places;
+    };
+    std::vector<Body> bodies;           // of one island
+    std::vector<std::int32_t> place_of; // by body: its place among those
+};
+
 // One solver batch: islands that are solved together through all substeps.
 struct IslandBatch {
     std::int32_t first_island = 0, island_count = 0; // in SolverScratch::batch_islands
@@ -218,7 +236,8 @@ struct SolverScratch {
     std::vector<IslandBatch> batches;
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
-    std::vector<std::uint8_t> island_bounces;      // 1: one of its contacts does
+    std::vector<std::uint8_t> island_bounces; // 1: one of its contacts does
+    StandingLoads standing;
     std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
     std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key
     std::vector<std::uint32_t> key_ends;           // by batch and key: where its contacts end among the sorted

@@ -59,7 +59,7 @@ TEST(KnownLimits, ABoxOfAHundredThousandTimesTheMassThrowsOutTheOneBelow) {
         }
         return speed;
     };
-    EXPECT_LT(fastest_light_one(3e4f), 0.05);
+    EXPECT_LT(fastest_light_one(3e4f), 0.1);
     EXPECT_GT(fastest_light_one(1e5f), 1);
 }
 
