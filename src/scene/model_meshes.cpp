@@ -42,14 +42,29 @@ std::filesystem::path ModelMeshes::find(const XmlText& name, const std::string& 
 
 std::shared_ptr<const Surface> ModelMeshes::load(const XmlText& name, const std::string& path,
                                                  const std::string& subfolder, const glm::dvec3& scale) {
+    return read(name, path, subfolder, scale).surface;
+}
+
+std::shared_ptr<const Surface> ModelMeshes::look(const XmlText& name, const std::string& path,
+                                                 const std::string& subfolder, const glm::dvec3& scale) {
+    return read(name, path, subfolder, scale).look;
+}
+
+std::shared_ptr<const std::string> ModelMeshes::picture(const XmlText& name, const std::string& path,
+                                                        const std::string& subfolder) {
+    return pictures_.read(find(name, path, subfolder), name.place, printable(path, 200));
+}
+
+const ModelMeshes::Loaded& ModelMeshes::read(const XmlText& name, const std::string& path,
+                                             const std::string& subfolder, const glm::dvec3& scale) {
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(scale[i]) <= 1e6 && std::fabs(scale[i]) >= 1e-9)) {
             throw Error(ErrorCode::invalid_file, name.place, shown(path), "must have a scale that is not 0");
         }
     }
     const std::filesystem::path file = find(name, path, subfolder);
-    std::shared_ptr<const Surface>& found = loaded_[{file.string(), scale.x, scale.y, scale.z}];
-    if (found) return found;
+    Loaded& found = loaded_[{file.string(), scale.x, scale.y, scale.z}];
+    if (found.surface) return found;
     if (!is_mesh_file(file)) {
         throw Error(ErrorCode::unsupported, name.place, shown(path), "must be an .stl or .obj file");
     }
@@ -59,7 +74,10 @@ std::shared_ptr<const Surface> ModelMeshes::load(const XmlText& name, const std:
         throw Error(ErrorCode::invalid_file, name.place, shown(path),
                     "must not bring the corners of all meshes above " + std::to_string(max_vertices));
     }
-    found = std::make_shared<const Surface>(scaled_surface(read.vertices, std::move(read.indices), scale));
+    const bool is_plain = read.coordinates.empty() && read.normals.empty();
+    if (!is_plain) found.look = std::make_shared<const Surface>(look_of(read, scale));
+    found.surface = std::make_shared<const Surface>(scaled_surface(read.vertices, std::move(read.indices), scale));
+    if (is_plain) found.look = found.surface;
     return found;
 }
 

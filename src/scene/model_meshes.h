@@ -1,6 +1,7 @@
 // Meshes in files that a model names: only those in its own folder or below it.
 #pragma once
 
+#include "scene/pictures.h"
 #include "scene/scene.h"
 #include "scene/xml_file.h"
 
@@ -22,13 +23,26 @@ class ModelMeshes {
     // same to a model, invalid_file if it is malformed, unsupported if it is of another kind.
     std::shared_ptr<const Surface> load(const XmlText& name, const std::string& path, const std::string& subfolder,
                                         const glm::dvec3& scale);
+    // The same to look at, with its places in textures and its normals, if it has any.
+    std::shared_ptr<const Surface> look(const XmlText& name, const std::string& path, const std::string& subfolder,
+                                        const glm::dvec3& scale);
+    // A picture, with the same rules. Throws Error: unsupported if it is neither PNG nor JPEG.
+    std::shared_ptr<const std::string> picture(const XmlText& name, const std::string& path,
+                                               const std::string& subfolder);
     // The file itself, with the same rules.
     std::filesystem::path find(const XmlText& name, const std::string& path, const std::string& subfolder) const;
 
   private:
+    struct Loaded {
+        std::shared_ptr<const Surface> surface, look;
+    };
+    const Loaded& read(const XmlText& name, const std::string& path, const std::string& subfolder,
+                       const glm::dvec3& scale);
+
     std::optional<std::filesystem::path> folder_;
     std::size_t vertices_ = 0;
-    std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> loaded_;
+    std::map<std::tuple<std::string, double, double, double>, Loaded> loaded_;
+    Pictures pictures_;
 };
 
 // The corners of a surface times `scale`, with its outside kept outside.

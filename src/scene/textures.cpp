@@ -2,6 +2,7 @@
 
 #include "scene/definitions.h"
 #include "scene/document.h"
+#include "scene/pictures.h"
 
 #include <cmath>
 #include <string_view>
@@ -25,11 +26,6 @@ Texture::Wrap wrap_of(const std::optional<Value>& sampler, const char* name) {
     if (code == mirrored) return Texture::Wrap::mirror;
     if (code != repeated) given->fail("must be 33071, 33648 or 10497");
     return Texture::Wrap::repeat;
-}
-
-bool is_png_or_jpeg(std::string_view file) {
-    using namespace std::string_view_literals;
-    return file.substr(0, 8) == "\x89PNG\r\n\x1A\n"sv || file.substr(0, 3) == "\xFF\xD8\xFF"sv;
 }
 
 std::string text_of(std::span<const std::byte> bytes) {
@@ -123,8 +119,9 @@ class FinishReader {
             const TexturePlace its(*info);
             if (place_ && !(its == *place_))
                 info->refuse("must have the texCoord and the transform of the other textures of its material");
+            std::vector<glm::vec2> corners = place_ ? coordinates : its.coordinates(triangles_, accessors_);
             auto texture = read_(*info, is_data);
-            if (!place_) coordinates = its.coordinates(triangles_, accessors_);
+            coordinates = std::move(corners);
             place_ = its;
             return texture;
         } catch (const Error& error) { // what is wrong with a picture is no reason to refuse a scene
@@ -183,7 +180,7 @@ std::string Textures::read_picture(const Value& image) {
     const auto uri = image.find("uri");
     Buffers& buffers = surfaces_.accessors().buffers();
     std::string file = uri ? text_of(buffers.file(*uri)) : text_of(buffers.view(image.require("bufferView")).bytes);
-    if (!is_png_or_jpeg(file)) image.refuse("is no PNG and no JPEG picture");
+    if (!is_picture(file)) image.refuse("is no PNG and no JPEG picture");
     return file;
 }
 
