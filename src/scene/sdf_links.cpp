@@ -15,6 +15,7 @@ struct LinkSolid {
     Rigid turn;                             // of the shape in its geometry
     std::shared_ptr<const Surface> surface; // of a mesh
     bool is_cut = false;                    // into convex parts
+    std::vector<MeshLook> looks{};          // of a mesh that is seen
 };
 
 // What the format says where a size is left out.
@@ -187,11 +188,21 @@ class LinkReader {
         try {
             LinkSolid solid = read_geometry(*geometry, true);
             if (!solid.shape && !solid.surface) return true;
-            ModelLook look;
-            look.at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
-            look.surface = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
-            if (const auto material = visual.child("material")) look.color = color_of(*material);
-            link_.body.looks.push_back(std::move(look));
+            const Rigid at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
+            if (solid.looks.empty()) {
+                const auto own = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
+                solid.looks.push_back({own, std::nullopt, nullptr});
+            }
+            const auto material = visual.child("material");
+            const std::shared_ptr<const Texture> texture = material ? texture_of(*material) : nullptr;
+            for (const MeshLook& part : solid.looks) {
+                ModelLook look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
+                if (material) { // it stands for those of the file
+                    look.texture = part.surface->coordinates.empty() ? nullptr : texture;
+                    look.color = color_of(*material, look.texture != nullptr);
+                }
+                link_.body.looks.push_back(std::move(look));
+            }
             return true;
         } catch (const Error& error) { // looks do not matter to the simulation
             model_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
@@ -199,10 +210,28 @@ class LinkReader {
         }
     }
 
-    static Vec3 color_of(const XmlElement& material) {
+    // The picture of the base color; null if there is none, or if it cannot be shown, which a warning says.
+    std::shared_ptr<const Texture> texture_of(const XmlElement& material) {
+        const auto pbr = material.child("pbr");
+        const auto metal = pbr ? pbr->child("metal") : std::nullopt;
+        const auto specular = pbr && !metal ? pbr->child("specular") : std::nullopt;
+        const auto& workflow = metal ? metal : specular;
+        const auto map = workflow ? workflow->child_text("albedo_map") : std::nullopt;
+        if (!map || map->text.empty()) return nullptr;
+        try {
+            Texture made;
+            made.file = meshes_.picture(*map, path_of(*map), "");
+            return std::make_shared<const Texture>(std::move(made));
+        } catch (const Error& error) { // looks do not matter to the simulation
+            model_.warnings.push_back(std::string(error.what()) + " (the texture is left out)");
+            return nullptr;
+        }
+    }
+
+    static Vec3 color_of(const XmlElement& material, bool is_covered) {
         auto text = material.child_text("diffuse");
         if (!text) text = material.child_text("ambient");
-        if (!text) return {0.7f, 0.7f, 0.7f};
+        if (!text) return Vec3(is_covered ? 1.0f : 0.7f);
         const std::vector<double> rgb = text->numbers(3, 4);
         const auto part = [&](std::size_t i) { return static_cast<float>(std::clamp(rgb[i], 0.0, 1.0)); };
         return {part(0), part(1), part(2)};
@@ -258,22 +287,29 @@ class LinkReader {
         return {plane, {}, nullptr, false};
     }
 
+    // Of the file that an URI means, in the model's folder.
+    std::string path_of(const XmlText& uri) const {
+        if (!root_) {
+            throw Error(ErrorCode::unsupported, uri.place, "\"" + printable(uri.text, 200) + "\"",
+                        "other files cannot be read by a model that comes from memory");
+        }
+        const std::string path = sdf_path(uri.text, model_.scopes[link_.scope].folder, *root_);
+        if (path.empty()) {
+            throw Error(ErrorCode::unsupported, uri.place, "\"" + printable(uri.text, 200) + "\"",
+                        "must name a file on this disk");
+        }
+        return path;
+    }
+
     LinkSolid mesh(const XmlElement& element, bool as_surface) {
         const auto uri = element.child_text("uri");
         if (!uri) element.fail("must have the element uri");
         const auto scale = element.child_text("scale");
         const glm::dvec3 size = scale ? scale->vector3() : glm::dvec3(1.0);
-        if (!root_) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
-                        "other files cannot be read by a model that comes from memory");
-        }
-        const std::string path = sdf_path(uri->text, model_.scopes[link_.scope].folder, *root_);
-        if (path.empty()) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
-                        "must name a file on this disk");
-        }
+        const std::string path = path_of(*uri);
         LinkSolid solid;
         solid.surface = meshes_.load(*uri, path, "", size);
+        if (as_surface) solid.looks = meshes_.looks(*uri, path, "", size, model_.warnings);
         const std::string way = element.text_of("optimization");
         solid.is_cut = !as_surface && (way == "convex_decomposition" || (way.empty() && model_.decomposes));
         try {
