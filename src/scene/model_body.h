@@ -34,6 +34,7 @@ struct ModelLook {
     Rigid at;
     Vec3 color{1.0f, 1.0f, 1.0f};
     std::shared_ptr<const Texture> texture{}; // none: not covered
+    std::shared_ptr<const Finish> finish{};   // none: smooth
 };
 
 struct ModelBody {
