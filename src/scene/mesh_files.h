@@ -25,13 +25,13 @@ struct MeshFile {
     std::vector<glm::vec2> coordinates{};
     std::vector<Vec3> normals{};
     std::vector<std::uint32_t> coordinate_of{}, normal_of{};
-    std::vector<std::string> libraries{};      ///< Files of materials.
-    std::vector<std::string> materials{};      ///< Names of those in use; the first is that of what has none.
-    std::vector<std::uint32_t> material_of{};  ///< Of each triangle, in `materials`.
+    std::vector<std::string> libraries{};     ///< Files of materials.
+    std::vector<std::string> materials{};     ///< Names of those in use; the first is that of what has none.
+    std::vector<std::uint32_t> material_of{}; ///< Of each triangle, in `materials`.
 };
 
-/// What a mesh file has to look at: all of it, or what has one of its materials. Vertices are split where coordinates or
-/// normals are.
+/// What a mesh file has to look at: all of it, or what has one of its materials. Vertices are split where coordinates
+/// or normals are.
 Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material = std::nullopt);
 
 /// Wavefront OBJ: `v` and `f` lines, with indices in any of its forms, also negative; polygons are cut into fans from

@@ -63,9 +63,9 @@ std::string mjcf_builtin_picture(const MjcfElement& texture) {
             pixels.push_back(is_marked ? mark : static_cast<std::uint8_t>(std::lround(share * double(levels))));
         }
     }
-    return png_file(width, height, pixels,
-                    palette(color_of(texture, "rgb1", 0.8), color_of(texture, "rgb2", 0.5),
-                            color_of(texture, "markrgb", 0.0)));
+    return png_file(
+        width, height, pixels,
+        palette(color_of(texture, "rgb1", 0.8), color_of(texture, "rgb2", 0.5), color_of(texture, "markrgb", 0.0)));
 }
 
 std::shared_ptr<const Texture> MjcfAssets::read_texture(const MjcfElement& element) {

@@ -25,8 +25,7 @@ void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
         }
         settings.euler = text->text;
     }
-    if (const auto text = compiler.attribute("assetdir"))
-        settings.mesh_folder = settings.texture_folder = text->text;
+    if (const auto text = compiler.attribute("assetdir")) settings.mesh_folder = settings.texture_folder = text->text;
     if (const auto text = compiler.attribute("meshdir")) settings.mesh_folder = text->text;
     if (const auto text = compiler.attribute("texturedir")) settings.texture_folder = text->text;
     flag("autolimits", settings.autolimits);

@@ -190,7 +190,8 @@ class LinkReader {
             if (!solid.shape && !solid.surface) return true;
             const Rigid at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
             if (solid.looks.empty()) {
-                const auto own = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
+                const auto own =
+                    solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
                 solid.looks.push_back({own, std::nullopt, nullptr});
             }
             const auto material = visual.child("material");

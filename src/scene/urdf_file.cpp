@@ -236,7 +236,8 @@ std::string without_spare_slashes(const std::string& filename) {
     return std::string(of_package) + (name == std::string::npos ? std::string() : filename.substr(name));
 }
 
-NamedFile find_robot_file(const std::string& filename, const std::optional<fs::path>& folder, const std::string& place) {
+NamedFile find_robot_file(const std::string& filename, const std::optional<fs::path>& folder,
+                          const std::string& place) {
     const std::string shown = "\"" + filename.substr(0, 200) + "\"";
     if (!folder) {
         throw Error(ErrorCode::unsupported, place, shown,

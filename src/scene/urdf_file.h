@@ -20,11 +20,11 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
 // A `filename` without the slashes that stand before the name of a package, as in "package:///NAME/PATH".
 std::string without_spare_slashes(const std::string& filename);
 
-// The file that a `filename` of a mesh or a texture means: relative to the robot's folder, or package://NAME/PATH. A package is a
-// folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any, NAME is a
-// folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the robot's folder
-// or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads out, which is
-// the same to a robot.
+// The file that a `filename` of a mesh or a texture means: relative to the robot's folder, or package://NAME/PATH. A
+// package is a folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any,
+// NAME is a folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the
+// robot's folder or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads
+// out, which is the same to a robot.
 NamedFile find_robot_file(const std::string& filename, const std::optional<std::filesystem::path>& folder,
                           const std::string& place);
 

@@ -1,5 +1,4 @@
 // From a text layer of USD to a world.
-#include "scene/usd_looks.h"
 #include "scene/usd.h"
 
 #include "scene/decomposition.h"
@@ -8,6 +7,7 @@
 #include "scene/mass_sum.h"
 #include "scene/model_meshes.h"
 #include "scene/tessellation.h"
+#include "scene/usd_looks.h"
 #include "scene/usd_stage.h"
 
 #include <cairn/error.h>
@@ -32,8 +32,7 @@ bool is_below(const std::string& path, const std::string& top) {
 
 class WorldMaker {
   public:
-    WorldMaker(const UsdStage& stage, const std::optional<std::filesystem::path>& folder, bool decomposes,
-               Scene& scene)
+    WorldMaker(const UsdStage& stage, const std::optional<std::filesystem::path>& folder, bool decomposes, Scene& scene)
         : stage_(stage), looks_(stage, folder, scene.warnings), decomposes_(decomposes), scene_(scene) {}
 
     void make() {
@@ -332,8 +331,9 @@ class WorldMaker {
     }
 
     static void dress(Made& made) {
-        const bool has_looks = std::any_of(made.parts.begin(), made.parts.end(),
-                                           [](const Part& part) { return part.look && (!part.shape || part.look->texture || part.look->finish); });
+        const bool has_looks = std::any_of(made.parts.begin(), made.parts.end(), [](const Part& part) {
+            return part.look && (!part.shape || part.look->texture || part.look->finish);
+        });
         for (Part& part : made.parts) {
             if (has_looks && part.look) {
                 if (!part.look->surface) {

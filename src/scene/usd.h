@@ -5,9 +5,9 @@
 #include "scene/usd_text.h"
 
 #include <cstddef>
-#include <span>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace cairn::scene {

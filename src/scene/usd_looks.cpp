@@ -8,7 +8,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double default_gray = 0.7; // of what has no color
+constexpr double default_gray = 0.7;      // of what has no color
 constexpr double default_roughness = 0.5; // as UsdPreviewSurface says
 
 Vec3 color_from(std::vector<double> rgb, double otherwise) {
