@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <string_view>
 
 namespace cairn::scene {
@@ -277,22 +276,28 @@ Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std
     };
     const bool has_normals = has_all(mesh.normal_of), has_coordinates = !mesh.coordinate_of.empty();
     Surface made;
-    std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
+    struct Split {
+        std::uint32_t coordinate, normal, next; // the next vertex in the same place
+    };
+    std::vector<std::uint32_t> first(mesh.vertices.size(), MeshFile::nothing); // vertex in that place
+    std::vector<Split> splits;                                                 // of each vertex
     const auto vertex_of = [&](std::size_t corner) {
-        const std::array<std::uint32_t, 3> key{mesh.indices[corner],
-                                               has_coordinates ? mesh.coordinate_of[corner] : MeshFile::nothing,
-                                               has_normals ? mesh.normal_of[corner] : MeshFile::nothing};
-        const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(made.vertices.size()));
-        if (!is_new) return found->second;
-        made.vertices.push_back(Vec3(glm::dvec3(mesh.vertices[key[0]]) * scale));
+        const std::uint32_t place = mesh.indices[corner];
+        const std::uint32_t coordinate = has_coordinates ? mesh.coordinate_of[corner] : MeshFile::nothing,
+                            normal = has_normals ? mesh.normal_of[corner] : MeshFile::nothing;
+        for (std::uint32_t v = first[place]; v != MeshFile::nothing; v = splits[v].next)
+            if (splits[v].coordinate == coordinate && splits[v].normal == normal) return v;
+        splits.push_back({coordinate, normal, first[place]});
+        made.vertices.push_back(Vec3(glm::dvec3(mesh.vertices[place]) * scale));
         if (has_coordinates)
-            made.coordinates.push_back(key[1] == MeshFile::nothing ? glm::vec2(0.0f) : mesh.coordinates[key[1]]);
+            made.coordinates.push_back(coordinate == MeshFile::nothing ? glm::vec2(0.0f)
+                                                                       : mesh.coordinates[coordinate]);
         if (has_normals) {
-            const glm::dvec3 turned = glm::dvec3(mesh.normals[key[2]]) / scale;
+            const glm::dvec3 turned = glm::dvec3(mesh.normals[normal]) / scale;
             const double length = std::sqrt(glm::dot(turned, turned));
             made.normals.push_back(length > 0.0 ? Vec3(turned / length) : Vec3(0.0f, 1.0f, 0.0f));
         }
-        return found->second;
+        return first[place] = static_cast<std::uint32_t>(splits.size() - 1);
     };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         if (material && mesh.material_of[i / 3] != *material) continue;
