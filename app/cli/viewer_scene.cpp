@@ -4,7 +4,7 @@
 #include "cli/svg_plot.h"
 #include "recording/recorder.h"
 #include "recording/recording.h"
-#include "scene/mesh_files.h"
+#include "scene/mesh_store.h"
 #include "viewer/visual_notes.h"
 #include "viewer/world_state.h"
 
@@ -205,6 +205,7 @@ scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& opti
     scene::MeshImport import;
     import.as_hull = false;
     scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
+    scene::add_mesh_looks(path, import.scale, scene);
     scene.info.hint = "U I O and J K L M drop bodies on it";
     if (options.floor) scene::add_floor(scene);
     return scene;

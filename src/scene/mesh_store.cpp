@@ -172,4 +172,18 @@ const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::
     return found;
 }
 
+void add_mesh_looks(const fs::path& file, double scale, Scene& scene) {
+    const fs::path folder = folder_on_disk(file.parent_path());
+    MeshStore store;
+    const std::string name = file.filename().generic_string();
+    const std::vector<MeshLook>& looks =
+        store.looks({folder / file.filename(), folder, name, name}, glm::dvec3(scale), scene.warnings);
+    if (std::none_of(looks.begin(), looks.end(), [](const MeshLook& look) { return look.color || look.texture; }))
+        return;
+    for (const MeshLook& look : looks) {
+        scene.visuals.push_back(
+            {scene.world.bodies().at(0), {}, look.surface, look.color.value_or(Vec3(1.0f)), look.texture});
+    }
+}
+
 } // namespace cairn::scene

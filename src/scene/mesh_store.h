@@ -55,4 +55,8 @@ class MeshStore {
     Pictures pictures_;
 };
 
+// Gives the body of `scene_of_mesh` the looks that the file has by its materials, if it names any. Pictures lie in the
+// folder of the file or below it.
+void add_mesh_looks(const std::filesystem::path& file, double scale, Scene& scene);
+
 } // namespace cairn::scene

@@ -15,7 +15,6 @@ struct LinkSolid {
     Rigid turn;                             // of the shape in its geometry
     std::shared_ptr<const Surface> surface; // of a mesh
     bool is_cut = false;                    // into convex parts
-    std::vector<MeshLook> looks{};          // of a mesh that is seen
 };
 
 // What the format says where a size is left out.
@@ -186,17 +185,21 @@ class LinkReader {
         const auto geometry = visual.child("geometry");
         if (!geometry) return true;
         try {
-            LinkSolid solid = read_geometry(*geometry, true);
+            const LinkSolid solid = read_geometry(*geometry, true);
             if (!solid.shape && !solid.surface) return true;
             const Rigid at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
-            if (solid.looks.empty()) {
+            std::vector<MeshLook> parts;
+            if (const auto mesh = geometry->child("mesh")) {
+                const MeshRequest asked = request(*mesh);
+                parts = meshes_.looks(asked.uri, asked.path, "", asked.scale, model_.warnings);
+            } else {
                 const auto own =
                     solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
-                solid.looks.push_back({own, std::nullopt, nullptr});
+                parts.push_back({own, std::nullopt, nullptr});
             }
             const auto material = visual.child("material");
             const std::shared_ptr<const Texture> texture = material ? texture_of(*material) : nullptr;
-            for (const MeshLook& part : solid.looks) {
+            for (const MeshLook& part : parts) {
                 ModelLook look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
                 if (material) { // it stands for those of the file
                     look.texture = part.surface->coordinates.empty() ? nullptr : texture;
@@ -302,15 +305,23 @@ class LinkReader {
         return path;
     }
 
+    // What the element `mesh` asks for.
+    struct MeshRequest {
+        XmlText uri;
+        std::string path;
+        glm::dvec3 scale;
+    };
+    MeshRequest request(const XmlElement& mesh) const {
+        const auto uri = mesh.child_text("uri");
+        if (!uri) mesh.fail("must have the element uri");
+        const auto scale = mesh.child_text("scale");
+        return {*uri, path_of(*uri), scale ? scale->vector3() : glm::dvec3(1.0)};
+    }
+
     LinkSolid mesh(const XmlElement& element, bool as_surface) {
-        const auto uri = element.child_text("uri");
-        if (!uri) element.fail("must have the element uri");
-        const auto scale = element.child_text("scale");
-        const glm::dvec3 size = scale ? scale->vector3() : glm::dvec3(1.0);
-        const std::string path = path_of(*uri);
+        const MeshRequest asked = request(element);
         LinkSolid solid;
-        solid.surface = meshes_.load(*uri, path, "", size);
-        if (as_surface) solid.looks = meshes_.looks(*uri, path, "", size, model_.warnings);
+        solid.surface = meshes_.load(asked.uri, asked.path, "", asked.scale);
         const std::string way = element.text_of("optimization");
         solid.is_cut = !as_surface && (way == "convex_decomposition" || (way.empty() && model_.decomposes));
         try {

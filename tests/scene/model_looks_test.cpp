@@ -1,7 +1,7 @@
 // Materials and textures of models in URDF, SDF and USD, and of the .obj files that they name.
 #include "scene_text.h"
 
-#include "scene/mesh_files.h"
+#include "scene/mesh_store.h"
 
 #include <gtest/gtest.h>
 
@@ -156,6 +156,35 @@ TEST_F(ModelLooks, ThatCannotBeReadAreALineOfWarning) {
             return line.find("albedo_map: ") != line.npos && line.find("(the texture is left out)") != line.npos;
         })) << name;
     }
+}
+
+TEST_F(ModelLooks, OfAnObjFileAloneAreThoseOfItsMaterials) {
+    const fs::path file = folder_ / "meshes/part.obj";
+    write("meshes/paint.mtl", "newmtl red\nKd 1 0.25 0\nnewmtl wood\nKd 1 1 1\nmap_Kd wood.png\n");
+    write("meshes/wood.png", png);
+    scene::MeshImport import;
+    import.as_hull = false;
+    import.scale = 2.0;
+    Scene scene = scene::scene_of_mesh(scene::load_mesh_file(file), import, "part");
+    scene::add_mesh_looks(file, import.scale, scene);
+    expect_two_materials(scene);
+    EXPECT_EQ(scene.visuals.at(0).surface->vertices[1], Vec3(2, 0, 0));
+    EXPECT_EQ(scene.visuals.at(0).body, scene.world.bodies().at(0));
+    write("meshes/plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Scene plain = scene::scene_of_mesh(scene::load_mesh_file(folder_ / "meshes/plain.obj"), import, "plain");
+    scene::add_mesh_looks(folder_ / "meshes/plain.obj", import.scale, plain);
+    EXPECT_TRUE(plain.visuals.empty()) << "it is shown as what touches";
+}
+
+// A mesh that only touches has no looks to warn of.
+TEST_F(ModelLooks, AreNotLookedForWhereNothingIsSeen) {
+    fs::remove(folder_ / "meshes/paint.mtl");
+    const Scene scene =
+        load("model.sdf", "<sdf version=\"1.9\"><model name=\"m\"><static>1</static><link name=\"a\"><collision "
+                          "name=\"c\"><geometry><mesh><uri>meshes/part.obj</uri></mesh></geometry></collision></link>"
+                          "</model></sdf>");
+    EXPECT_EQ(scene.world.bodies().size(), 1u);
+    for (const std::string& line : scene.warnings) EXPECT_EQ(line.find("mtllib"), line.npos) << line;
 }
 
 // What a stranger's file has for looks never keeps it from being touched.
