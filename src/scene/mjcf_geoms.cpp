@@ -251,6 +251,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     std::optional<MjcfMaterial> material;
     if (const auto name = element.attribute("material")) material = assets.material(*name, model.warnings);
     const std::vector<double> rgba = geom_rgba(element, material);
+    const Vec3 tint = material ? material->tint : Vec3(1.0f);
     has_mass = has_mass && group >= model.settings.first_inertia_group && group <= model.settings.last_inertia_group;
     const bool touches = geom.contype != 0 || geom.conaffinity != 0;
     Rigid frame;
@@ -279,8 +280,8 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         model.warnings.push_back(element.place() + ": is flat, and touches nothing");
     }
     if (touches && solid.shape && model.settings.contacts) {
-        ModelShape shape{*solid.shape, frame * solid.turn, {},        geom_material(element), {},
-                         {},           geom_color(rgba),   geom.place};
+        ModelShape shape{*solid.shape, frame * solid.turn,      {},        geom_material(element), {},
+                         {},           geom_color(rgba) * tint, geom.place};
         if (model.decomposes && solid.is_mesh && part.kind == MjcfPart::Kind::moving) {
             shape.parts = model.surface_parts.of(solid.surface);
             shape.at = frame;
@@ -290,7 +291,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     if (group <= last_seen_group && rgba[3] > 0.0) {
         ModelLook look;
         look.at = frame * solid.turn;
-        look.color = geom_color(rgba);
+        look.color = geom_color(rgba) * tint;
         look.surface = look_surface(element, solid, assets);
         if (material && material->texture) {
             const Surface plain = look.surface ? *look.surface : seen_surface(element, *solid.shape);

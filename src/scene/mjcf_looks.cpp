@@ -20,6 +20,25 @@ Rgb color_of(const MjcfElement& texture, const char* name, double otherwise) {
     return color;
 }
 
+float linear_of(std::uint8_t part) { // of sRGB
+    const double value = part / 255.0;
+    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+}
+
+bool is_flat_cube(const MjcfElement& texture) {
+    return texture.word("type", "cube") == "cube" && texture.word("builtin") == "flat" && !texture.attribute("file");
+}
+
+// The name of the texture that gives the color.
+std::optional<XmlText> texture_name(const MjcfElement& material) {
+    if (const auto name = material.attribute("texture")) return name;
+    for (const XmlElement& layer : material.xml().children("layer")) {
+        const std::string role = layer.text_of("role");
+        if (role == "rgb" || role == "rgba") return layer.attribute("texture");
+    }
+    return std::nullopt;
+}
+
 // The colors between two, in MuJoCo's course from the first one in the middle of the picture to the other.
 constexpr std::size_t levels = 254;
 constexpr std::uint8_t mark = 255;
@@ -92,9 +111,16 @@ std::optional<MjcfMaterial> MjcfAssets::material(const XmlText& name, std::vecto
     if (!is_new) return made;
     const MjcfElement& element = given->second;
     made.color = element.attribute("rgba");
-    const auto texture = element.attribute("texture");
+    const auto texture = texture_name(element);
     if (!texture) return made;
     try {
+        const MjcfElement& picture = find(textures_, *texture);
+        if (is_flat_cube(picture)) { // above in one color, around in the other, which are mostly the same
+            const Rgb above = color_of(picture, "rgb1", 0.8), around = color_of(picture, "rgb2", 0.5);
+            for (std::size_t i = 0; i < 3; ++i)
+                made.tint[static_cast<int>(i)] = 0.5f * (linear_of(above[i]) + linear_of(around[i]));
+            return made;
+        }
         if (const auto repeat = element.attribute("texrepeat")) {
             const std::vector<double> numbers = repeat->numbers(1, 2);
             for (std::size_t i = 0; i < 2; ++i) {
@@ -103,7 +129,7 @@ std::optional<MjcfMaterial> MjcfAssets::material(const XmlText& name, std::vecto
             }
         }
         if (const auto uniform = element.attribute("texuniform")) made.is_uniform = uniform->boolean();
-        made.texture = read_texture(find(textures_, *texture));
+        made.texture = read_texture(picture);
     } catch (const Error& error) { // looks do not matter to the simulation
         warnings.push_back(std::string(error.what()) + " (the texture is left out)");
     }

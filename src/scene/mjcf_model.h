@@ -93,6 +93,7 @@ struct MjcfModel {
 struct MjcfMaterial {
     std::optional<XmlText> color;
     std::shared_ptr<const Texture> texture; // none: not covered
+    Vec3 tint{1.0f, 1.0f, 1.0f};            // linear: the color of a flat texture around the geom
     std::array<double, 2> repeat{1.0, 1.0}; // how often the texture lies across the geom, or across 2 m
     bool is_uniform = false;                // across 2 m
 };

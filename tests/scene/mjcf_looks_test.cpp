@@ -87,6 +87,23 @@ TEST_F(MjcfLooks, ColorsAreThoseOfTheGeomOrOfTheMaterial) {
     EXPECT_EQ(color("", ""), Vec3(1, 1, 1));
 }
 
+// As the robots of Gym have them: a cube around a geom, all in one color, which multiplies that of the geom.
+TEST_F(MjcfLooks, FlatCubesTintAndLayersHoldTextures) {
+    const Scene tinted = load(R"(<texture name="t" builtin="flat" mark="cross" width="8" height="48" rgb1="1 .5 0"
+        rgb2="1 .5 0" random=".01"/><material name="m" texture="t"/>)",
+                              R"(<geom size=".5" material="m" rgba="1 1 .5 1"/>)");
+    const Vec3 color = tinted.appearances.at(0).color;
+    EXPECT_NEAR(color.x, 1.0f, 1e-5f);
+    EXPECT_NEAR(color.y, 0.2122f, 1e-3f) << "127 of 255 in sRGB";
+    EXPECT_EQ(color.z, 0.0f);
+    for (const std::string& line : tinted.warnings) EXPECT_EQ(line.find("left out"), line.npos) << line;
+    const Scene layered = load(checker + R"(<material name="m"><layer role="orm" texture="none"/>
+        <layer role="rgb" texture="t"/></material>)",
+                               R"(<geom size=".5" material="m"/>)");
+    ASSERT_EQ(layered.visuals.size(), 1u);
+    EXPECT_TRUE(layered.visuals[0].texture);
+}
+
 TEST_F(MjcfLooks, MeshesHaveThePlacesOfTheirFile) {
     write("quad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0.25 0.75\n"
                       "f 1/1 3/3 2/2\nf 1/1 2/2 4/3\nf 1/2 4/3 3/1\nf 2/1 3/2 4/3\n");
@@ -117,7 +134,7 @@ TEST_F(MjcfLooks, TexturesThatCannotBeReadAreALineOfWarning) {
     for (const Case& wrong : {Case{R"(type="2d" file="none.png")", "file: there is no such file, got \"none.png\""},
                               Case{R"(type="2d" file="text.png")", "must be a picture, PNG or JPEG"},
                               Case{R"(type="2d" file="../outside.png")", "must name a file in the model's folder"},
-                              Case{R"(type="cube" builtin="flat")", "must be of type 2d to be shown"},
+                              Case{R"(type="cube" builtin="checker")", "must be of type 2d to be shown"},
                               Case{R"(type="2d" builtin="stars")", "builtin"},
                               Case{R"(type="2d" builtin="checker")", "must have the attribute width"},
                               Case{R"(type="2d" builtin="checker" width="8" height="8" rgb1="1 2")", "rgb1"}}) {
