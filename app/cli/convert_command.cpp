@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "cli/outputs.h"
 
-#include "scene/mesh_files.h"
+#include "scene/mesh_store.h"
 #include "scene/scene.h"
 
 #include <cairn/error.h>
@@ -27,6 +27,7 @@ scene::Scene load_any(const ConvertOptions& options) {
         import.density = static_cast<float>(options.density.value_or(1000.0));
         scene::Scene made =
             scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+        scene::add_mesh_looks(options.input, import.scale, made);
         if (options.read.floor) scene::add_floor(made);
         return made;
     }

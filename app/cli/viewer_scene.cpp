@@ -4,7 +4,7 @@
 #include "cli/svg_plot.h"
 #include "recording/recorder.h"
 #include "recording/recording.h"
-#include "scene/mesh_files.h"
+#include "scene/mesh_store.h"
 #include "viewer/visual_notes.h"
 #include "viewer/world_state.h"
 
@@ -17,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <sstream>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -43,7 +44,7 @@ class TextureReader {
         try {
             const viewer::TextureStyle style{viewer::TextureStyle::Wrap(int(texture->wrap_u)),
                                              viewer::TextureStyle::Wrap(int(texture->wrap_v)), texture->is_smooth,
-                                             texture->alpha_cutoff};
+                                             texture->alpha_cutoff, texture->is_data};
             place->second = std::make_shared<const viewer::TexturePicture>(viewer::read_texture(texture->file, style));
         } catch (const Error& error) {
             print_warnings({{std::string(error.what()) + " (it is not shown)"}});
@@ -51,8 +52,19 @@ class TextureReader {
         return place->second;
     }
 
+    std::shared_ptr<const viewer::Finish> operator()(const std::shared_ptr<const scene::Finish>& finish) {
+        if (!finish) return nullptr;
+        std::shared_ptr<const viewer::Finish>& known = finishes_[finish.get()];
+        if (!known)
+            known = std::make_shared<const viewer::Finish>(
+                viewer::Finish{finish->roughness, finish->metalness, (*this)(finish->rough), (*this)(finish->normals),
+                               finish->normal_scale, finish->glow, finish->glow_strength, (*this)(finish->glows)});
+        return known;
+    }
+
   private:
     std::unordered_map<const scene::Texture*, std::shared_ptr<const viewer::TexturePicture>> known_;
+    std::unordered_map<const scene::Finish*, std::shared_ptr<const viewer::Finish>> finishes_;
 };
 
 // One for each vertex of `visual_triangles`, which gives flat triangles corners of their own.
@@ -73,15 +85,19 @@ std::vector<viewer::BoneWeights> weights_of(const scene::Surface& surface) {
 std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
     std::vector<viewer::Visual> visuals;
     TextureReader read_texture;
-    std::map<std::pair<const scene::Surface*, const scene::Texture*>, std::shared_ptr<const viewer::ShapeMesh>> meshes;
+    using Key = std::tuple<const scene::Surface*, const scene::Texture*, const scene::Finish*>;
+    std::map<Key, std::shared_ptr<const viewer::ShapeMesh>> meshes;
     for (const scene::VisualMesh& visual : scene.visuals) {
-        std::shared_ptr<const viewer::ShapeMesh>& mesh = meshes[{visual.surface.get(), visual.texture.get()}];
+        std::shared_ptr<const viewer::ShapeMesh>& mesh =
+            meshes[{visual.surface.get(), visual.texture.get(), visual.finish.get()}];
         if (!mesh) {
             const scene::Surface& surface = *visual.surface;
-            viewer::ShapeMesh made = viewer::make_shape_mesh(
-                viewer::visual_triangles(surface.vertices, surface.normals, surface.indices, surface.coordinates),
-                viewer::MeshLook::visual);
+            viewer::ShapeMesh made =
+                viewer::make_shape_mesh(viewer::visual_triangles(surface.vertices, surface.normals, surface.indices,
+                                                                 surface.coordinates, surface.colors),
+                                        viewer::MeshLook::visual);
             if (!surface.coordinates.empty()) made.texture = read_texture(visual.texture);
+            made.finish = read_texture(visual.finish);
             if (!surface.weights.empty()) made.weights = weights_of(surface);
             mesh = std::make_shared<const viewer::ShapeMesh>(std::move(made));
         }
@@ -101,7 +117,8 @@ class SurfaceMaker {
         const viewer::ShapeMesh& mesh = *visual.mesh;
         std::shared_ptr<const scene::Surface>& surface = surfaces_[&mesh];
         if (!surface) surface = std::make_shared<const scene::Surface>(surface_of(mesh));
-        scene::VisualMesh made{visual.body, visual.local, surface, visual.color, texture_of(mesh.texture), {}};
+        scene::VisualMesh made{visual.body, visual.local,          surface, visual.color, texture_of(mesh.texture),
+                               {},          finish_of(mesh.finish)};
         for (const viewer::Bone& bone : visual.bones) made.bones.push_back({bone.body, bone.linear, bone.translation});
         return made;
     }
@@ -112,27 +129,38 @@ class SurfaceMaker {
         for (const viewer::MeshVertex& vertex : mesh.triangles.vertices) {
             surface.vertices.push_back(vertex.corner);
             surface.normals.push_back(vertex.normal);
-            if (mesh.texture) surface.coordinates.emplace_back(vertex.inset.x, vertex.inset.y);
+            if (mesh.texture || mesh.finish) surface.coordinates.emplace_back(vertex.inset.x, vertex.inset.y);
         }
         for (const viewer::BoneWeights& weights : mesh.weights)
             surface.weights.push_back({weights.bones, weights.shares});
         surface.indices = mesh.triangles.indices;
+        surface.colors = mesh.triangles.colors;
         return surface;
+    }
+    std::shared_ptr<const scene::Finish> finish_of(const std::shared_ptr<const viewer::Finish>& finish) {
+        if (!finish) return nullptr;
+        std::shared_ptr<const scene::Finish>& known = finishes_[finish.get()];
+        if (!known)
+            known = std::make_shared<const scene::Finish>(scene::Finish{
+                finish->roughness, finish->metalness, texture_of(finish->rough), texture_of(finish->normals),
+                finish->normal_scale, finish->glow, finish->glow_strength, texture_of(finish->glows)});
+        return known;
     }
     std::shared_ptr<const scene::Texture> texture_of(const std::shared_ptr<const viewer::TexturePicture>& picture) {
         if (!picture) return nullptr;
         std::shared_ptr<const scene::Texture>& texture = textures_[picture.get()];
         if (!texture) {
             const viewer::TextureStyle& style = picture->style;
-            texture = std::make_shared<const scene::Texture>(
-                scene::Texture{picture->file, scene::Texture::Wrap(int(style.wrap_u)),
-                               scene::Texture::Wrap(int(style.wrap_v)), style.is_smooth, style.alpha_cutoff});
+            texture = std::make_shared<const scene::Texture>(scene::Texture{
+                picture->file, scene::Texture::Wrap(int(style.wrap_u)), scene::Texture::Wrap(int(style.wrap_v)),
+                style.is_smooth, style.alpha_cutoff, style.is_data});
         }
         return texture;
     }
 
     std::unordered_map<const viewer::ShapeMesh*, std::shared_ptr<const scene::Surface>> surfaces_;
     std::unordered_map<const viewer::TexturePicture*, std::shared_ptr<const scene::Texture>> textures_;
+    std::unordered_map<const viewer::Finish*, std::shared_ptr<const scene::Finish>> finishes_;
 };
 
 } // namespace
@@ -177,6 +205,7 @@ scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& opti
     scene::MeshImport import;
     import.as_hull = false;
     scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
+    scene::add_mesh_looks(path, import.scale, scene);
     scene.info.hint = "U I O and J K L M drop bodies on it";
     if (options.floor) scene::add_floor(scene);
     return scene;

@@ -126,6 +126,16 @@ GlMesh::GlMesh(const TriangleMesh& mesh)
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
                  GL_STATIC_DRAW);
     mesh_attributes(array_, vertices_, indices_);
+    constexpr unsigned tint = 7;
+    if (mesh.colors.empty()) {
+        glVertexAttrib3f(tint, 1.0f, 1.0f, 1.0f); // white, for all meshes without such an array
+    } else {
+        colors_ = make_buffer();
+        glBindBuffer(GL_ARRAY_BUFFER, colors_.name());
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.colors.size() * sizeof(Vec3)), mesh.colors.data(),
+                     GL_STATIC_DRAW);
+        attribute(tint, 3, sizeof(Vec3), 0);
+    }
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
     for (unsigned i = 0; i < 4; ++i) {
         attribute(3 + i, 4, sizeof(Instance), 16u * i);

@@ -75,7 +75,7 @@ class GlMesh {
     void draw_once() const;
 
   private:
-    GlObject vertices_, indices_, instances_, array_, plain_array_;
+    GlObject vertices_, indices_, colors_, instances_, array_, plain_array_;
     int index_count_ = 0;
     int instance_count_ = 0;
 };

@@ -91,6 +91,7 @@ shaders::BodyKind kind_of(const ShapeMesh& mesh) {
     case MeshLook::visual:
         break;
     }
+    if (mesh.finish) return shaders::BodyKind::finished;
     return mesh.texture ? shaders::BodyKind::textured : shaders::BodyKind::visual;
 }
 
@@ -157,7 +158,6 @@ struct GlRenderer::Impl {
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
     template <class Use> void draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
-    void use_texture(const std::shared_ptr<const TexturePicture>& texture, const GlProgram& program);
     template <class Use> void draw_shapes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
@@ -276,7 +276,7 @@ void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4
         if (group.instances.empty()) continue;
         const shaders::BodyKind kind = kind_of(*group.mesh);
         const bool two_sided = kind != shaders::BodyKind::facets;
-        use_texture(group.mesh->texture, use(kind));
+        textures.use(*group.mesh, use(kind));
         if (two_sided) glDisable(GL_CULL_FACE);
         const GlMesh& mesh = meshes.at(group.mesh.get()).mesh;
         if (group.mesh->parts.size() == 1)
@@ -286,15 +286,6 @@ void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4
                 mesh.draw(range.first, range.count);
         if (two_sided) glEnable(GL_CULL_FACE);
     }
-}
-
-void GlRenderer::Impl::use_texture(const std::shared_ptr<const TexturePicture>& texture, const GlProgram& program) {
-    if (!texture) return;
-    glActiveTexture(GL_TEXTURE1); // the shadow map has the other
-    textures.use(texture);
-    glActiveTexture(GL_TEXTURE0);
-    program.set("u_texture", 1);
-    program.set("u_alpha_cutoff", texture->style.alpha_cutoff);
 }
 
 template <class Use>

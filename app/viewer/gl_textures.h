@@ -3,7 +3,7 @@
 #pragma once
 
 #include "viewer/gl_objects.h"
-#include "viewer/textures.h"
+#include "viewer/shape_meshes.h"
 
 #include <memory>
 #include <unordered_map>
@@ -12,12 +12,15 @@ namespace cairn::viewer {
 
 class GlTextures {
   public:
-    /// Makes it the texture of the active unit. The first time, it comes to the graphics card.
-    void use(const std::shared_ptr<const TexturePicture>& picture);
+    /// Makes the pictures of a mesh those of the program, which is the current one. The first time, they come to the
+    /// graphics card. Unit 0 stays as it is: it has the shadow map.
+    void use(const ShapeMesh& mesh, const GlProgram& program);
     /// Counts a picture of the window, and gives up what was not used for `most` of them.
     void give_up_unused(int most);
 
   private:
+    void use(const std::shared_ptr<const TexturePicture>& picture, int unit, const char* sampler,
+             const GlProgram& program);
     struct Loaded {
         std::shared_ptr<const TexturePicture> source; // keeps its address its own
         GlObject texture;

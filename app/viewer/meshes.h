@@ -22,6 +22,7 @@ struct MeshVertex {
 struct TriangleMesh {
     std::vector<MeshVertex> vertices;
     std::vector<std::uint32_t> indices; ///< Three per triangle, counterclockwise seen from outside.
+    std::vector<Vec3> colors{};         ///< Linear, one for each vertex, or none: multiply that of the mesh.
 };
 
 /// What is seen of a ball, wherever from: the cap that faces the viewer, of (2 x rings - 1) x segments triangles.

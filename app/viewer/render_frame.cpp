@@ -163,6 +163,7 @@ void add_bent(ShapeInstances& all, const Position& origin, const VisualLayout& v
     }
     ShapeMesh now = make_shape_mesh(bent(mesh.triangles, mesh.weights, bones), mesh.look);
     now.texture = mesh.texture;
+    now.finish = mesh.finish;
     Instance instance = instance_at(center, Quat(1.0f, 0.0f, 0.0f, 0.0f), origin, other.value_or(visual.color));
     instance.half_size = Vec3(1.0f);
     instance.pattern = other ? 0.0f : 1.0f;

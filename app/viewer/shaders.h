@@ -2,8 +2,7 @@
 /// The shaders, without their first line. The same text compiles as GLSL 3.30 and, for the web, as GLSL ES 3.00.
 #pragma once
 
-#include <cstddef>
-#include <string>
+#include "viewer/body_shaders.h"
 
 namespace cairn::viewer::shaders {
 
@@ -69,17 +68,22 @@ float lit_fraction(vec3 world, vec3 normal) {
     return 1.0 - (1.0 - lit / compared) * inside * u_shadow_strength;
 }
 
-// KHR_lights_punctual's laws of distance and cone.
+// What of a lamp reaches a point, and the direction to it, by KHR_lights_punctual's laws of distance and cone.
+vec3 lamp_light(int i, vec3 world, out vec3 to_lamp) {
+    vec3 way = u_lamp_place[i].xyz - u_lamp_place[i].w * world;
+    float square = max(dot(way, way), 1e-4);
+    to_lamp = way * inversesqrt(square);
+    float fade = square * u_lamp_color[i].w;
+    float cone = clamp(dot(u_lamp_axis[i].xyz, to_lamp) + u_lamp_axis[i].w, 0.0, 1.0);
+    float reach = cone * cone * mix(1.0, clamp(1.0 - fade * fade, 0.0, 1.0) / square, u_lamp_place[i].w);
+    return u_lamp_color[i].rgb * reach;
+}
+
 vec3 shade_by_lamps(vec3 world, vec3 normal, vec3 to_eye, vec3 color, float gloss) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < u_lamp_count; ++i) {
-        vec3 way = u_lamp_place[i].xyz - u_lamp_place[i].w * world;
-        float square = max(dot(way, way), 1e-4);
-        vec3 to_lamp = way * inversesqrt(square);
-        float fade = square * u_lamp_color[i].w;
-        float cone = clamp(dot(u_lamp_axis[i].xyz, to_lamp) + u_lamp_axis[i].w, 0.0, 1.0);
-        float reach = cone * cone * mix(1.0, clamp(1.0 - fade * fade, 0.0, 1.0) / square, u_lamp_place[i].w);
-        vec3 light = u_lamp_color[i].rgb * (reach * max(dot(normal, to_lamp), 0.0));
+        vec3 to_lamp;
+        vec3 light = lamp_light(i, world, to_lamp) * max(dot(normal, to_lamp), 0.0);
         float shine = max(dot(normal, normalize(to_eye + to_lamp)), 0.0);
         shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
         sum += light * (color + 0.5 * gloss * shine);
@@ -89,12 +93,17 @@ vec3 shade_by_lamps(vec3 world, vec3 normal, vec3 to_eye, vec3 color, float glos
 
 const vec3 c_mirrored_sun = vec3(0.4865, 0.49985, 0.53395); // a little whiter
 
+// What comes from sky and ground.
+vec3 light_around(vec3 normal) {
+    return mix(vec3(0.22, 0.21, 0.20), vec3(0.36, 0.43, 0.54), 0.5 + 0.5 * normal.y);
+}
+
 vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
     vec3 to_eye = towards_viewer(world);
     float facing = max(dot(normal, u_to_light), 0.0);
     float lit = facing > 0.0 ? lit_fraction(world, normal) : 0.0;
     vec3 sun = u_sun * (facing * lit);
-    vec3 around = mix(vec3(0.22, 0.21, 0.20), vec3(0.36, 0.43, 0.54), 0.5 + 0.5 * normal.y);
+    vec3 around = light_around(normal);
     float shine = max(dot(normal, normalize(to_eye + u_to_light)), 0.0);
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; // to the 64th
     float edge = 1.0 - max(dot(normal, to_eye), 0.0);
@@ -123,225 +132,6 @@ float grid_line(vec2 place, float pixels) {
     vec2 line = clamp(0.5 * pixels + 0.5 - abs(fract(place - 0.5) - 0.5) / width, 0.0, 1.0);
     line *= 1.0 - smoothstep(0.15, 0.5, width);
     return max(line.x, line.y);
-}
-)";
-
-/// Which mesh the body shaders draw.
-enum class BodyKind : int { sphere, box, rectangle, capsule, cylinder, facets, surface, terrain, visual, textured };
-inline constexpr std::size_t body_kind_count = 10;
-
-/// Goes before a body shader. It is a constant, as software renderers go through both sides of an "if".
-inline std::string body_kind(BodyKind kind) { return "const int c_kind = " + std::to_string(int(kind)) + ";\n"; }
-
-inline constexpr const char* body_vertex = R"(
-layout(location = 0) in vec3 a_corner;
-layout(location = 1) in vec3 a_inset;
-layout(location = 2) in vec3 a_normal;
-layout(location = 3) in vec4 a_position;  // w: emphasis
-layout(location = 4) in vec4 a_rotation;
-layout(location = 5) in vec4 a_half_size; // w: pattern
-layout(location = 6) in vec4 a_color;
-uniform mat4 u_clip_from_world;
-uniform vec4 u_viewer; // from where balls are seen: the eye and 1, or the direction towards it or a light and 0
-out vec3 v_world;
-out vec3 v_normal;       // of balls: the place on the cap, from the center, in radii
-out vec3 v_local;        // of balls: the radius
-out vec3 v_local_normal; // of boxes: half of the edges
-out vec4 v_color;
-out float v_pattern;
-out vec2 v_texel;        // of what has a texture: the place in it
-flat out vec4 v_rotation;
-
-vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
-
-// Two balls and the cone that touches both. On it the normal's height is (lower - upper radius) / distance: there each
-// ball's part begins. Where one ball holds the other, it is all that is left.
-void place_capsule(vec3 size, out vec3 place, out vec3 normal) {
-    float end = a_corner.y;
-    // Away from the axis and up: where the ball's part begins, in the middle, and at the pole. The middle comes from
-    // the formulas of half angles; asin() is good to four digits only on some drivers.
-    float height = clamp((size.x - size.z) / (2.0 * size.y), -1.0, 1.0);
-    vec2 seam = vec2(sqrt(1.0 - height * height), height);
-    vec2 middle = vec2(sqrt(0.5 - 0.5 * end * height), end * sqrt(0.5 + 0.5 * end * height));
-    float part = 2.0 * a_inset.x;
-    vec2 lean = normalize(part < 1.0 ? mix(seam, middle, part) : mix(middle, vec2(0.0, end), part - 1.0));
-    normal = vec3(a_corner.x * lean.x, lean.y, a_corner.z * lean.x);
-    place = vec3(0.0, end * size.y, 0.0) + normal * (end < 0.0 ? size.x : size.z);
-}
-
-void place_cylinder(vec3 size, out vec3 place, out vec3 normal) {
-    float end = a_corner.y;
-    float radius = end < 0.0 ? size.x : size.z;
-    float bevel = min(0.07 * min(size.y, max(size.x, size.z)), radius);
-    vec2 upwards = normalize(vec2(size.z - size.x, 2.0 * size.y)); // along the side, away from the axis and up
-    vec2 profile = vec2(radius, end * size.y);
-    if (a_inset.x > 1.5) {
-        profile -= end * bevel * upwards;
-        normal = vec3(a_normal.x * upwards.y, -upwards.x, a_normal.z * upwards.y);
-    } else {
-        profile.x -= bevel; // the middle has no direction from the axis
-        normal = a_normal;
-    }
-    place = vec3(a_corner.x * profile.x, profile.y, a_corner.z * profile.x);
-}
-
-// The direction from a ball's center to a point of the cap that is seen of it: `a_corner` is the way around the cap's
-// middle in x and y, and in z how far from there to the rim. From within the ball nothing is seen.
-vec3 cap_direction(vec3 center, float radius) {
-    vec3 towards = u_viewer.xyz - u_viewer.w * center;
-    float distance = length(towards), rim = u_viewer.w * min(radius / distance, 1.0);
-    towards /= distance;
-    vec3 right = normalize(cross(abs(towards.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), towards));
-    vec2 lean = normalize(mix(vec2(1.0, 0.0), vec2(rim, sqrt(1.0 - rim * rim)), a_corner.z));
-    return towards * lean.x + (right * a_corner.x + cross(towards, right) * a_corner.y) * lean.y;
-}
-
-void main() {
-    vec3 local, normal = a_normal;
-    if (c_kind == 3) {
-        place_capsule(a_half_size.xyz, local, normal);
-    } else if (c_kind == 4) {
-        place_cylinder(a_half_size.xyz, local, normal);
-    } else {
-        local = a_corner * a_half_size.xyz;
-    }
-    v_world = a_position.xyz + rotate(a_rotation, local);
-    v_normal = rotate(a_rotation, normal);
-    v_local = local;
-    v_local_normal = c_kind == 1 ? a_half_size.xyz : normal;
-    if (c_kind == 0) {
-        v_normal = cap_direction(a_position.xyz, a_half_size.x);
-        v_world = a_position.xyz + a_half_size.x * v_normal;
-        v_local = a_half_size.xyz;
-    }
-    v_color = vec4(a_color.rgb, a_position.w);
-    v_pattern = a_half_size.w;
-    v_texel = a_inset.xy;
-    v_rotation = a_rotation;
-    gl_Position = u_clip_from_world * vec4(v_world, 1.0);
-}
-)";
-
-inline constexpr const char* body_fragment = R"(
-in vec3 v_world;
-in vec3 v_normal;
-in vec3 v_local;
-in vec3 v_local_normal;
-in vec4 v_color;
-in float v_pattern;
-in vec2 v_texel;
-flat in vec4 v_rotation;
-uniform sampler2D u_texture;
-uniform float u_alpha_cutoff;
-uniform float u_grid;
-uniform float u_spacing; // of the finer lines of the grid, meters
-uniform float u_fade;    // distance at which large surfaces have half become sky, meters
-uniform float u_opacity; // 1, or that of ghosts, which are paler, too
-out vec4 o_color;
-
-// Eight panels, alternately lighter and darker, so that rolling can be seen.
-float panels(vec3 side) {
-    vec3 panel = clamp(side / max(fwidth(side), vec3(1e-5)), -1.0, 1.0);
-    return 1.0 - 0.13 * v_pattern * (1.0 - panel.x * panel.y * panel.z);
-}
-
-float grid_at(vec2 place) { return max(0.5 * grid_line(place, 1.0), grid_line(place * 0.1, 1.6)); }
-
-vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
-
-// On capsules and cylinders the normal leans away from the axis exactly as the place does. Between the corners of a
-// triangle that holds only roughly, and near the tip of a cone not at all.
-vec3 round_normal() {
-    float away = length(v_local.xz);
-    if (away <= 0.0) return v_normal;
-    vec2 lean = v_local.xz * (length(v_local_normal.xz) / away);
-    return rotate(v_rotation, vec3(lean.x, v_local_normal.y, lean.y));
-}
-
-// Boxes are shaded as if their edges were rounded: within a bevel of an edge the normal leans over it; where the bevel
-// is narrower than a pixel, within a pixel and accordingly less.
-vec3 box_normal() {
-    vec3 size = v_local_normal;
-    float bevel = 0.07 * min(size.x, min(size.y, size.z));
-    vec3 face = rotate(vec4(-v_rotation.xyz, v_rotation.w), v_normal);
-    vec3 width = max(vec3(bevel), fwidth(v_local));
-    vec3 lean = sign(v_local) * clamp((abs(v_local) - size) / width + 1.0, 0.0, 1.0) * (bevel / width);
-    return rotate(v_rotation, face + lean * (1.0 - abs(face)));
-}
-
-// Moves a point of a ball's cap, which is flat between its corners, along the ray onto the ball.
-void meet_ball(inout vec3 world, inout vec3 normal) {
-    vec3 along = -towards_viewer(world);
-    float middle = dot(normal, along), way = sqrt(max(middle * middle + 1.0 - dot(normal, normal), 0.0)) + middle;
-    normal -= along * way;
-    world -= along * (way * v_local.x);
-}
-
-// A grid on whatever side the surface faces most.
-float surface_grid(vec3 place, vec3 facing) {
-    vec3 size = abs(facing);
-    if (size.y >= max(size.x, size.z)) return grid_at(place.xz);
-    return size.x > size.z ? grid_at(place.zy) : grid_at(place.xy);
-}
-
-void main() {
-    bool is_round = c_kind == 3 || c_kind == 4;
-    vec3 world = v_world, normal = v_normal;
-    if (c_kind == 0) meet_ball(world, normal);
-    if (c_kind == 1) normal = box_normal();
-    if (is_round) normal = round_normal();
-    normal = normalize(normal);
-    vec3 color = v_color.rgb;
-    float gloss = 1.0, haze = 0.0;
-    vec3 ray = world - u_eye;
-    if (c_kind == 0) {
-        color *= panels(rotate(vec4(-v_rotation.xyz, v_rotation.w), normal));
-    } else if (c_kind == 2) {
-        gloss = 0.15;
-        color *= 1.0 - 0.13 * u_grid * grid_line(v_local.xz, 1.0);
-    } else if (is_round) {
-        color *= panels(v_local);
-    } else if (c_kind == 6 || c_kind == 7) {
-        gloss = 0.10;
-        vec3 facing = normalize(v_local_normal);
-        vec3 place = v_local / u_spacing;
-        if (c_kind == 7) {
-            float steep = smoothstep(0.03, 0.35, 1.0 - facing.y);
-            color = mix(color, color * vec3(1.15, 0.78, 0.62), v_pattern * steep);
-        }
-        color *= 1.0 - 0.22 * u_grid * (c_kind == 7 ? grid_at(place.xz) : surface_grid(place, facing));
-        float far = dot(ray, ray) / (u_fade * u_fade);
-        haze = far / (1.0 + far);
-    }
-    if (c_kind >= 8) gloss = 0.5;
-    if (c_kind == 9) {
-        vec4 texel = texture(u_texture, v_texel);
-        if (texel.a < u_alpha_cutoff) discard;
-        color *= mix(vec3(1.0), texel.rgb, v_pattern);
-    }
-    if (c_kind >= 6 && !gl_FrontFacing) { // from behind
-        normal = -normal;
-        if (c_kind < 8) color *= 0.6;
-    }
-    vec3 to_eye = towards_viewer(world);
-    vec3 shaded = shade(world, normal, color, gloss);
-    float rim = 1.0 - max(dot(normal, to_eye), 0.0);
-    shaded = mix(shaded, vec3(1.9, 0.95, 0.12), v_color.a * (0.12 + 0.8 * rim * rim));
-    if (haze > 0.0) {
-        vec3 horizon = normalize(vec3(ray.x, max(ray.y, 0.0), ray.z) + vec3(0.0, 1e-4, 0.0));
-        shaded = mix(shaded, sky_color(horizon), haze);
-    }
-    shaded = mix(vec3(0.55, 0.72, 0.95), shaded, 0.4 + 0.6 * u_opacity);
-    o_color = pixel_of(to_display(shaded));
-}
-)";
-
-inline constexpr const char* shadow_fragment = R"(
-in vec2 v_texel;
-uniform sampler2D u_texture;
-uniform float u_alpha_cutoff;
-void main() {
-    if (c_kind == 9 && texture(u_texture, v_texel).a < u_alpha_cutoff) discard;
 }
 )";
 

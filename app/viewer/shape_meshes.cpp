@@ -164,7 +164,8 @@ TriangleMesh height_field_triangles(const HeightField& field) {
 }
 
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates) {
+                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates,
+                              std::span<const Vec3> colors) {
     TriangleMesh mesh;
     const auto place = [&](std::size_t i) {
         return coordinates.empty() ? Vec3(0.0f) : Vec3(coordinates[i].x, coordinates[i].y, 0.0f);
@@ -173,6 +174,7 @@ TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Ve
         for (std::size_t i = 0; i < vertices.size(); ++i)
             mesh.vertices.push_back({vertices[i], place(i), direction_of(normals[i])});
         mesh.indices.assign(indices.begin(), indices.end());
+        mesh.colors.assign(colors.begin(), colors.end());
         return mesh;
     }
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -181,6 +183,7 @@ TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Ve
         for (const std::size_t corner : {i, i + 1, i + 2}) {
             mesh.indices.push_back(std::uint32_t(mesh.vertices.size()));
             mesh.vertices.push_back({vertices[indices[corner]], place(indices[corner]), normal});
+            if (!colors.empty()) mesh.colors.push_back(colors[indices[corner]]);
         }
     }
     return mesh;

@@ -40,9 +40,11 @@ struct ShapeMesh {
     Vec3 extent{0.0f, 0.0f, 0.0f}; ///< Half of the bounds' edges, meters.
     float radius = 0.0f;           ///< A ball around `center` holds everything, meters.
     std::vector<MeshPart> parts;   ///< All triangles, in order.
-    /// Null: none. Where in it a vertex lies is in `inset`, x to the right and y down, 0 to 1 across the picture.
+    /// Null: none. Where in it and the pictures of the finish a vertex lies is in `inset`, x to the right and y down, 0
+    /// to 1 across the picture.
     std::shared_ptr<const TexturePicture> texture{};
-    std::vector<BoneWeights> weights{}; ///< Of what bends, one for each vertex; else none.
+    std::shared_ptr<const Finish> finish{}; ///< Null: smooth, as of plastic.
+    std::vector<BoneWeights> weights{};     ///< Of what bends, one for each vertex; else none.
 };
 
 /// The faces of a hull, flat.
@@ -60,10 +62,11 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
 TriangleMesh height_field_triangles(const HeightField& field);
 inline constexpr std::size_t max_heights = std::size_t(1) << 22;
 
-/// Triangles with the normals given, one for each vertex, or flat ones if there are none, and places in a texture, one
-/// for each vertex, or none. All indices in range.
+/// Triangles with the normals given, one for each vertex, or flat ones if there are none; and places in a texture and
+/// colors, one for each vertex, or none. All indices in range.
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
-                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates = {});
+                              std::span<const std::uint32_t> indices, std::span<const glm::vec2> coordinates = {},
+                              std::span<const Vec3> colors = {});
 
 /// A rounded box, cylinder or hull (see `rounding_of`).
 TriangleMesh rounded_shape_triangles(const Shape& shape);

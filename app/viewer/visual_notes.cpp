@@ -131,6 +131,27 @@ bool take_coordinates(const std::string& text, TriangleMesh& mesh) {
     return true;
 }
 
+// Three words for each vertex.
+std::string text_of_colors(const std::vector<Vec3>& colors) {
+    std::vector<std::uint32_t> words;
+    for (const Vec3& color : colors)
+        for (int i = 0; i < 3; ++i) words.push_back(bits_of(color[i]));
+    return base64(words);
+}
+
+// Nothing where it makes no sense.
+std::vector<Vec3> colors_of(const std::string& text, std::size_t vertices) {
+    const std::vector<std::uint32_t> words = words_of(text);
+    if (words.size() != 3 * vertices) return {};
+    std::vector<Vec3> colors(vertices);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const float part = float_of(words[i]);
+        if (!(part >= 0.0f && part <= 1.0f)) return {};
+        colors[i / 3][int(i % 3)] = part;
+    }
+    return colors;
+}
+
 constexpr std::size_t words_of_weights = 8;
 std::string text_of_weights(const std::vector<BoneWeights>& weights) {
     std::vector<std::uint32_t> words;
@@ -157,13 +178,14 @@ std::vector<BoneWeights> weights_of(const std::string& text, std::size_t vertice
 }
 
 // Its style, how many bytes its file has, and these.
+constexpr std::uint32_t smooth_bit = 1, data_bit = 2;
 constexpr std::size_t words_before_file = 5;
 std::string text_of(const TexturePicture& texture) {
     const TextureStyle& style = texture.style;
     const std::string& file = *texture.file;
     std::vector<std::uint32_t> words{std::uint32_t(style.wrap_u), std::uint32_t(style.wrap_v),
-                                     std::uint32_t(style.is_smooth), bits_of(style.alpha_cutoff),
-                                     std::uint32_t(file.size())};
+                                     (style.is_smooth ? smooth_bit : 0) | (style.is_data ? data_bit : 0),
+                                     bits_of(style.alpha_cutoff), std::uint32_t(file.size())};
     words.resize(words_before_file + (file.size() + 3) / 4);
     for (std::size_t i = 0; i < file.size(); ++i)
         words[words_before_file + i / 4] |= std::uint32_t(std::uint8_t(file[i])) << (8 * (i % 4));
@@ -178,8 +200,8 @@ std::shared_ptr<const TexturePicture> texture_of(const std::string& text) {
     std::string file(words[4], '\0');
     for (std::size_t i = 0; i < file.size(); ++i)
         file[i] = char(words[words_before_file + i / 4] >> (8 * (i % 4)) & 255);
-    const TextureStyle style{TextureStyle::Wrap(words[0]), TextureStyle::Wrap(words[1]), words[2] != 0,
-                             float_of(words[3])};
+    const TextureStyle style{TextureStyle::Wrap(words[0]), TextureStyle::Wrap(words[1]), (words[2] & smooth_bit) != 0,
+                             float_of(words[3]), (words[2] & data_bit) != 0};
     try {
         return std::make_shared<const TexturePicture>(
             read_texture(std::make_shared<const std::string>(std::move(file)), style));
@@ -209,6 +231,8 @@ class MeshReader {
         std::optional<TriangleMesh> mesh = text == notes_.end() ? std::nullopt : mesh_of(text->second);
         if (!mesh) return nullptr;
         const auto coordinates = notes_.find("coordinates " + number);
+        const auto colors = notes_.find("tints " + number), finish = notes_.find("finish " + number);
+        if (colors != notes_.end()) mesh->colors = colors_of(colors->second, mesh->vertices.size());
         const auto weights = notes_.find("weights " + number);
         std::vector<BoneWeights> of_bones;
         if (weights != notes_.end()) of_bones = weights_of(weights->second, mesh->vertices.size());
@@ -217,7 +241,23 @@ class MeshReader {
         made.weights = std::move(of_bones);
         if (const auto texture = texture_of_mesh_.find(number); is_covered && texture != texture_of_mesh_.end())
             made.texture = texture_named(texture->second);
+        if (finish != notes_.end()) made.finish = finish_of(finish->second, is_covered);
         return std::make_shared<const ShapeMesh>(std::move(made));
+    }
+    // Null where it makes no sense.
+    std::shared_ptr<const Finish> finish_of(const std::string& text, bool is_covered) {
+        std::istringstream words(text);
+        Finish finish;
+        std::string rough, normals, glows;
+        Vec3& glow = finish.glow;
+        if (!(words >> finish.roughness >> finish.metalness >> finish.normal_scale >> glow.x >> glow.y >> glow.z >>
+              finish.glow_strength >> rough >> normals >> glows))
+            return nullptr;
+        if (is_covered) {
+            finish.rough = texture_named(rough), finish.normals = texture_named(normals);
+            finish.glows = texture_named(glows);
+        }
+        return std::make_shared<const Finish>(std::move(finish));
     }
     std::shared_ptr<const TexturePicture> texture_named(const std::string& number) {
         const auto [place, is_new] = textures_.try_emplace(number);
@@ -242,18 +282,31 @@ class NoteWriter {
         const auto [place, is_new] = meshes_.emplace(&mesh, meshes_.size());
         if (!is_new) return place->second;
         const std::string number = std::to_string(place->second);
-        add("mesh " + number, text_of(mesh.triangles));
+        add("mesh " + number, viewer::text_of(mesh.triangles));
         if (!mesh.weights.empty()) add("weights " + number, text_of_weights(mesh.weights));
-        if (mesh.texture) {
-            const auto [texture, is_new_texture] = textures_.emplace(mesh.texture.get(), textures_.size());
-            add("coordinates " + number, text_of_coordinates(mesh.triangles));
-            if (is_new_texture) add("texture " + std::to_string(texture->second), text_of(*mesh.texture));
-            notes["textured"] += number + ' ' + std::to_string(texture->second) + '\n';
-        }
+        if (!mesh.triangles.colors.empty()) add("tints " + number, text_of_colors(mesh.triangles.colors));
+        if (mesh.texture || mesh.finish) add("coordinates " + number, text_of_coordinates(mesh.triangles));
+        if (mesh.texture) notes["textured"] += number + ' ' + number_of(mesh.texture) + '\n';
+        if (mesh.finish) add("finish " + number, text_of(*mesh.finish));
         return place->second;
     }
 
   private:
+    // A dash for none.
+    std::string number_of(const std::shared_ptr<const TexturePicture>& texture) {
+        if (!texture) return "-";
+        const auto [place, is_new] = textures_.emplace(texture.get(), textures_.size());
+        if (is_new) add("texture " + std::to_string(place->second), viewer::text_of(*texture));
+        return std::to_string(place->second);
+    }
+    std::string text_of(const Finish& finish) {
+        std::ostringstream words;
+        words << std::setprecision(std::numeric_limits<float>::max_digits10) << finish.roughness << ' '
+              << finish.metalness << ' ' << finish.normal_scale << ' ' << finish.glow.x << ' ' << finish.glow.y << ' '
+              << finish.glow.z << ' ' << finish.glow_strength << ' ' << number_of(finish.rough) << ' '
+              << number_of(finish.normals) << ' ' << number_of(finish.glows);
+        return words.str();
+    }
     void add(std::string name, std::string text) {
         bytes += text.size();
         notes.emplace(std::move(name), std::move(text));

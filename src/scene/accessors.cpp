@@ -193,6 +193,23 @@ std::vector<Vec3> Accessors::vectors(const Value& index) { return tuples<Vec3>(i
 std::vector<glm::vec2> Accessors::coordinates(const Value& index) { return tuples<glm::vec2>(index, "VEC2"); }
 std::vector<glm::vec4> Accessors::quadruples(const Value& index) { return tuples<glm::vec4>(index, "VEC4"); }
 
+std::vector<Vec3> Accessors::colors(const Value& index) {
+    const Value accessor = find(index);
+    const Value type = accessor.require("componentType");
+    const auto normalized = accessor.find("normalized");
+    const std::uint64_t code = read_component_type(type);
+    const bool is_unsigned = code == unsigned_byte || code == unsigned_short;
+    if (code != float_number && !(is_unsigned && normalized && normalized->boolean()))
+        type.fail("must be 5126, or of normalized numbers 5121 or 5123, for colors");
+    std::vector<Vec3> result;
+    if (accessor.require("type").text() == "VEC4")
+        for (const glm::vec4& color : quadruples(index)) result.emplace_back(color);
+    else
+        result = vectors(index);
+    for (Vec3& color : result) color = glm::clamp(color, 0.0f, 1.0f);
+    return result;
+}
+
 std::vector<glm::dmat4> Accessors::matrices(const Value& index) {
     constexpr int size = 4;
     const Value accessor = find(index);

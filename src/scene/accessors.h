@@ -23,6 +23,7 @@ class Accessors {
     std::vector<Vec3> vectors(const Value& index);          // VEC3 of floats, or of integers (KHR_mesh_quantization)
     std::vector<glm::vec2> coordinates(const Value& index); // VEC2 of floats, or of normalized integers
     std::vector<glm::vec4> quadruples(const Value& index);  // VEC4, of any numbers
+    std::vector<Vec3> colors(const Value& index);           // VEC3 or VEC4, of which the last one is left out
     std::vector<glm::dmat4> matrices(const Value& index);   // MAT4 of floats
     std::vector<float> scalars(const Value& index);         // SCALAR of floats
     std::vector<std::uint32_t> indices(const Value& index); // SCALAR of unsigned bytes, shorts or ints

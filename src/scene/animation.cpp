@@ -108,7 +108,8 @@ AnimationBaker::AnimationBaker(const Scene& scene) {
         }
     }
     const auto part_of = [&](const VisualMesh& visual) {
-        return Part{visual.local, surface_of(visual.surface), visual.color, visual.texture, visual.bones};
+        return Part{visual.local, surface_of(visual.surface), visual.color, visual.texture, visual.bones,
+                    visual.finish};
     };
     for (const BodyId id : scene.world.bodies()) {
         const Body body = scene.world.body(id);
@@ -205,7 +206,7 @@ std::string AnimationBaker::document(bool as_text) const {
         for (const Part& part : track.parts) {
             Json primitive = primitives[part.surface];
             Json look = material(part.color);
-            looks.add_texture(part.texture.get(), look);
+            looks.add_look(part.texture.get(), part.finish.get(), look);
             primitive["material"] = materials.index(look);
             Json child{{"mesh", meshes.index({{"primitives", Json::array({std::move(primitive)})}})}};
             if (part.bones.empty())
@@ -230,6 +231,7 @@ std::string AnimationBaker::document(bool as_text) const {
     Json scene = Json::object();
     if (!roots.empty()) scene["nodes"] = std::move(roots);
     Json json{{"asset", {{"version", "2.0"}, {"generator", "cairn"}}}, {"scene", 0}, {"scenes", Json::array({scene})}};
+    if (looks.uses_glow_strength()) json["extensionsUsed"] = Json::array({"KHR_materials_emissive_strength"});
     const auto add = [&json](const char* name, Json array) {
         if (!array.empty()) json[name] = std::move(array); // glTF has no empty arrays
     };

@@ -39,6 +39,7 @@ class AnimationBaker {
         Vec3 color;
         std::shared_ptr<const Texture> texture{};
         std::vector<Bone> bones{};
+        std::shared_ptr<const Finish> finish{};
     };
     struct Track {
         BodyId body;

@@ -232,9 +232,9 @@ std::size_t DefinitionWriter::visual_mesh(const VisualMesh& visual) {
         material["pbrMetallicRoughness"]["baseColorFactor"] =
             Json::array({shortest(c.x), shortest(c.y), shortest(c.z), 1.0});
     }
-    look_writer_.add_texture(visual.texture.get(), material);
+    look_writer_.add_look(visual.texture.get(), visual.finish.get(), material);
     if (!material.empty()) {
-        material["pbrMetallicRoughness"]["metallicFactor"] = 0.0;
+        if (!visual.finish) material["pbrMetallicRoughness"]["metallicFactor"] = 0.0;
         primitive["material"] = colors_.index(material);
     }
     return meshes_.index({{"primitives", Json::array({std::move(primitive)})}});

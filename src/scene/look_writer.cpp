@@ -33,12 +33,13 @@ Json LookWriter::primitive(const Surface& surface) {
         attributes["JOINTS_0"] = buffer_.add_bone_numbers(surface.weights);
         attributes["WEIGHTS_0"] = buffer_.add_bone_shares(surface.weights);
     }
+    if (!surface.colors.empty()) attributes["COLOR_0"] = buffer_.add_vertices(surface.colors, false);
     primitive["indices"] = buffer_.add_indices(surface.indices);
     return primitive;
 }
 
-void LookWriter::add_texture(const Texture* texture, Json& material) {
-    if (texture == nullptr || !texture->file || texture->file->empty()) return;
+Json LookWriter::texture_info(const Texture* texture) {
+    if (texture == nullptr || !texture->file || texture->file->empty()) return nullptr;
     const auto [image, is_new] = image_of_file_.try_emplace(texture->file.get());
     if (is_new) {
         const bool is_png = texture->file->front() == '\x89';
@@ -48,12 +49,37 @@ void LookWriter::add_texture(const Texture* texture, Json& material) {
     const std::size_t sampler = samplers_.index({{"magFilter", texture->is_smooth ? linear : nearest},
                                                  {"wrapS", wrap_codes[int(texture->wrap_u)]},
                                                  {"wrapT", wrap_codes[int(texture->wrap_v)]}});
-    material["pbrMetallicRoughness"]["baseColorTexture"]["index"] =
-        textures_.index({{"sampler", sampler}, {"source", image->second}});
-    if (texture->alpha_cutoff > 0.0f) {
-        material["alphaMode"] = "MASK";
-        material["alphaCutoff"] = shortest(texture->alpha_cutoff);
+    return {{"index", textures_.index({{"sampler", sampler}, {"source", image->second}})}};
+}
+
+void LookWriter::add_look(const Texture* texture, const Finish* finish, Json& material) {
+    if (Json info = texture_info(texture); !info.is_null()) {
+        material["pbrMetallicRoughness"]["baseColorTexture"] = std::move(info);
+        if (texture->alpha_cutoff > 0.0f) {
+            material["alphaMode"] = "MASK";
+            material["alphaCutoff"] = shortest(texture->alpha_cutoff);
+        }
     }
+    if (finish != nullptr) add_finish(*finish, material);
+}
+
+void LookWriter::add_finish(const Finish& finish, Json& material) {
+    Json& metal = material["pbrMetallicRoughness"];
+    metal["metallicFactor"] = shortest(finish.metalness);
+    metal["roughnessFactor"] = shortest(finish.roughness);
+    if (Json info = texture_info(finish.rough.get()); !info.is_null())
+        metal["metallicRoughnessTexture"] = std::move(info);
+    if (Json info = texture_info(finish.normals.get()); !info.is_null()) {
+        if (finish.normal_scale != 1.0f) info["scale"] = shortest(finish.normal_scale);
+        material["normalTexture"] = std::move(info);
+    }
+    if (finish.glow == Vec3(0.0f)) return;
+    material["emissiveFactor"] = number_array(finish.glow);
+    if (finish.glow_strength != 1.0f) {
+        material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = shortest(finish.glow_strength);
+        uses_glow_strength_ = true;
+    }
+    if (Json info = texture_info(finish.glows.get()); !info.is_null()) material["emissiveTexture"] = std::move(info);
 }
 
 std::size_t LookWriter::skin(std::span<const Bone> bones, const std::function<std::size_t(BodyId)>& node_of) {

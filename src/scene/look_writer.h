@@ -29,8 +29,8 @@ class LookWriter {
 
     // A glTF primitive with the triangles of a surface, which outlives this, without a material.
     nlohmann::ordered_json primitive(const Surface& surface);
-    // What a glTF material says of its texture, if there is one.
-    void add_texture(const Texture* texture, nlohmann::ordered_json& material);
+    // What a glTF material says of its texture and its finish, if there are any.
+    void add_look(const Texture* texture, const Finish* finish, nlohmann::ordered_json& material);
     // The index of the skin with these bones; `node_of` tells the node of a body, or of what stands still at the
     // origin.
     std::size_t skin(std::span<const Bone> bones, const std::function<std::size_t(BodyId)>& node_of);
@@ -38,7 +38,14 @@ class LookWriter {
     // Arrays of the file by their names.
     std::vector<std::pair<const char*, const std::vector<std::string>*>> arrays() const;
 
+    bool uses_glow_strength() const { return uses_glow_strength_; } // KHR_materials_emissive_strength
+
   private:
+    // The textureInfo; null without a picture.
+    nlohmann::ordered_json texture_info(const Texture* texture);
+    void add_finish(const Finish& finish, nlohmann::ordered_json& material);
+
+    bool uses_glow_strength_ = false;
     BufferWriter& buffer_;
     Table textures_, samplers_, images_, skins_;
     std::unordered_map<const Surface*, nlohmann::ordered_json> primitives_; // looked up, never walked through

@@ -16,6 +16,7 @@ namespace cairn::scene {
 namespace {
 
 constexpr std::size_t max_numbers = std::size_t{1} << 28; // vertices, or indices
+constexpr std::size_t max_materials = 10'000;
 
 // A text line by line, and word by word.
 class Lines {
@@ -42,6 +43,12 @@ class Lines {
         line_.remove_prefix(found.size());
         return found;
     }
+    // All that is left of the line, without spaces around it.
+    std::string_view rest() {
+        const std::size_t start = line_.find_first_not_of(" \t\r\f\v");
+        if (start == std::string_view::npos) return {};
+        return line_.substr(start, line_.find_last_not_of(" \t\r\f\v") + 1 - start);
+    }
     float number() {
         const std::string_view text = word();
         const std::optional<double> value = parse_decimal(text);
@@ -62,21 +69,121 @@ class Lines {
     std::size_t number_ = 0;
 };
 
-// A corner of a face, "7", "7/1", "7//3" or "-1/2/3": the vertex it refers to, counted from 1, or backwards from -1.
-std::uint32_t read_corner(std::string_view text, std::size_t vertices, const Lines& lines) {
-    const std::string_view index = text.substr(0, text.find('/'));
-    const bool is_negative = !index.empty() && index[0] == '-';
+bool is_index(std::string_view text) {
+    const std::string_view digits = text.substr(!text.empty() && text[0] == '-' ? 1 : 0);
+    return !digits.empty() && digits.size() <= 10 && digits.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// One index of a corner, counted from 1, or backwards from -1, as counted from 0. Nothing unless it is below `count`.
+std::optional<std::uint32_t> read_index(std::string_view index, std::size_t count) {
+    if (!is_index(index)) return std::nullopt;
+    const bool is_negative = index[0] == '-';
     const std::string_view digits = index.substr(is_negative ? 1 : 0);
-    if (digits.empty() || digits.size() > 10 || digits.find_first_not_of("0123456789") != std::string_view::npos) {
-        lines.fail("must have the index of a vertex", text);
-    }
     std::uint64_t value = 0;
     for (const char c : digits) value = value * 10 + static_cast<std::uint64_t>(c - '0');
-    if (value == 0 || value > vertices) {
-        lines.fail("must have the index of one of the " + std::to_string(vertices) + " vertices so far", text);
-    }
-    return static_cast<std::uint32_t>(is_negative ? vertices - value : value - 1);
+    if (value == 0 || value > count) return std::nullopt;
+    return static_cast<std::uint32_t>(is_negative ? count - value : value - 1);
 }
+
+// A corner of a face: "7", "7/1", "7//3" or "-1/2/3".
+struct ObjCorner {
+    std::uint32_t vertex = 0, coordinate = MeshFile::nothing, normal = MeshFile::nothing;
+};
+
+class ObjReader {
+  public:
+    ObjReader(std::span<const std::byte> bytes, const std::string& name) : lines_(bytes, name) {}
+
+    MeshFile read() {
+        mesh_.materials.emplace_back();
+        while (lines_.next()) read_line(lines_.word());
+        if (mesh_.coordinates.empty()) mesh_.coordinate_of.clear();
+        if (mesh_.normals.empty()) mesh_.normal_of.clear();
+        return std::move(mesh_);
+    }
+
+  private:
+    void read_line(std::string_view word) {
+        if (word == "v") {
+            mesh_.vertices.push_back(vector());
+            if (mesh_.vertices.size() > max_numbers) lines_.fail("must not have more vertices", word);
+        } else if (word == "vt") {
+            const float u = number_or_nothing(), v = number_or_nothing();
+            mesh_.coordinates.emplace_back(u, 1.0f - v); // theirs count upward
+            if (mesh_.coordinates.size() > max_numbers) lines_.fail("must not have more coordinates", word);
+        } else if (word == "vn") {
+            const float x = number_or_nothing(), y = number_or_nothing();
+            mesh_.normals.emplace_back(x, y, number_or_nothing());
+            if (mesh_.normals.size() > max_numbers) lines_.fail("must not have more normals", word);
+        } else if (word == "f") {
+            read_face(word);
+        } else if (word == "usemtl") {
+            const std::string name(lines_.rest());
+            const auto found = std::find(mesh_.materials.begin(), mesh_.materials.end(), name);
+            material_ = static_cast<std::uint32_t>(found - mesh_.materials.begin());
+            if (found == mesh_.materials.end()) mesh_.materials.push_back(name);
+            if (mesh_.materials.size() > max_materials) lines_.fail("must not have more materials", word);
+        } else if (word == "mtllib") {
+            mesh_.libraries.emplace_back(lines_.rest());
+            if (mesh_.libraries.size() > max_materials) lines_.fail("must not have more libraries", word);
+        }
+    }
+    Vec3 vector() {
+        Vec3 result;
+        for (int i = 0; i < 3; ++i) result[i] = lines_.number();
+        return result;
+    }
+    // What is only for looks is no reason to refuse a file: 0 where there is no number.
+    float number_or_nothing() {
+        const std::optional<double> value = parse_decimal(lines_.word());
+        constexpr double most = 1e9;
+        return value && std::fabs(*value) <= most ? static_cast<float>(*value) : 0.0f;
+    }
+    ObjCorner corner(std::string_view text) const {
+        auto next = [rest = text]() mutable {
+            const std::size_t end = rest.find('/');
+            const std::string_view found = rest.substr(0, end);
+            rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+            return found;
+        };
+        ObjCorner result;
+        const std::string_view first = next();
+        const std::optional<std::uint32_t> vertex = read_index(first, mesh_.vertices.size());
+        if (!is_index(first)) lines_.fail("must have the index of a vertex", text);
+        if (!vertex)
+            lines_.fail("must have the index of one of the " + std::to_string(mesh_.vertices.size()) +
+                            " vertices so far",
+                        text);
+        result.vertex = *vertex;
+        result.coordinate = read_index(next(), mesh_.coordinates.size()).value_or(MeshFile::nothing);
+        result.normal = read_index(next(), mesh_.normals.size()).value_or(MeshFile::nothing);
+        return result;
+    }
+    void read_face(std::string_view word) {
+        std::array<ObjCorner, 2> ends{}; // the first corner and the last one so far
+        std::size_t count = 0;
+        for (std::string_view text = lines_.word(); !text.empty(); text = lines_.word()) {
+            const ObjCorner now = corner(text);
+            if (count == 0) ends[0] = now;
+            if (count >= 2) {
+                for (const ObjCorner& of_triangle : {ends[0], ends[1], now}) {
+                    mesh_.indices.push_back(of_triangle.vertex);
+                    mesh_.coordinate_of.push_back(of_triangle.coordinate);
+                    mesh_.normal_of.push_back(of_triangle.normal);
+                }
+                mesh_.material_of.push_back(material_);
+            }
+            ends[1] = now;
+            ++count;
+        }
+        if (count < 3) lines_.fail("must have at least three corners in a face", word);
+        if (mesh_.indices.size() > max_numbers) lines_.fail("must not have more faces", word);
+    }
+
+    Lines lines_;
+    MeshFile mesh_;
+    std::uint32_t material_ = 0;
+};
 
 void require_triangles(const MeshFile& mesh, const std::string& name) {
     if (mesh.indices.empty()) throw Error(ErrorCode::invalid_file, name, {}, "must have at least one triangle");
@@ -157,31 +264,47 @@ MeshFile read_ascii_stl(std::span<const std::byte> bytes, const std::string& nam
 } // namespace
 
 MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name) {
-    MeshFile mesh;
-    Lines lines(bytes, name);
-    while (lines.next()) {
-        const std::string_view word = lines.word();
-        if (word == "v") {
-            Vec3 vertex;
-            for (int i = 0; i < 3; ++i) vertex[i] = lines.number();
-            mesh.vertices.push_back(vertex);
-            if (mesh.vertices.size() > max_numbers) lines.fail("must not have more vertices", word);
-        } else if (word == "f") {
-            std::array<std::uint32_t, 2> ends{}; // the first corner and the last one so far
-            std::size_t count = 0;
-            for (std::string_view text = lines.word(); !text.empty(); text = lines.word()) {
-                const std::uint32_t corner = read_corner(text, mesh.vertices.size(), lines);
-                if (count == 0) ends[0] = corner;
-                if (count >= 2) mesh.indices.insert(mesh.indices.end(), {ends[0], ends[1], corner});
-                ends[1] = corner;
-                ++count;
-            }
-            if (count < 3) lines.fail("must have at least three corners in a face", word);
-            if (mesh.indices.size() > max_numbers) lines.fail("must not have more faces", word);
-        }
-    }
+    MeshFile mesh = ObjReader(bytes, name).read();
     require_triangles(mesh, name);
     return mesh;
+}
+
+Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material) {
+    const bool mirrors = scale.x * scale.y * scale.z < 0.0;
+    const auto has_all = [](const std::vector<std::uint32_t>& list) {
+        return !list.empty() && std::find(list.begin(), list.end(), MeshFile::nothing) == list.end();
+    };
+    const bool has_normals = has_all(mesh.normal_of), has_coordinates = !mesh.coordinate_of.empty();
+    Surface made;
+    struct Split {
+        std::uint32_t coordinate, normal, next; // the next vertex in the same place
+    };
+    std::vector<std::uint32_t> first(mesh.vertices.size(), MeshFile::nothing); // vertex in that place
+    std::vector<Split> splits;                                                 // of each vertex
+    const auto vertex_of = [&](std::size_t corner) {
+        const std::uint32_t place = mesh.indices[corner];
+        const std::uint32_t coordinate = has_coordinates ? mesh.coordinate_of[corner] : MeshFile::nothing,
+                            normal = has_normals ? mesh.normal_of[corner] : MeshFile::nothing;
+        for (std::uint32_t v = first[place]; v != MeshFile::nothing; v = splits[v].next)
+            if (splits[v].coordinate == coordinate && splits[v].normal == normal) return v;
+        splits.push_back({coordinate, normal, first[place]});
+        made.vertices.push_back(Vec3(glm::dvec3(mesh.vertices[place]) * scale));
+        if (has_coordinates)
+            made.coordinates.push_back(coordinate == MeshFile::nothing ? glm::vec2(0.0f)
+                                                                       : mesh.coordinates[coordinate]);
+        if (has_normals) {
+            const glm::dvec3 turned = glm::dvec3(mesh.normals[normal]) / scale;
+            const double length = std::sqrt(glm::dot(turned, turned));
+            made.normals.push_back(length > 0.0 ? Vec3(turned / length) : Vec3(0.0f, 1.0f, 0.0f));
+        }
+        return first[place] = static_cast<std::uint32_t>(splits.size() - 1);
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        if (material && mesh.material_of[i / 3] != *material) continue;
+        const std::uint32_t a = vertex_of(i), b = vertex_of(i + 1), c = vertex_of(i + 2);
+        made.indices.insert(made.indices.end(), {a, mirrors ? c : b, mirrors ? b : c});
+    }
+    return made;
 }
 
 MeshFile read_stl(std::span<const std::byte> bytes, const std::string& name) {

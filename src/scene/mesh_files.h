@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,10 +18,25 @@ namespace cairn::scene {
 struct MeshFile {
     std::vector<Vec3> vertices;
     std::vector<std::uint32_t> indices; ///< Three a triangle, counterclockwise as seen from outside.
+
+    /// For looks alone: places in textures, u to the right and v down, and normals, with one of them for each of
+    /// `indices`, or none (`nothing`).
+    static constexpr std::uint32_t nothing = 0xFFFFFFFF;
+    std::vector<glm::vec2> coordinates{};
+    std::vector<Vec3> normals{};
+    std::vector<std::uint32_t> coordinate_of{}, normal_of{};
+    std::vector<std::string> libraries{};     ///< Files of materials.
+    std::vector<std::string> materials{};     ///< Names of those in use; the first is that of what has none.
+    std::vector<std::uint32_t> material_of{}; ///< Of each triangle, in `materials`.
 };
 
+/// What a mesh file has to look at: all of it, or what has one of its materials. Vertices are split where coordinates
+/// or normals are.
+Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material = std::nullopt);
+
 /// Wavefront OBJ: `v` and `f` lines, with indices in any of its forms, also negative; polygons are cut into fans from
-/// their first corner. Groups count for nothing, other lines are skipped. `name` stands for the file in messages, which
+/// their first corner. `vt`, `vn`, `usemtl` and `mtllib` lines are for looks. Groups count for nothing, other lines are
+/// skipped. `name` stands for the file in messages, which
 /// name the line. Throws `Error` (invalid_file).
 MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name);
 

@@ -59,10 +59,11 @@ void settle_masses(MjcfModel& model) {
     }
 }
 
-// The shapes, and how it looks: by what is there for looks only, if there is any, with all else that can be seen.
+// The shapes, and how it looks: by what is there for looks only or has a texture, if there is any, with all else that
+// can be seen.
 void dress(MjcfPart& part) {
     bool has_looks = false;
-    for (const MjcfGeom& geom : part.geoms) has_looks = has_looks || (geom.look && !geom.shape);
+    for (const MjcfGeom& geom : part.geoms) has_looks = has_looks || (geom.look && (!geom.shape || geom.look->texture));
     if (part.lacks_looks) has_looks = false;
     for (MjcfGeom& geom : part.geoms) {
         if (has_looks && geom.look) {

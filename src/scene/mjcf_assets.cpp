@@ -55,6 +55,12 @@ MjcfAssets::MjcfAssets(const XmlElement& root, const MjcfSettings& settings, con
         list("mesh", meshes_);
         list("hfield", fields_);
         list("material", materials_);
+        for (const XmlElement& child : section.children("texture")) {
+            const MjcfElement element(child, defaults, 0);
+            std::string name = element.name();
+            if (name.empty()) name = stem_of(element.word("file"));
+            textures_.insert({name, element}); // the sky has none
+        }
     }
 }
 
@@ -64,24 +70,26 @@ const MjcfElement& MjcfAssets::find(const std::map<std::string, MjcfElement>& li
     return found->second;
 }
 
-std::optional<XmlText> MjcfAssets::material_color(const XmlText& name) const {
-    const auto found = materials_.find(name.text);
-    return found == materials_.end() ? std::nullopt : found->second.attribute("rgba");
-}
-
 std::shared_ptr<const Surface> MjcfAssets::mesh(const XmlText& name) {
     std::shared_ptr<const Surface>& found = read_[name.text];
-    if (!found) found = read_mesh(find(meshes_, name));
+    if (!found) found = read_mesh(find(meshes_, name), false);
     return found;
 }
 
-std::shared_ptr<const Surface> MjcfAssets::read_mesh(const MjcfElement& element) {
+std::shared_ptr<const Surface> MjcfAssets::look(const XmlText& name) {
+    std::shared_ptr<const Surface>& found = looks_[name.text];
+    if (!found) found = read_mesh(find(meshes_, name), true);
+    return found;
+}
+
+std::shared_ptr<const Surface> MjcfAssets::read_mesh(const MjcfElement& element, bool is_look) {
     const glm::dvec3 scale = element.vector3("scale", glm::dvec3(1.0));
     std::shared_ptr<const Surface> result;
     if (const auto file = element.attribute("file")) {
         std::string path = file->text;
         if (settings_.strips_paths) path = std::filesystem::path(path).filename().generic_string();
-        result = files_.load(*file, path, settings_.mesh_folder, scale);
+        result = is_look ? files_.look(*file, path, settings_.mesh_folder, scale)
+                         : files_.load(*file, path, settings_.mesh_folder, scale);
     } else if (const auto corners = element.attribute("vertex")) {
         const std::vector<double> numbers = corners->numbers(12, max_inline_numbers);
         std::vector<Vec3> vertices;

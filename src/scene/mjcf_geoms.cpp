@@ -167,6 +167,15 @@ Material geom_material(const MjcfElement& element) {
     return material;
 }
 
+// Its own color, if that is not the default one; else that of its material, which is white unless it says another.
+std::vector<double> geom_rgba(const MjcfElement& element, const std::optional<MjcfMaterial>& material) {
+    const std::vector<double> gray{0.5, 0.5, 0.5, 1.0}, white(4, 1.0);
+    const auto text = element.attribute("rgba");
+    const std::vector<double> own = text ? text->numbers(4, 4) : gray;
+    if (!material || own != gray) return own;
+    return material->color ? material->color->numbers(4, 4) : white;
+}
+
 Vec3 geom_color(const std::vector<double>& rgba) {
     const auto part = [&](std::size_t i) { return static_cast<float>(std::clamp(rgba[i], 0.0, 1.0)); };
     return {part(0), part(1), part(2)};
@@ -191,6 +200,39 @@ void add_mass(const MjcfElement& element, const GeomSolid& solid, const Rigid& f
     part.own_mass += unit.mass * scale;
 }
 
+// That of its mesh, with its places in a texture; else what it is anyway.
+std::shared_ptr<const Surface> look_surface(const MjcfElement& element, const GeomSolid& solid, MjcfAssets& assets) {
+    const auto mesh = element.attribute("mesh");
+    return solid.is_mesh && mesh ? assets.look(*mesh) : solid.surface;
+}
+
+// The triangles of a shape; a plane is as large as the model says.
+Surface seen_surface(const MjcfElement& element, const Shape& shape) {
+    if (const Plane* plane = std::get_if<Plane>(&shape)) {
+        const auto size = element.attribute("size");
+        const std::vector<double> given = size ? size->numbers(1, 3) : std::vector<double>();
+        if (given.size() > 1 && given[0] > 0.0 && given[1] > 0.0) {
+            Plane part = *plane;
+            part.tangent = {1.0f, 0.0f, 0.0f};
+            part.half_extents = glm::vec2(std::min(given[0], largest), std::min(given[1], largest));
+            return tessellate(part);
+        }
+    }
+    return tessellate(shape);
+}
+
+// Along x and y, by which a texture is stretched; 0 of what has no end.
+glm::dvec2 half_sizes(const MjcfElement& element, const GeomSolid& solid, const Surface& surface) {
+    const bool is_plane = solid.shape && std::holds_alternative<Plane>(*solid.shape);
+    const auto size = element.attribute("size");
+    const std::vector<double> given = is_plane && size ? size->numbers(1, 3) : std::vector<double>();
+    if (is_plane) return given.size() > 1 ? glm::dvec2(given[0], given[1]) : glm::dvec2(0.0);
+    glm::dvec3 most(0.0);
+    for (const Vec3& vertex : surface.vertices)
+        most = glm::max(most, glm::abs(solid.turn.rotation * glm::dvec3(vertex) + solid.turn.position));
+    return {most.x, most.y};
+}
+
 } // namespace
 
 void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_mass, const std::string& suffix,
@@ -206,11 +248,10 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     geom.conaffinity = bits("conaffinity");
     const auto group_text = element.attribute("group");
     const long group = group_text ? group_text->whole(-1000, 1000) : 0;
-    std::vector<double> rgba{0.5, 0.5, 0.5, 1.0};
-    if (const auto material = element.attribute("material")) {
-        if (const auto text = assets.material_color(*material)) rgba = text->numbers(4, 4);
-    }
-    if (const auto text = element.attribute("rgba")) rgba = text->numbers(4, 4);
+    std::optional<MjcfMaterial> material;
+    if (const auto name = element.attribute("material")) material = assets.material(*name, model.warnings);
+    const std::vector<double> rgba = geom_rgba(element, material);
+    const Vec3 tint = material ? material->tint : Vec3(1.0f);
     has_mass = has_mass && group >= model.settings.first_inertia_group && group <= model.settings.last_inertia_group;
     const bool touches = geom.contype != 0 || geom.conaffinity != 0;
     Rigid frame;
@@ -239,8 +280,8 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         model.warnings.push_back(element.place() + ": is flat, and touches nothing");
     }
     if (touches && solid.shape && model.settings.contacts) {
-        ModelShape shape{*solid.shape, frame * solid.turn, {},        geom_material(element), {},
-                         {},           geom_color(rgba),   geom.place};
+        ModelShape shape{*solid.shape, frame * solid.turn,      {},        geom_material(element), {},
+                         {},           geom_color(rgba) * tint, geom.place};
         if (model.decomposes && solid.is_mesh && part.kind == MjcfPart::Kind::moving) {
             shape.parts = model.surface_parts.of(solid.surface);
             shape.at = frame;
@@ -248,11 +289,18 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         geom.shape = std::move(shape);
     }
     if (group <= last_seen_group && rgba[3] > 0.0) {
-        if (!geom.shape && !solid.surface) solid.surface = std::make_shared<const Surface>(tessellate(*solid.shape));
         ModelLook look;
-        look.surface = solid.surface;
         look.at = frame * solid.turn;
-        look.color = geom_color(rgba);
+        look.color = geom_color(rgba) * tint;
+        look.surface = look_surface(element, solid, assets);
+        if (material && material->texture) {
+            const Surface plain = look.surface ? *look.surface : seen_surface(element, *solid.shape);
+            look.surface = std::make_shared<const Surface>(
+                mjcf_covered(plain, solid.turn, *material, half_sizes(element, solid, plain)));
+            look.texture = material->texture;
+        } else if (!geom.shape && !look.surface) {
+            look.surface = std::make_shared<const Surface>(tessellate(*solid.shape));
+        }
         geom.look = std::move(look);
     }
     part.geoms.push_back(std::move(geom));

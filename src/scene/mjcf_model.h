@@ -6,6 +6,7 @@
 #include "scene/model_body.h"
 #include "scene/model_meshes.h"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -88,6 +89,15 @@ struct MjcfModel {
     const MjcfJoint* joint(const XmlText& name); // throws, or null where the model is not whole
 };
 
+// What a geom looks like by its material.
+struct MjcfMaterial {
+    std::optional<XmlText> color;
+    std::shared_ptr<const Texture> texture; // none: not covered
+    Vec3 tint{1.0f, 1.0f, 1.0f};            // linear: the color of a flat texture around the geom
+    std::array<double, 2> repeat{1.0, 1.0}; // how often the texture lies across the geom, or across 2 m
+    bool is_uniform = false;                // across 2 m
+};
+
 class MjcfAssets {
   public:
     MjcfAssets(const XmlElement& root, const MjcfSettings& settings, const MjcfDefaults& defaults,
@@ -95,16 +105,28 @@ class MjcfAssets {
     // Throw Error through `name` if there is none of that name, or if its file cannot be read.
     std::shared_ptr<const Surface> mesh(const XmlText& name);
     HeightField height_field(const XmlText& name);
-    std::optional<XmlText> material_color(const XmlText& name) const;
+    // The mesh to look at.
+    std::shared_ptr<const Surface> look(const XmlText& name);
+    // Nothing if there is none of that name. A texture that cannot be shown is left out, which a warning says.
+    std::optional<MjcfMaterial> material(const XmlText& name, std::vector<std::string>& warnings);
 
   private:
-    std::shared_ptr<const Surface> read_mesh(const MjcfElement& element);
+    std::shared_ptr<const Texture> read_texture(const MjcfElement& element);
+    std::shared_ptr<const Surface> read_mesh(const MjcfElement& element, bool is_look);
     const MjcfElement& find(const std::map<std::string, MjcfElement>& list, const XmlText& name) const;
     const MjcfSettings& settings_;
     ModelMeshes files_;
-    std::map<std::string, MjcfElement> meshes_, fields_, materials_;
-    std::map<std::string, std::shared_ptr<const Surface>> read_;
+    std::map<std::string, MjcfElement> meshes_, fields_, materials_, textures_;
+    std::map<std::string, std::shared_ptr<const Surface>> read_, looks_;
+    std::map<std::string, MjcfMaterial> read_materials_;
 };
+
+// The surface of a geom with its places in the texture of its material: those of its file, or else, as in MuJoCo, those
+// seen along its z axis. `half_sizes`: of the geom along x and y; 0 of what has no end.
+Surface mjcf_covered(const Surface& surface, const Rigid& in_geom, const MjcfMaterial& material,
+                     const glm::dvec2& half_sizes);
+// The picture that a texture describes in words, as a PNG file.
+std::string mjcf_builtin_picture(const MjcfElement& texture);
 
 // Adds a geom that stands at `frame` in the part, and its mass if `has_mass`.
 void add_mjcf_geom(const MjcfElement& element, const Rigid& frame, bool has_mass, const std::string& suffix,

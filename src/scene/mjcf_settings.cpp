@@ -25,8 +25,9 @@ void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
         }
         settings.euler = text->text;
     }
-    if (const auto text = compiler.attribute("assetdir")) settings.mesh_folder = text->text;
+    if (const auto text = compiler.attribute("assetdir")) settings.mesh_folder = settings.texture_folder = text->text;
     if (const auto text = compiler.attribute("meshdir")) settings.mesh_folder = text->text;
+    if (const auto text = compiler.attribute("texturedir")) settings.texture_folder = text->text;
     flag("autolimits", settings.autolimits);
     flag("strippath", settings.strips_paths);
     flag("balanceinertia", settings.balances_inertia);
@@ -49,7 +50,7 @@ void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
         if (total > 0.0) settings.total_mass = total;
     }
     // These change how a model is kept, not what it does.
-    for (const char* name : {"texturedir", "discardvisual", "usethread", "fusestatic", "fitaabb", "saveinertial"}) {
+    for (const char* name : {"discardvisual", "usethread", "fusestatic", "fitaabb", "saveinertial"}) {
         compiler.attribute(name);
     }
 }

@@ -15,7 +15,7 @@ namespace cairn::scene {
 struct MjcfSettings {
     // compiler
     bool degrees = true, autolimits = true, strips_paths = false, balances_inertia = false;
-    std::string euler = "xyz", mesh_folder;
+    std::string euler = "xyz", mesh_folder, texture_folder;
     enum class InertiaFromGeoms { never, always, where_absent } inertia_from_geoms = InertiaFromGeoms::where_absent;
     long first_inertia_group = 0, last_inertia_group = 5;
     double least_mass = 0.0, least_inertia = 0.0;

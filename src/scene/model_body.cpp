@@ -66,7 +66,7 @@ BodyId add_model_body(const ModelBody& body, Scene& scene) {
         }
     }
     for (const ModelLook& look : body.looks) {
-        scene.visuals.push_back({id, look.at.transform(), look.surface, look.color});
+        scene.visuals.push_back({id, look.at.transform(), look.surface, look.color, look.texture, {}, look.finish});
     }
     Body made = scene.world.body(id);
     const glm::dvec3& w = body.angular_velocity;

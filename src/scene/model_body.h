@@ -33,6 +33,8 @@ struct ModelLook {
     std::shared_ptr<const Surface> surface;
     Rigid at;
     Vec3 color{1.0f, 1.0f, 1.0f};
+    std::shared_ptr<const Texture> texture{}; // none: not covered
+    std::shared_ptr<const Finish> finish{};   // none: smooth
 };
 
 struct ModelBody {

@@ -1,17 +1,15 @@
 #include "scene/model_meshes.h"
 
-#include "scene/mesh_files.h"
 #include "scene/nearby_files.h"
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace cairn::scene {
 
 namespace {
-
-constexpr std::size_t max_vertices = std::size_t{1} << 26; // of all meshes of a model
 
 std::string shown(const std::string& path) { return "\"" + printable(path, 200) + "\""; }
 
@@ -40,27 +38,36 @@ std::filesystem::path ModelMeshes::find(const XmlText& name, const std::string& 
     throw Error(ErrorCode::io, name.place, shown(written), "there is no such file");
 }
 
-std::shared_ptr<const Surface> ModelMeshes::load(const XmlText& name, const std::string& path,
-                                                 const std::string& subfolder, const glm::dvec3& scale) {
+NamedFile ModelMeshes::named(const XmlText& name, const std::string& path, const std::string& subfolder,
+                             const glm::dvec3& scale) const {
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(scale[i]) <= 1e6 && std::fabs(scale[i]) >= 1e-9)) {
             throw Error(ErrorCode::invalid_file, name.place, shown(path), "must have a scale that is not 0");
         }
     }
-    const std::filesystem::path file = find(name, path, subfolder);
-    std::shared_ptr<const Surface>& found = loaded_[{file.string(), scale.x, scale.y, scale.z}];
-    if (found) return found;
-    if (!is_mesh_file(file)) {
-        throw Error(ErrorCode::unsupported, name.place, shown(path), "must be an .stl or .obj file");
-    }
-    MeshFile read = load_mesh_file(file);
-    vertices_ += read.vertices.size();
-    if (vertices_ > max_vertices) {
-        throw Error(ErrorCode::invalid_file, name.place, shown(path),
-                    "must not bring the corners of all meshes above " + std::to_string(max_vertices));
-    }
-    found = std::make_shared<const Surface>(scaled_surface(read.vertices, std::move(read.indices), scale));
-    return found;
+    std::filesystem::path file = find(name, path, subfolder);
+    return {std::move(file), folder_on_disk(*folder_), name.place, printable(path, 200)};
+}
+
+std::shared_ptr<const Surface> ModelMeshes::load(const XmlText& name, const std::string& path,
+                                                 const std::string& subfolder, const glm::dvec3& scale) {
+    return store_.surface(named(name, path, subfolder, scale), scale);
+}
+
+std::shared_ptr<const Surface> ModelMeshes::look(const XmlText& name, const std::string& path,
+                                                 const std::string& subfolder, const glm::dvec3& scale) {
+    return store_.look(named(name, path, subfolder, scale), scale);
+}
+
+const std::vector<MeshLook>& ModelMeshes::looks(const XmlText& name, const std::string& path,
+                                                const std::string& subfolder, const glm::dvec3& scale,
+                                                std::vector<std::string>& warnings) {
+    return store_.looks(named(name, path, subfolder, scale), scale, warnings);
+}
+
+std::shared_ptr<const std::string> ModelMeshes::picture(const XmlText& name, const std::string& path,
+                                                        const std::string& subfolder) {
+    return store_.pictures().read(find(name, path, subfolder), name.place, printable(path, 200));
 }
 
 Surface scaled_surface(const std::vector<Vec3>& vertices, std::vector<std::uint32_t> indices, const glm::dvec3& scale) {

@@ -1,15 +1,15 @@
 // Meshes in files that a model names: only those in its own folder or below it.
 #pragma once
 
+#include "scene/mesh_store.h"
 #include "scene/scene.h"
 #include "scene/xml_file.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <vector>
 
 namespace cairn::scene {
 
@@ -22,13 +22,23 @@ class ModelMeshes {
     // same to a model, invalid_file if it is malformed, unsupported if it is of another kind.
     std::shared_ptr<const Surface> load(const XmlText& name, const std::string& path, const std::string& subfolder,
                                         const glm::dvec3& scale);
+    // The same to look at: all of it, or by its materials (scene/mesh_store.h).
+    std::shared_ptr<const Surface> look(const XmlText& name, const std::string& path, const std::string& subfolder,
+                                        const glm::dvec3& scale);
+    const std::vector<MeshLook>& looks(const XmlText& name, const std::string& path, const std::string& subfolder,
+                                       const glm::dvec3& scale, std::vector<std::string>& warnings);
+    // A picture, with the same rules. Throws Error: unsupported if it is neither PNG nor JPEG.
+    std::shared_ptr<const std::string> picture(const XmlText& name, const std::string& path,
+                                               const std::string& subfolder);
     // The file itself, with the same rules.
     std::filesystem::path find(const XmlText& name, const std::string& path, const std::string& subfolder) const;
 
   private:
+    NamedFile named(const XmlText& name, const std::string& path, const std::string& subfolder,
+                    const glm::dvec3& scale) const;
+
     std::optional<std::filesystem::path> folder_;
-    std::size_t vertices_ = 0;
-    std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> loaded_;
+    MeshStore store_;
 };
 
 // The corners of a surface times `scale`, with its outside kept outside.

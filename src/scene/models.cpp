@@ -38,7 +38,7 @@ std::optional<Scene> load_model(std::span<const std::byte> bytes, const std::str
     if (options.fixed_base) {
         throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF, MJCF or SDF for its base to be fixed");
     }
-    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name, options);
+    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name, folder, options);
     return std::nullopt;
 }
 

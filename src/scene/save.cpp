@@ -109,6 +109,7 @@ class Writer {
         if (nodes_.size() > lights_.size()) used.push_back("KHR_physics_rigid_bodies");
         if (!definitions_.shapes().lines().empty()) used.push_back("KHR_implicit_shapes");
         if (!lights_.empty()) used.push_back("KHR_lights_punctual");
+        if (definitions_.look_writer().uses_glow_strength()) used.push_back("KHR_materials_emissive_strength");
         return used;
     }
 

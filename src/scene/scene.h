@@ -79,6 +79,20 @@ struct Texture {
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat; ///< How it goes on beyond its edges.
     bool is_smooth = true;     ///< Seen closely, colors go over into each other; or each texel is flat.
     float alpha_cutoff = 0.0f; ///< Where its alpha, 0 to 1, is less, nothing is drawn.
+    bool is_data = false;      ///< Its texels are numbers, not colors in sRGB.
+};
+
+/// How a surface meets the light, beside its color. Textures lie where that of the color lies.
+struct Finish {
+    float roughness = 1.0f;                 ///< 0, a mirror, to 1.
+    float metalness = 0.0f;                 ///< 0, or 1: a metal, which mirrors in its own color and has no other.
+    std::shared_ptr<const Texture> rough{}; ///< Null: none. Green multiplies `roughness`, blue `metalness`.
+    /// Null: none. Normals as colors, 0 to 1 for -1 to 1: red to the right in the texture, green up, blue outward.
+    std::shared_ptr<const Texture> normals{};
+    float normal_scale = 1.0f;              ///< Multiplies red and green of `normals`.
+    Vec3 glow{0.0f, 0.0f, 0.0f};            ///< Light of the surface itself, linear, 0 to 1 each,
+    float glow_strength = 1.0f;             ///< times this, >= 0.
+    std::shared_ptr<const Texture> glows{}; ///< Null: none. Its colors are multiplied with `glow`.
 };
 
 /// By how much each of up to four bones carries a vertex. The shares come to 1.
@@ -104,6 +118,7 @@ struct Surface {
     /// picture.
     std::vector<glm::vec2> coordinates{};
     std::vector<BoneWeights> weights{}; ///< Of a mesh with bones: one for each vertex.
+    std::vector<Vec3> colors{};         ///< Linear, 0 to 1, one for each vertex, or none: multiply that of the mesh.
 };
 
 /// A mesh that the file has for looks. It plays no part in the simulation, and moves with its body. A body that has
@@ -117,6 +132,7 @@ struct VisualMesh {
     /// None: it is rigid. Else it bends: each vertex is where its bones carry it, by their shares in it, on the mean;
     /// `body` is null, and `local` means nothing.
     std::vector<Bone> bones{};
+    std::shared_ptr<const Finish> finish{}; ///< Null: smooth, as of plastic.
 };
 
 /// How fast a joint of a robot may be driven. The engine's motors know no such limit: it is for who moves their

@@ -185,13 +185,28 @@ class LinkReader {
         const auto geometry = visual.child("geometry");
         if (!geometry) return true;
         try {
-            LinkSolid solid = read_geometry(*geometry, true);
+            const LinkSolid solid = read_geometry(*geometry, true);
             if (!solid.shape && !solid.surface) return true;
-            ModelLook look;
-            look.at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
-            look.surface = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
-            if (const auto material = visual.child("material")) look.color = color_of(*material);
-            link_.body.looks.push_back(std::move(look));
+            const Rigid at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
+            std::vector<MeshLook> parts;
+            if (const auto mesh = geometry->child("mesh")) {
+                const MeshRequest asked = request(*mesh);
+                parts = meshes_.looks(asked.uri, asked.path, "", asked.scale, model_.warnings);
+            } else {
+                const auto own =
+                    solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
+                parts.push_back({own, std::nullopt, nullptr});
+            }
+            const auto material = visual.child("material");
+            const std::shared_ptr<const Texture> texture = material ? texture_of(*material) : nullptr;
+            for (const MeshLook& part : parts) {
+                ModelLook look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
+                if (material) { // it stands for those of the file
+                    look.texture = part.surface->coordinates.empty() ? nullptr : texture;
+                    look.color = color_of(*material, look.texture != nullptr);
+                }
+                link_.body.looks.push_back(std::move(look));
+            }
             return true;
         } catch (const Error& error) { // looks do not matter to the simulation
             model_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
@@ -199,10 +214,28 @@ class LinkReader {
         }
     }
 
-    static Vec3 color_of(const XmlElement& material) {
+    // The picture of the base color; null if there is none, or if it cannot be shown, which a warning says.
+    std::shared_ptr<const Texture> texture_of(const XmlElement& material) {
+        const auto pbr = material.child("pbr");
+        const auto metal = pbr ? pbr->child("metal") : std::nullopt;
+        const auto specular = pbr && !metal ? pbr->child("specular") : std::nullopt;
+        const auto& workflow = metal ? metal : specular;
+        const auto map = workflow ? workflow->child_text("albedo_map") : std::nullopt;
+        if (!map || map->text.empty()) return nullptr;
+        try {
+            Texture made;
+            made.file = meshes_.picture(*map, path_of(*map), "");
+            return std::make_shared<const Texture>(std::move(made));
+        } catch (const Error& error) { // looks do not matter to the simulation
+            model_.warnings.push_back(std::string(error.what()) + " (the texture is left out)");
+            return nullptr;
+        }
+    }
+
+    static Vec3 color_of(const XmlElement& material, bool is_covered) {
         auto text = material.child_text("diffuse");
         if (!text) text = material.child_text("ambient");
-        if (!text) return {0.7f, 0.7f, 0.7f};
+        if (!text) return Vec3(is_covered ? 1.0f : 0.7f);
         const std::vector<double> rgb = text->numbers(3, 4);
         const auto part = [&](std::size_t i) { return static_cast<float>(std::clamp(rgb[i], 0.0, 1.0)); };
         return {part(0), part(1), part(2)};
@@ -258,22 +291,37 @@ class LinkReader {
         return {plane, {}, nullptr, false};
     }
 
-    LinkSolid mesh(const XmlElement& element, bool as_surface) {
-        const auto uri = element.child_text("uri");
-        if (!uri) element.fail("must have the element uri");
-        const auto scale = element.child_text("scale");
-        const glm::dvec3 size = scale ? scale->vector3() : glm::dvec3(1.0);
+    // Of the file that an URI means, in the model's folder.
+    std::string path_of(const XmlText& uri) const {
         if (!root_) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
+            throw Error(ErrorCode::unsupported, uri.place, "\"" + printable(uri.text, 200) + "\"",
                         "other files cannot be read by a model that comes from memory");
         }
-        const std::string path = sdf_path(uri->text, model_.scopes[link_.scope].folder, *root_);
+        const std::string path = sdf_path(uri.text, model_.scopes[link_.scope].folder, *root_);
         if (path.empty()) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
+            throw Error(ErrorCode::unsupported, uri.place, "\"" + printable(uri.text, 200) + "\"",
                         "must name a file on this disk");
         }
+        return path;
+    }
+
+    // What the element `mesh` asks for.
+    struct MeshRequest {
+        XmlText uri;
+        std::string path;
+        glm::dvec3 scale;
+    };
+    MeshRequest request(const XmlElement& mesh) const {
+        const auto uri = mesh.child_text("uri");
+        if (!uri) mesh.fail("must have the element uri");
+        const auto scale = mesh.child_text("scale");
+        return {*uri, path_of(*uri), scale ? scale->vector3() : glm::dvec3(1.0)};
+    }
+
+    LinkSolid mesh(const XmlElement& element, bool as_surface) {
+        const MeshRequest asked = request(element);
         LinkSolid solid;
-        solid.surface = meshes_.load(*uri, path, "", size);
+        solid.surface = meshes_.load(asked.uri, asked.path, "", asked.scale);
         const std::string way = element.text_of("optimization");
         solid.is_cut = !as_surface && (way == "convex_decomposition" || (way.empty() && model_.decomposes));
         try {

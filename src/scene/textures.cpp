@@ -2,6 +2,7 @@
 
 #include "scene/definitions.h"
 #include "scene/document.h"
+#include "scene/pictures.h"
 
 #include <cmath>
 #include <string_view>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t max_textures = 100'000, max_coordinate_sets = 64;
 constexpr Range transform_range{-1e6, 1e6, false}, cutoff_range{0.0, 1e6, false};
+constexpr Range share_range{0.0, 1.0, false}, strength_range{0.0, 1e6, false}, scale_range{-1e3, 1e3, false};
 constexpr double half_opaque = 0.5; // glTF's default of `alphaCutoff`
 
 // glTF 2.0, section 5.26: how a sampler continues a picture, and how it enlarges it.
@@ -26,19 +28,14 @@ Texture::Wrap wrap_of(const std::optional<Value>& sampler, const char* name) {
     return Texture::Wrap::repeat;
 }
 
-bool is_png_or_jpeg(std::string_view file) {
-    using namespace std::string_view_literals;
-    return file.substr(0, 8) == "\x89PNG\r\n\x1A\n"sv || file.substr(0, 3) == "\xFF\xD8\xFF"sv;
-}
-
 std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; // bytes as characters
 }
 
 // The base color's textureInfo.
 std::optional<Value> info_of(const Value& material) {
-    const auto roughness = material.find("pbrMetallicRoughness");
-    return roughness ? roughness->find("baseColorTexture") : std::nullopt;
+    const auto metal = material.find("pbrMetallicRoughness");
+    return metal ? metal->find("baseColorTexture") : std::nullopt;
 }
 
 // KHR_texture_transform: scaled, then turned, then moved.
@@ -60,33 +57,122 @@ struct CoordinateMap {
             cosine = std::cos(angle), sine = std::sin(angle);
         }
     }
+    bool operator==(const CoordinateMap&) const = default;
     glm::vec2 operator()(const glm::vec2& at) const {
         const double u = scale.x * double(at.x), v = scale.y * double(at.y);
         return {float(cosine * u + sine * v + offset.x), float(cosine * v - sine * u + offset.y)};
     }
 };
 
+// Where a textureInfo has its corners: one of the sets of a primitive, mapped.
+struct TexturePlace {
+    std::string attribute;
+    CoordinateMap map;
+
+    explicit TexturePlace(const Value& info) : map(extension(info, "KHR_texture_transform")) {
+        const auto transform = extension(info, "KHR_texture_transform");
+        auto set = transform ? transform->find("texCoord") : std::nullopt;
+        if (!set) set = info.find("texCoord");
+        attribute = "TEXCOORD_" + std::to_string(set ? set->whole(0, max_coordinate_sets) : 0);
+    }
+    bool operator==(const TexturePlace&) const = default;
+
+    std::vector<glm::vec2> coordinates(const Triangles& triangles, Accessors& accessors) const {
+        const auto accessor = triangles.attributes->find(attribute.c_str());
+        if (!accessor) triangles.attributes->refuse("has no " + attribute);
+        std::vector<glm::vec2> result = accessors.coordinates(*accessor);
+        if (result.size() != triangles.vertices.size()) {
+            accessor->fail("must have as many elements as POSITION, which has " +
+                           std::to_string(triangles.vertices.size()));
+        }
+        for (glm::vec2& at : result) at = map(at);
+        return result;
+    }
+};
+
+// 1 unless it is said.
+float factor(const std::optional<Value>& owner, const char* name, const Range& range) {
+    const auto given = owner ? owner->find(name) : std::nullopt;
+    return given ? given->real(range) : 1.0f;
+}
+
+// A material that says nothing but its color is none of the metals that the format then takes it for: what is meant is
+// left to the viewer.
+bool has_finish(const Value& material, const Finish& finish) {
+    const auto metal = material.find("pbrMetallicRoughness");
+    const bool is_metal = metal && metal->find("metallicFactor") && finish.metalness > 0.0f;
+    const bool is_rough = metal && (metal->find("roughnessFactor") || metal->find("metallicRoughnessTexture"));
+    return is_metal || is_rough || finish.normals || finish.glow != Vec3(0.0f);
+}
+
+// Takes the textures of a material one after the other. All must lie where the first one does.
+class FinishReader {
+  public:
+    using Read = std::function<std::shared_ptr<const Texture>(const Value& info, bool is_data)>;
+    FinishReader(const Value& material, const Triangles& triangles, Accessors& accessors, Read read,
+                 const Textures::Warn& warn)
+        : material_(material), triangles_(triangles), accessors_(accessors), read_(std::move(read)), warn_(warn) {}
+
+    std::shared_ptr<const Texture> take(const std::optional<Value>& info, bool is_data, const char* otherwise) {
+        if (!info) return nullptr;
+        try {
+            const TexturePlace its(*info);
+            if (place_ && !(its == *place_))
+                info->refuse("must have the texCoord and the transform of the other textures of its material");
+            std::vector<glm::vec2> corners = place_ ? coordinates : its.coordinates(triangles_, accessors_);
+            auto texture = read_(*info, is_data);
+            coordinates = std::move(corners);
+            place_ = its;
+            return texture;
+        } catch (const Error& error) { // what is wrong with a picture is no reason to refuse a scene
+            warn_(std::string(error.what()) + otherwise);
+            return nullptr;
+        }
+    }
+    // Null if the material says nothing of it.
+    std::shared_ptr<const Finish> finish() {
+        const auto metal = material_.find("pbrMetallicRoughness");
+        const char* const otherwise = " (this texture is left out)";
+        Finish finish;
+        finish.roughness = factor(metal, "roughnessFactor", share_range);
+        finish.metalness = factor(metal, "metallicFactor", share_range);
+        finish.rough = take(metal ? metal->find("metallicRoughnessTexture") : std::nullopt, true, otherwise);
+        const auto normals = material_.find("normalTexture");
+        finish.normals = take(normals, true, otherwise);
+        finish.normal_scale = factor(normals, "scale", scale_range);
+        if (const auto glow = material_.find("emissiveFactor")) finish.glow = glow->float_vector3(share_range);
+        finish.glow_strength =
+            factor(extension(material_, "KHR_materials_emissive_strength"), "emissiveStrength", strength_range);
+        if (finish.glow != Vec3(0.0f)) finish.glows = take(material_.find("emissiveTexture"), false, otherwise);
+        return has_finish(material_, finish) ? std::make_shared<const Finish>(std::move(finish)) : nullptr;
+    }
+    std::vector<glm::vec2> coordinates;
+
+  private:
+    const Value& material_;
+    const Triangles& triangles_;
+    Accessors& accessors_;
+    const Read read_;
+    const Textures::Warn& warn_;
+    std::optional<TexturePlace> place_;
+};
+
 } // namespace
 
 bool Textures::is_textured(const Value& material) { return info_of(material).has_value(); }
 
-Covering Textures::covering(const Value& material, const Triangles& triangles) {
-    const Value info = *info_of(material);
-    const auto transform = extension(info, "KHR_texture_transform");
-    auto set = transform ? transform->find("texCoord") : std::nullopt;
-    if (!set) set = info.find("texCoord");
-    const std::string attribute = "TEXCOORD_" + std::to_string(set ? set->whole(0, max_coordinate_sets) : 0);
-    const auto accessor = triangles.attributes->find(attribute.c_str());
-    if (!accessor) triangles.attributes->refuse("has no " + attribute);
-    Covering result{{}, surfaces_.accessors().coordinates(*accessor)};
-    if (result.coordinates.size() != triangles.vertices.size()) {
-        accessor->fail("must have as many elements as POSITION, which has " +
-                       std::to_string(triangles.vertices.size()));
-    }
-    const CoordinateMap map(transform);
-    for (glm::vec2& at : result.coordinates) at = map(at);
+Covering Textures::covering(const Value& material, const Triangles& triangles, const Warn& warn) {
+    const auto read = [&](const Value& info, bool is_data) { return read_texture(info, material, is_data); };
+    FinishReader reader(material, triangles, surfaces_.accessors(), read, warn);
+    Covering result;
     result.texture =
-        read_texture(element(document_.find("textures"), info.require("index"), max_textures, "textures"), material);
+        reader.take(info_of(material), false, " (its texture is not shown: a plain gray, tinted by the base color)");
+    try {
+        result.finish = reader.finish();
+    } catch (const Error& error) {
+        warn(std::string(error.what()) + " (it is taken for smooth)");
+    }
+    result.coordinates = std::move(reader.coordinates);
     return result;
 }
 
@@ -94,11 +180,12 @@ std::string Textures::read_picture(const Value& image) {
     const auto uri = image.find("uri");
     Buffers& buffers = surfaces_.accessors().buffers();
     std::string file = uri ? text_of(buffers.file(*uri)) : text_of(buffers.view(image.require("bufferView")).bytes);
-    if (!is_png_or_jpeg(file)) image.refuse("is no PNG and no JPEG picture");
+    if (!is_picture(file)) image.refuse("is no PNG and no JPEG picture");
     return file;
 }
 
-std::shared_ptr<const Texture> Textures::read_texture(const Value& texture, const Value& material) {
+std::shared_ptr<const Texture> Textures::read_texture(const Value& info, const Value& material, bool is_data) {
+    const Value texture = element(document_.find("textures"), info.require("index"), max_textures, "textures");
     const auto source = texture.find("source");
     if (!source) texture.refuse("has no picture in PNG or JPEG");
     const Value image = element(document_.find("images"), *source, max_textures, "images");
@@ -109,7 +196,8 @@ std::shared_ptr<const Texture> Textures::read_texture(const Value& texture, cons
     result.wrap_u = wrap_of(sampler, "wrapS"), result.wrap_v = wrap_of(sampler, "wrapT");
     const auto enlarged = sampler ? sampler->find("magFilter") : std::nullopt;
     result.is_smooth = !enlarged || enlarged->whole(0, 0xFFFF) != nearest;
-    const auto mode = material.find("alphaMode");
+    result.is_data = is_data;
+    const auto mode = is_data ? std::nullopt : material.find("alphaMode");
     const auto cutoff = material.find("alphaCutoff");
     if (mode && mode->text() == "MASK")
         result.alpha_cutoff = float(cutoff ? cutoff->real(cutoff_range) : half_opaque);
@@ -118,7 +206,7 @@ std::shared_ptr<const Texture> Textures::read_texture(const Value& texture, cons
     const std::size_t number = source->index(max_textures, "images");
     const std::string key = std::to_string(number) + " " + std::to_string(int(result.wrap_u)) +
                             std::to_string(int(result.wrap_v)) + std::to_string(int(result.is_smooth)) + " " +
-                            std::to_string(result.alpha_cutoff);
+                            std::to_string(result.alpha_cutoff) + (is_data ? " data" : "");
     std::shared_ptr<const Texture>& known = known_[key];
     if (known) return known;
     std::shared_ptr<const std::string>& file = files_[number];

@@ -1,9 +1,10 @@
-// Textures of base colors: the pictures that a document's materials refer to (glTF 2.0, sections 3.8 and 3.9).
+// The pictures that a document's materials refer to (glTF 2.0, sections 3.8 and 3.9).
 #pragma once
 
 #include "scene/scene.h"
 #include "scene/surfaces.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,10 +12,11 @@
 
 namespace cairn::scene {
 
-// A texture, and where in it the corners of a surface lie.
+// What a material has for a surface, and where in its textures the corners of that lie.
 struct Covering {
     std::shared_ptr<const Texture> texture; // none: not covered
-    std::vector<glm::vec2> coordinates;
+    std::shared_ptr<const Finish> finish;   // none: the material says nothing of it
+    std::vector<glm::vec2> coordinates;     // none: no texture
 };
 
 class Textures {
@@ -24,16 +26,17 @@ class Textures {
     // Whether the material's base color is that of a picture.
     static bool is_textured(const Value& material);
 
-    // Throws Error if the picture is not there, or is of a kind that is not read.
-    Covering covering(const Value& material, const Triangles& triangles);
+    // `warn` is told of what is left out: pictures that are not there, or are of a kind that is not read.
+    using Warn = std::function<void(const std::string&)>;
+    Covering covering(const Value& material, const Triangles& triangles, const Warn& warn);
 
   private:
     std::string read_picture(const Value& image);
-    std::shared_ptr<const Texture> read_texture(const Value& texture, const Value& material);
+    std::shared_ptr<const Texture> read_texture(const Value& info, const Value& material, bool is_data);
 
     Value document_;
     Surfaces& surfaces_;
-    // By image, sampler's values and cutoff; the files by image.
+    // By image, sampler's values, cutoff and use; the files by image.
     std::map<std::string, std::shared_ptr<const Texture>> known_;
     std::map<std::size_t, std::shared_ptr<const std::string>> files_;
 };

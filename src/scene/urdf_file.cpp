@@ -236,7 +236,8 @@ std::string without_spare_slashes(const std::string& filename) {
     return std::string(of_package) + (name == std::string::npos ? std::string() : filename.substr(name));
 }
 
-fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::path>& folder, const std::string& place) {
+NamedFile find_robot_file(const std::string& filename, const std::optional<fs::path>& folder,
+                          const std::string& place) {
     const std::string shown = "\"" + filename.substr(0, 200) + "\"";
     if (!folder) {
         throw Error(ErrorCode::unsupported, place, shown,
@@ -254,7 +255,7 @@ fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::pa
     const NearbyFile file = nearby_file(where.name, where.from, where.root);
     switch (file.verdict) {
     case NearbyFile::Verdict::found:
-        return file.path;
+        return {file.path, where.root, place, filename.substr(0, 200)};
     case NearbyFile::Verdict::outside:
         throw Error(ErrorCode::io, place, shown,
                     "must name a file in " + where.root.generic_string() + " or below it, also where links lead");

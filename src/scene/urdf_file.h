@@ -1,6 +1,8 @@
 // URDF text, taken apart by urdfdom; and the files of meshes that it names.
 #pragma once
 
+#include "scene/mesh_store.h"
+
 #include <urdf_world/types.h>
 
 #include <cstddef>
@@ -18,12 +20,12 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
 // A `filename` without the slashes that stand before the name of a package, as in "package:///NAME/PATH".
 std::string without_spare_slashes(const std::string& filename);
 
-// The file that a mesh's `filename` means: relative to the robot's folder, or package://NAME/PATH. A package is a
-// folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any, NAME is a
-// folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the robot's folder
-// or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads out, which is
-// the same to a robot.
-std::filesystem::path find_robot_mesh(const std::string& filename, const std::optional<std::filesystem::path>& folder,
-                                      const std::string& place);
+// The file that a `filename` of a mesh or a texture means: relative to the robot's folder, or package://NAME/PATH. A
+// package is a folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any,
+// NAME is a folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the
+// robot's folder or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads
+// out, which is the same to a robot.
+NamedFile find_robot_file(const std::string& filename, const std::optional<std::filesystem::path>& folder,
+                          const std::string& place);
 
 } // namespace cairn::scene

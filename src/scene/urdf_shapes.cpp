@@ -1,6 +1,5 @@
 #include "scene/urdf_shapes.h"
 
-#include "scene/mesh_files.h"
 #include "scene/model_meshes.h"
 #include "scene/tessellation.h"
 #include "scene/urdf_file.h"
@@ -32,8 +31,21 @@ float size(double value, const std::string& place, const char* attribute) {
 std::optional<Vec3> color_of(const urdf::Visual& visual) {
     if (!visual.material) return std::nullopt;
     const urdf::Color& c = visual.material->color;
+    const bool has_none = c.r == 0.0f && c.g == 0.0f && c.b == 0.0f && !visual.material->texture_filename.empty();
+    if (has_none) return Vec3(1.0f); // nobody covers black with a picture
     const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
     return Vec3(part(c.r), part(c.g), part(c.b));
+}
+
+glm::dvec3 scale_of(const urdf::Mesh& mesh, const std::string& place) {
+    const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
+            throw Error(ErrorCode::invalid_file, place + ": mesh scale", text_of(scale[i]),
+                        "must not be 0, and finite");
+        }
+    }
+    return scale;
 }
 
 } // namespace
@@ -84,41 +96,19 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
     throw Error(ErrorCode::unsupported, place, {}, "must be a box, a cylinder, a sphere or a mesh");
 }
 
-std::filesystem::path RobotShapes::file_of(const urdf::Mesh& mesh, const std::string& place) {
-    const std::string name = without_spare_slashes(mesh.filename);
-    if (name != mesh.filename && !has_warned_of_slashes_) {
-        scene_.warnings.push_back(place + ": \"" + mesh.filename.substr(0, 200) +
+NamedFile RobotShapes::file_of(const std::string& filename, const std::string& place) {
+    const std::string name = without_spare_slashes(filename);
+    if (name != filename && !has_warned_of_slashes_) {
+        scene_.warnings.push_back(place + ": \"" + filename.substr(0, 200) +
                                   "\" has slashes where the name of its package belongs; it is taken as \"" +
                                   name.substr(0, 200) + "\", and so are all others");
         has_warned_of_slashes_ = true;
     }
-    return find_robot_mesh(name, folder_, place);
+    return find_robot_file(name, folder_, place);
 }
 
 std::shared_ptr<const Surface> RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
-    const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-    for (int i = 0; i < 3; ++i) {
-        if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
-            throw Error(ErrorCode::invalid_file, place + ": mesh scale", text_of(scale[i]),
-                        "must not be 0, and finite");
-        }
-    }
-    const std::filesystem::path file = file_of(mesh, place + ": mesh filename");
-    std::shared_ptr<const Surface>& found = meshes_[{file.string(), scale.x, scale.y, scale.z}];
-    if (found) return found;
-    if (!is_mesh_file(file)) {
-        throw Error(ErrorCode::unsupported, place + ": mesh filename", "\"" + mesh.filename.substr(0, 200) + "\"",
-                    "must be an .stl or .obj file");
-    }
-    MeshFile read = load_mesh_file(file);
-    Surface made;
-    for (const Vec3& v : read.vertices) made.vertices.push_back(Vec3(glm::dvec3(v) * scale));
-    made.indices = std::move(read.indices);
-    if (scale.x * scale.y * scale.z < 0.0) { // keep the outside out
-        for (std::size_t i = 0; i + 2 < made.indices.size(); i += 3) std::swap(made.indices[i], made.indices[i + 1]);
-    }
-    found = std::make_shared<const Surface>(std::move(made));
-    return found;
+    return meshes_.surface(file_of(mesh.filename, place + ": mesh filename"), scale_of(mesh, place));
 }
 
 std::optional<RobotShapes::Turned> RobotShapes::collision_shape(const urdf::Collision& collision,
@@ -162,14 +152,29 @@ void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& a
     }
 }
 
-std::shared_ptr<const Surface> RobotShapes::surface(const urdf::Geometry& geometry, const std::string& place,
-                                                    Rigid& local) {
+std::vector<MeshLook> RobotShapes::looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local) {
     if (geometry.type != urdf::Geometry::MESH) {
         const Turned made = shape(geometry, place, true);
         local.rotation = glm::normalize(local.rotation * made.rotation);
-        return std::make_shared<const Surface>(tessellate(made.shape));
+        return {{std::make_shared<const Surface>(tessellate(made.shape)), std::nullopt, nullptr}};
     }
-    return triangles(static_cast<const urdf::Mesh&>(geometry), place);
+    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+    return meshes_.looks(file_of(mesh.filename, place + ": mesh filename"), scale_of(mesh, place), scene_.warnings);
+}
+
+std::shared_ptr<const Texture> RobotShapes::texture_of(const urdf::Visual& visual, const std::string& place) {
+    if (!visual.material || visual.material->texture_filename.empty()) return nullptr;
+    const std::string where = place + ": material \"" + visual.material->name.substr(0, 100) + "\": texture filename";
+    try {
+        const NamedFile file = file_of(visual.material->texture_filename, where);
+        Texture made;
+        made.file = meshes_.pictures().read(file.path, where, file.shown);
+        return std::make_shared<const Texture>(std::move(made));
+    } catch (const Error& error) { // looks do not matter to the simulation
+        const std::string line = std::string(error.what()) + " (the texture is left out)";
+        scene_.warnings.push_back(line);
+        return nullptr;
+    }
 }
 
 bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& at) {
@@ -179,12 +184,21 @@ bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& 
         const std::string place = name_ + ": link \"" + link.name + "\": visual " + std::to_string(i + 1);
         try {
             Rigid local = at * rigid(visual.origin, place);
-            VisualMesh made;
-            made.body = body;
-            made.surface = surface(*visual.geometry, place, local);
-            made.local = local.transform();
-            if (const auto color = color_of(visual)) made.color = *color;
-            scene_.visuals.push_back(std::move(made));
+            const std::vector<MeshLook> parts = looks(*visual.geometry, place, local);
+            const std::optional<Vec3> color = color_of(visual);
+            const std::shared_ptr<const Texture> texture = texture_of(visual, place);
+            for (const MeshLook& part : parts) {
+                VisualMesh made;
+                made.body = body;
+                made.surface = part.surface;
+                made.local = local.transform();
+                if (color || part.color) made.color = color ? *color : *part.color;
+                if (visual.material) // it stands for those of the file
+                    made.texture = part.surface->coordinates.empty() ? nullptr : texture;
+                else
+                    made.texture = part.texture;
+                scene_.visuals.push_back(std::move(made));
+            }
         } catch (const Error& error) { // looks do not matter to the simulation
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             all_shown = false;

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "scene/decomposition.h"
+#include "scene/mesh_store.h"
 #include "scene/rigid.h"
 #include "scene/scene.h"
 
 #include <urdf_model/link.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <vector>
 
 namespace cairn::scene {
 
@@ -40,9 +40,12 @@ class RobotShapes {
     std::optional<Turned> collision_shape(const urdf::Collision& collision, const std::string& place, bool is_static,
                                           bool may_lack);
     Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
-    std::filesystem::path file_of(const urdf::Mesh& mesh, const std::string& place);
+    NamedFile file_of(const std::string& filename, const std::string& place);
     std::shared_ptr<const Surface> triangles(const urdf::Mesh& mesh, const std::string& place);
-    std::shared_ptr<const Surface> surface(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
+    // What a visual shows, in the frame `local`, which a shape may turn.
+    std::vector<MeshLook> looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
+    // The texture of a visual's material; null if there is none, or if it cannot be shown, which a warning says.
+    std::shared_ptr<const Texture> texture_of(const urdf::Visual& visual, const std::string& place);
 
     std::string name_;
     std::optional<std::filesystem::path> folder_;
@@ -50,8 +53,7 @@ class RobotShapes {
     Scene& scene_;
     SurfaceParts surface_parts_;
     bool has_warned_of_slashes_ = false;
-    // By file and scale.
-    std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> meshes_;
+    MeshStore meshes_;
 };
 
 } // namespace cairn::scene

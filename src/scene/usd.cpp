@@ -7,6 +7,7 @@
 #include "scene/mass_sum.h"
 #include "scene/model_meshes.h"
 #include "scene/tessellation.h"
+#include "scene/usd_looks.h"
 #include "scene/usd_stage.h"
 
 #include <cairn/error.h>
@@ -31,8 +32,8 @@ bool is_below(const std::string& path, const std::string& top) {
 
 class WorldMaker {
   public:
-    WorldMaker(const UsdStage& stage, bool decomposes, Scene& scene)
-        : stage_(stage), decomposes_(decomposes), scene_(scene) {}
+    WorldMaker(const UsdStage& stage, const std::optional<std::filesystem::path>& folder, bool decomposes, Scene& scene)
+        : stage_(stage), looks_(stage, folder, scene.warnings), decomposes_(decomposes), scene_(scene) {}
 
     void make() {
         for (const char* type : {"PhysicsScene", "PhysicsCollisionGroup"}) stage_.know_type(type);
@@ -162,14 +163,15 @@ class WorldMaker {
             return;
         }
         if (touches) {
-            part.shape = ModelShape{*solid.shape, solid.at, {}, {}, {}, {}, color_of(place), stage_.place(prim)};
+            part.shape = ModelShape{*solid.shape, solid.at, {}, {}, {}, {}, looks_.color(place), stage_.place(prim)};
             if (solid.is_cut) part.shape->parts = surface_parts_.of(solid.surface);
             if (solid.surface) part.enclosed = surface_mass(*solid.surface, 1.0);
             read_material(place, part);
             note_filters(place, part);
         }
         if (place.is_seen) {
-            part.look = ModelLook{solid.surface, solid.surface ? Rigid() : solid.at, color_of(place)};
+            part.look = ModelLook{solid.surface, solid.surface ? Rigid() : solid.at};
+            dress(place, owner.body.world, *part.look);
             if (!touches && !part.look->surface) {
                 part.look->surface = std::make_shared<const Surface>(tessellate(*solid.shape));
             }
@@ -177,27 +179,28 @@ class WorldMaker {
         owner.parts.push_back(std::move(part));
     }
 
+    void dress(const UsdPlace& place, const Rigid& body, ModelLook& look) {
+        try {
+            looks_.dress(place, body, look);
+        } catch (const Error& error) { // looks do not matter to the simulation
+            scene_.warnings.push_back(std::string(error.what()) + " (its texture is left out)");
+        }
+    }
+
     void add_scenery(const UsdPlace& place) {
         if (!place.is_seen) return;
         try {
             const UsdSolid solid = usd_solid(stage_, place, Rigid(), true, false, scene_.warnings);
-            VisualMesh look;
+            ModelLook look;
             look.surface = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
-            look.local = (solid.surface ? Rigid() : solid.at).transform();
-            look.color = color_of(place);
-            scene_.visuals.push_back(std::move(look));
+            look.at = solid.surface ? Rigid() : solid.at;
+            dress(place, Rigid(), look);
+            scene_.visuals.push_back(
+                {BodyId(), look.at.transform(), look.surface, look.color, look.texture, {}, look.finish});
         } catch (const Error& error) { // looks do not matter to the simulation
             if (error.code() == ErrorCode::invalid_file) throw;
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
         }
-    }
-
-    Vec3 color_of(const UsdPlace& place) const {
-        const UsdValue* color = inherited(stage_, place, "primvars:displayColor");
-        std::vector<double> rgb = color ? color->numbers : std::vector<double>();
-        rgb.resize(3, 0.7);
-        const auto part = [&](std::size_t i) { return static_cast<float>(std::clamp(rgb[i], 0.0, 1.0)); };
-        return {part(0), part(1), part(2)};
     }
 
     const UsdPrim* material_of(const UsdPlace& place) const {
@@ -328,8 +331,9 @@ class WorldMaker {
     }
 
     static void dress(Made& made) {
-        const bool has_looks = std::any_of(made.parts.begin(), made.parts.end(),
-                                           [](const Part& part) { return part.look && !part.shape; });
+        const bool has_looks = std::any_of(made.parts.begin(), made.parts.end(), [](const Part& part) {
+            return part.look && (!part.shape || part.look->texture || part.look->finish);
+        });
         for (Part& part : made.parts) {
             if (has_looks && part.look) {
                 if (!part.look->surface) {
@@ -342,6 +346,7 @@ class WorldMaker {
     }
 
     const UsdStage& stage_;
+    UsdLooks looks_;
     bool decomposes_;
     Scene& scene_;
     SurfaceParts surface_parts_;
@@ -355,7 +360,8 @@ class WorldMaker {
 
 } // namespace
 
-Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options) {
+Scene load_usd(std::span<const std::byte> bytes, const std::string& name,
+               const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
     const UsdKind kind = usd_kind(bytes);
     if (kind != UsdKind::text) {
         throw Error(
@@ -369,7 +375,7 @@ Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const 
     const auto title = layer.metadata.find("defaultPrim");
     if (title != layer.metadata.end() && !title->second.words.empty()) scene.info.title = title->second.words[0];
     if (scene.info.title.empty()) scene.info.title = std::filesystem::path(name).stem().generic_string();
-    WorldMaker(stage, options.decompose, scene).make();
+    WorldMaker(stage, folder, options.decompose, scene).make();
     if (auto line = stage.unused()) scene.warnings.push_back(std::move(*line));
     if (scene.world.bodies().empty()) {
         scene.warnings.push_back(name + ": has no body: no prim of this layer has a PhysicsRigidBodyAPI or a "

@@ -5,12 +5,16 @@
 #include "scene/usd_text.h"
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
 namespace cairn::scene {
 
-// `name` stands for the file in messages. Throws Error: `unsupported` for binary files and packages.
-Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options);
+// `name` stands for the file in messages. `folder` is that of the file, in which pictures lie or below it; none: there
+// are no other files. Throws Error: `unsupported` for binary files and packages.
+Scene load_usd(std::span<const std::byte> bytes, const std::string& name,
+               const std::optional<std::filesystem::path>& folder, const LoadOptions& options);
 
 } // namespace cairn::scene

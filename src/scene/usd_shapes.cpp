@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cairn::scene {
 
@@ -48,6 +49,35 @@ class SolidReader {
         return solid;
     }
 
+    std::shared_ptr<const Surface> covered() const {
+        const UsdValue* places = prim_.type == "Mesh" ? stage_.value(prim_, "primvars:st") : nullptr;
+        if (places == nullptr) return nullptr;
+        std::vector<std::size_t> numbers;
+        const Surface plain = triangles(&numbers);
+        const UsdValue* indices = stage_.value(prim_, "primvars:st:indices");
+        const std::size_t pairs = places->numbers.size() / 2, count = indices ? indices->numbers.size() : pairs;
+        const bool is_of_corners = count != plain.vertices.size(); // else of points
+        Surface made;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            std::size_t at = is_of_corners ? numbers[i] : plain.indices[i];
+            if (at >= count) stage_.fail(prim_, "primvars:st", "must have one for each point or corner of a face");
+            if (indices != nullptr) {
+                const double index = indices->numbers[at];
+                if (!(index >= 0.0 && index < static_cast<double>(pairs)))
+                    stage_.fail(prim_, "primvars:st:indices", "must be numbers of pairs in primvars:st, from 0 on");
+                at = static_cast<std::size_t>(index);
+            }
+            made.vertices.push_back(plain.vertices[plain.indices[i]]);
+            made.coordinates.emplace_back(static_cast<float>(places->numbers[2 * at]),
+                                          static_cast<float>(1.0 - places->numbers[2 * at + 1])); // theirs count upward
+            made.indices.push_back(static_cast<std::uint32_t>(i));
+        }
+        for (const glm::vec2& at : made.coordinates)
+            if (!(std::fabs(at.x) <= 1e6f && std::fabs(at.y) <= 1e6f))
+                stage_.fail(prim_, "primvars:st", "must be within 1000000");
+        return std::make_shared<const Surface>(std::move(made));
+    }
+
   private:
     double size(const char* name, double otherwise) const { return stage_.number(prim_, name, otherwise, 1e-9, 1e9); }
     glm::dvec3 checked(const glm::dvec3& scale) const {
@@ -84,7 +114,8 @@ class SolidReader {
         solid.at.rotation = glm::normalize(solid.at.rotation * turns[along]); // from our y axis
     }
 
-    Surface triangles() const {
+    // `numbers`: of each corner of the triangles among those of the file's faces.
+    Surface triangles(std::vector<std::size_t>* numbers = nullptr) const {
         const UsdValue* points = stage_.value(prim_, "points");
         const UsdValue* counts = stage_.value(prim_, "faceVertexCounts");
         const UsdValue* corners = stage_.value(prim_, "faceVertexIndices");
@@ -121,8 +152,9 @@ class SolidReader {
             }
             for (std::size_t i = at + 1; i + 1 < end; ++i) { // a fan
                 const auto corner = [&](std::size_t k) { return static_cast<std::uint32_t>(corners->numbers[k]); };
-                made.indices.insert(made.indices.end(),
-                                    {corner(at), corner(flips ? i + 1 : i), corner(flips ? i : i + 1)});
+                const std::size_t of_fan[] = {at, flips ? i + 1 : i, flips ? i : i + 1};
+                for (const std::size_t k : of_fan) made.indices.push_back(corner(k));
+                if (numbers != nullptr) numbers->insert(numbers->end(), std::begin(of_fan), std::end(of_fan));
             }
             at = end;
         }
@@ -194,6 +226,11 @@ UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& bo
         if (error.code() != ErrorCode::invalid_value) throw; // of a shape
         throw Error(ErrorCode::invalid_file, stage.place(*place.prim), {}, error.what());
     }
+}
+
+std::shared_ptr<const Surface> usd_covered_surface(const UsdStage& stage, const UsdPlace& place, const Rigid& body) {
+    std::vector<std::string> unused;
+    return SolidReader(stage, place, body, true, false, unused).covered();
 }
 
 } // namespace cairn::scene

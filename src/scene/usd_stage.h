@@ -77,6 +77,10 @@ struct UsdSolid {
 UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                    std::vector<std::string>& warnings);
 
+// The triangles of a mesh, in the frame of `body`, with its places in textures, and each with vertices of its own. Null
+// without primvars:st. Throws Error as `usd_solid` does.
+std::shared_ptr<const Surface> usd_covered_surface(const UsdStage& stage, const UsdPlace& place, const Rigid& body);
+
 // Joints between bodies, by the prims of those.
 void add_usd_joints(const UsdStage& stage, const std::map<const UsdPrim*, BodyId>& bodies,
                     std::vector<std::string>& warnings, Scene& scene);

@@ -267,7 +267,10 @@ class LayerReader {
         std::map<std::string, UsdValue> unused;
         if (peek() == '(') metadata(unused, nullptr);
         const std::size_t dot = name.find('.');
-        if (dot != std::string_view::npos) { // .timeSamples, .connect and so on
+        const bool is_of_shader = name.substr(0, 7) == "inputs:" || name.substr(0, 8) == "outputs:";
+        if (dot != std::string_view::npos && is_of_shader && name.substr(dot) == ".connect" && has_value && !is_edit) {
+            prim.properties[std::string(name)] = std::move(read);
+        } else if (dot != std::string_view::npos) { // .timeSamples and so on
             leave_out(name.substr(dot + 1));
         } else if (has_value && !is_edit) {
             prim.properties[std::string(name)] = std::move(read);

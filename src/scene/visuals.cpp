@@ -80,6 +80,7 @@ void Visuals::add_parts(const Value& node, const VisualMesh& like, const glm::dv
             std::optional<Vec3> color = own;
             if (!own) {
                 visual.texture = shown.texture;
+                visual.finish = shown.finish;
                 if (parts[i].material)
                     color = visual.texture ? base_color(material(*parts[i].material))
                                            : plain_color(material(*parts[i].material));
@@ -161,17 +162,16 @@ std::vector<BoneWeights> Visuals::read_weights(const Triangles& triangles, std::
     return result;
 }
 
-// What is wrong with a picture is no reason to refuse a scene.
-Covering Visuals::covering(const Triangles& triangles, std::vector<std::string>& warnings) {
-    if (!triangles.material) return {};
-    const Value given = material(*triangles.material);
-    if (!Textures::is_textured(given)) return {};
+std::vector<Vec3> Visuals::vertex_colors(const Triangles& triangles, const Textures::Warn& warn) {
+    const auto given = triangles.attributes->find("COLOR_0");
+    if (!given) return {};
     try {
-        return textures_.covering(given, triangles);
+        std::vector<Vec3> colors = surfaces_.accessors().colors(*given);
+        const std::size_t count = triangles.vertices.size();
+        if (colors.size() != count) given->fail("must have as many elements as POSITION, " + std::to_string(count));
+        return colors;
     } catch (const Error& error) {
-        if (warned_.insert(error.what()).second)
-            warnings.push_back(std::string(error.what()) +
-                               " (its texture is not shown: a plain gray, tinted by the base color)");
+        warn(std::string(error.what()) + " (the colors of its vertices are left out)");
         return {};
     }
 }
@@ -182,12 +182,18 @@ const Visuals::Dressed& Visuals::dressed(const Value& mesh, std::size_t part, co
     Dressed& found = shared_[{mesh.index(max_meshes, "meshes"), part, scale.x, scale.y, scale.z, bones}];
     if (!found.surface) {
         Triangles made = surfaces_.mapped(triangles, affine(scale), mesh);
-        Covering cover = covering(triangles, warnings);
+        const Textures::Warn warn = [&](const std::string& line) {
+            if (warned_.insert(line).second) warnings.push_back(line);
+        };
+        Covering cover;
+        if (triangles.material) cover = textures_.covering(material(*triangles.material), triangles, warn);
         Surface surface{std::move(made.vertices), std::move(made.normals), std::move(made.indices),
                         std::move(cover.coordinates)};
+        surface.colors = vertex_colors(triangles, warn);
         if (bones > 0) surface.weights = read_weights(triangles, bones);
         found.surface = std::make_shared<const Surface>(std::move(surface));
         found.texture = std::move(cover.texture);
+        found.finish = std::move(cover.finish);
     }
     return found;
 }

@@ -39,10 +39,11 @@ class Visuals {
     std::optional<Vec3> own_color(const Value& node) const;
 
   private:
-    // A primitive's triangles with their texture, scaled.
+    // A primitive's triangles with their textures, scaled.
     struct Dressed {
         std::shared_ptr<const Surface> surface;
         std::shared_ptr<const Texture> texture;
+        std::shared_ptr<const Finish> finish;
     };
     void add_parts(const Value& node, const VisualMesh& like, const glm::dvec3& scale, Scene& scene,
                    std::vector<std::string>& warnings);
@@ -54,7 +55,7 @@ class Visuals {
     const Dressed& dressed(const Value& mesh, std::size_t part, const Triangles& triangles, const glm::dvec3& scale,
                            std::size_t bones, std::vector<std::string>& warnings);
     std::vector<BoneWeights> read_weights(const Triangles& triangles, std::size_t bones);
-    Covering covering(const Triangles& triangles, std::vector<std::string>& warnings);
+    std::vector<Vec3> vertex_colors(const Triangles& triangles, const Textures::Warn& warn);
 
     Value document_;
     Surfaces& surfaces_;

@@ -63,10 +63,15 @@ void dress(std::vector<Visual>& visuals) {
     ShapeMesh mesh = *visuals[0].mesh;
     TextureStyle style{TextureStyle::Wrap::clamp, TextureStyle::Wrap::mirror, false, 0.25f};
     mesh.texture = std::make_shared<const TexturePicture>(read_texture(test::shared(test::four_texels()), style));
+    TextureStyle of_data;
+    of_data.is_data = true;
+    const auto data = std::make_shared<const TexturePicture>(read_texture(test::shared(test::four_texels()), of_data));
+    mesh.finish = std::make_shared<const Finish>(Finish{0.3f, 0.7f, data, nullptr, 0.5f, {0.1f, 0.2f, 1}, 3, data});
     std::uint16_t count = 0;
     for (MeshVertex& vertex : mesh.triangles.vertices) {
         vertex.inset = {0.1f * float(count), 1.0f / 3.0f, 0.0f};
         mesh.weights.push_back({{std::uint16_t(count % 3), std::uint16_t((count + 1) % 3), 0, 0}, {0.3f, 0.7f, 0, 0}});
+        mesh.triangles.colors.emplace_back(0.01f * float(count), 1.0f / 3.0f, 1.0f);
         ++count;
     }
     visuals.push_back({BodyId(), {}, std::make_shared<const ShapeMesh>(std::move(mesh)), {1, 1, 1}});
@@ -89,6 +94,19 @@ TEST_F(VisualNotes, OfTexturesAndBonesComeBackAsTheyWere) {
     EXPECT_EQ(now.mesh->texture->style.wrap_v, TextureStyle::Wrap::mirror);
     EXPECT_FALSE(now.mesh->texture->style.is_smooth);
     EXPECT_EQ(now.mesh->texture->style.alpha_cutoff, 0.25f);
+    EXPECT_EQ(now.mesh->triangles.colors, before.mesh->triangles.colors);
+    ASSERT_TRUE(now.mesh->finish);
+    const Finish &found = *now.mesh->finish, &given = *before.mesh->finish;
+    EXPECT_EQ(found.roughness, given.roughness);
+    EXPECT_EQ(found.metalness, given.metalness);
+    EXPECT_EQ(found.normal_scale, given.normal_scale);
+    EXPECT_EQ(found.glow, given.glow);
+    EXPECT_EQ(found.glow_strength, given.glow_strength);
+    EXPECT_FALSE(found.normals);
+    ASSERT_TRUE(found.rough);
+    EXPECT_TRUE(found.rough->style.is_data);
+    EXPECT_EQ(found.rough, found.glows) << "one picture";
+    EXPECT_FALSE(now.mesh->texture->style.is_data);
     for (std::size_t i = 0; i < before.mesh->weights.size(); ++i) {
         EXPECT_EQ(now.mesh->triangles.vertices[i].inset, before.mesh->triangles.vertices[i].inset);
         EXPECT_EQ(now.mesh->weights[i].bones, before.mesh->weights[i].bones);
