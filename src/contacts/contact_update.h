@@ -96,8 +96,6 @@ inline std::uint8_t take_points(const Bodies& bodies, const Shapes& shapes, Cont
     ContactRecord& r = contacts.records[id];
     const bool is_new = c.point_count == 0;
     write_record(shapes, c, r, m, at);
-    if (m.count > 1 && (is_round(shapes.geometry[c.shape_a]) || is_round(shapes.geometry[c.shape_b])))
-        stay_behind(bodies, contacts, id);
     if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
     return is_new ? std::uint8_t(begun) : going_on(bodies, islands, c);
 }

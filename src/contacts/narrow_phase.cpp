@@ -244,8 +244,8 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
     if (!is_placed(bodies, c)) {
         const bool has_points = c.point_count > 0;
         // What has no points is tested: they may come near each other on the way, the more so the larger they are. So
-        // is what has one point: it moves over both surfaces as they roll and rock.
-        if (has_points && (is_group(c) || c.point_count > 1) && is_near(bodies, contacts, id))
+        // is what has one point or is round: places move over both surfaces as they roll and rock.
+        if (has_points && !c.is_round && (is_group(c) || c.point_count > 1) && is_near(bodies, contacts, id))
             return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
     }

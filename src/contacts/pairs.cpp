@@ -118,6 +118,7 @@ struct Sink final : PairSink {
         const Geometry &a = shapes.geometry[shape_a], &b = shapes.geometry[shape_b];
         c.base_margin =
             margin_of(std::min(smallest_extent(a, shapes.data[shape_a]), smallest_extent(b, shapes.data[shape_b])));
+        c.is_round = is_round(a) || is_round(b);
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
         contacts.answers[id] = {0, c.body_a, c.body_b};
         drop_answer(bodies, contacts, id);

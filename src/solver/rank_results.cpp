@@ -2,6 +2,7 @@
 #include "solver/rank_results.h"
 
 #include "bodies/finalize.h"
+#include "bodies/motion_budget.h"
 
 #include <cstring>
 
@@ -12,13 +13,15 @@ namespace {
 constexpr int bodies_per_chunk = 128; // for threads
 
 std::size_t size_of(const RankPart& part) {
-    return part.bodies.size() * sizeof(BodyMotion) + part.contacts.size() * sizeof(ContactReport);
+    return part.bodies.size() * (sizeof(BodyMotion) + sizeof(Travel)) + part.contacts.size() * sizeof(ContactReport);
 }
 
 void pack(const Bodies& bodies, const SolverScratch& solver, const RankPart& part, std::byte* out) {
     for (const std::int32_t b : part.bodies) {
         std::memcpy(out, &bodies.motion[b], sizeof(BodyMotion));
         out += sizeof(BodyMotion);
+        std::memcpy(out, &bodies.travel[b], sizeof(Travel));
+        out += sizeof(Travel);
     }
     for (const std::uint32_t id : part.contacts) {
         std::memcpy(out, &solver.reports[id], sizeof(ContactReport));
@@ -30,6 +33,10 @@ void unpack(Bodies& bodies, SolverScratch& solver, const RankPart& part, const s
     for (const std::int32_t b : part.bodies) {
         std::memcpy(&bodies.motion[b], in, sizeof(BodyMotion));
         in += sizeof(BodyMotion);
+        Travel travel;
+        std::memcpy(&travel, in, sizeof(Travel));
+        in += sizeof(Travel);
+        if (travel != bodies.travel[b]) spend_budget(bodies, b); // its way was cut, or it was stopped
     }
     for (const std::uint32_t id : part.contacts) {
         std::memcpy(&solver.reports[id], in, sizeof(ContactReport));

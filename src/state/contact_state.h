@@ -55,7 +55,8 @@ struct alignas(64) ContactInfo {
     float substep_time = 0;       // s: that the impulses are for
     std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
     std::uint8_t is_conveyor = 0; // B's surface moves
-    std::uint8_t padding[2] = {};
+    std::uint8_t is_round = 0;    // of either shape: places of touch move over both bodies, and are found anew
+    std::uint8_t padding = 0;
     Travel placed_at = 0;        // of both bodies, when the pair was tested
     std::int32_t related = none; // group: its first patch; patch: its group
     std::int32_t next = none;    // patch: the next one of its group

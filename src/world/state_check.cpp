@@ -288,7 +288,7 @@ class StateCheck final : PairReader {
         const bool b_moves = bodies_.is_dynamic(c.body_b);
         require_sound(bodies_.is_dynamic(c.body_a), body_place, c.body_a, "must be dynamic");
         require_sound(c.b_moves == b_moves, {"contacts", id, "b_moves"}, c.b_moves, "must be as its body is");
-        require_sound(c.flipped <= 1 && c.bounces <= 1 && c.is_conveyor <= (b_moves ? 0 : 1),
+        require_sound(c.flipped <= 1 && c.bounces <= 1 && c.is_round <= 1 && c.is_conveyor <= (b_moves ? 0 : 1),
                       {"contacts", id, "is_conveyor"}, c.is_conveyor, "must be 0 or 1, as its other flags");
         require_sound(c.point_count <= 4, {"contacts", id, "point_count"}, c.point_count, "must be 0 to 4");
         const bool is_solved = c.point_count > 0 && !is_group(c);
