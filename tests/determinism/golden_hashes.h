@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xd69dc5d745c59b5e;
-inline constexpr std::uint64_t pyramid = 0x5f322d03b06a76d1;
-inline constexpr std::uint64_t dominoes = 0xf97cc4f6197090c9;
-inline constexpr std::uint64_t materials = 0xf57537261d7fe727;
-inline constexpr std::uint64_t tumbler = 0x30471f3738008aae;
-inline constexpr std::uint64_t sleep_and_wake = 0xff971506bf9f2120;
-inline constexpr std::uint64_t compounds = 0x30a9b71c7154f96b;
-inline constexpr std::uint64_t free_tops = 0x9643f3537bf3534d;
-inline constexpr std::uint64_t explicit_euler = 0xe55bce5a656490b1;
-inline constexpr std::uint64_t whirl = 0x8ffa53341c981185;
-inline constexpr std::uint64_t changes = 0x65a1b7ca03bda5b4;
-inline constexpr std::uint64_t all_shapes = 0x46717ad78da6d974;
-inline constexpr std::uint64_t rounded_shapes = 0x06c7f24b9a132084;
-inline constexpr std::uint64_t surfaces = 0x7db5749e65a690fc;
-inline constexpr std::uint64_t all_joints = 0x33f85f4a0e770f03;
-inline constexpr std::uint64_t chains = 0x25842583d491ddfb;
+inline constexpr std::uint64_t mixed_pile = 0xd8a89bb32c48022e;
+inline constexpr std::uint64_t pyramid = 0xe7a20ef6ea15710f;
+inline constexpr std::uint64_t dominoes = 0x474950b1950f158a;
+inline constexpr std::uint64_t materials = 0xb8befe36f30515ca;
+inline constexpr std::uint64_t tumbler = 0x1283ca93d9506d27;
+inline constexpr std::uint64_t sleep_and_wake = 0x838a3e4e524c5e10;
+inline constexpr std::uint64_t compounds = 0x07a559166e6191cf;
+inline constexpr std::uint64_t free_tops = 0x35b7f756fff5cf55;
+inline constexpr std::uint64_t explicit_euler = 0x7b28615f9029809b;
+inline constexpr std::uint64_t whirl = 0xde159a9da0b4f88b;
+inline constexpr std::uint64_t changes = 0xf0e959b6389f802b;
+inline constexpr std::uint64_t all_shapes = 0x167b4d0303e9602a;
+inline constexpr std::uint64_t rounded_shapes = 0xf021dcd3590f2a8e;
+inline constexpr std::uint64_t surfaces = 0x52a3394764c0c765;
+inline constexpr std::uint64_t all_joints = 0x5b26606b0e7da098;
+inline constexpr std::uint64_t chains = 0x9980589138cc41f7;
 
 } // namespace cairn_test::golden

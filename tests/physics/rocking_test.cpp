@@ -132,11 +132,14 @@ TEST(Rocking, EulersDiskKeepsItsEnergyNearTheGround) {
         }
 }
 
-// Where the edge of its upper face comes within the margin of contacts, it has two points, which move as those of a
-// cylinder on its side.
-TEST(KnownLimits, DiskThatRollsUprightLosesEnergy) {
-    EXPECT_NEAR(change_of_disk(60, 0, 60), -0.033, 0.015);
-    EXPECT_NEAR(change_of_disk(75, 0, 60), -0.016, 0.01);
+// Where the edge of its upper face comes within the margin of contacts, it has two points, of which one bears nothing:
+// its friction stood midway between them, and they did not move within a step. It lost 7 % at 60 degrees.
+TEST(Rocking, DiskThatRollsUprightKeepsItsEnergy) {
+    Starts starts(13);
+    for (int i = 0; i < 24; ++i) {
+        const double lean = starts.between(55, 80), direction = starts.between(0, 6);
+        EXPECT_NEAR(change_of_disk(lean, direction, 60), 0, 0.02) << lean << " " << direction;
+    }
 }
 
 } // namespace

@@ -95,8 +95,8 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
                 if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
 }
 
-// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: where the points were
-// loaded, or their middle, if they were not. What holds one point of two beside the other would hold it at none.
+// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the
+// points that were loaded, or of all, if none was. What holds one point of two beside the other would hold it at none.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
                                    const Before& before, const Inertiax8& a, const Inertiax8& b) {
@@ -104,14 +104,14 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
     mask8 used[N];
     f32x8 points = zero(), carried = zero();
     for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
-    const mask8 is_loaded = carried > zero();
+    const mask8 is_free = carried <= zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         s += before.apart + dot(before.difference, r[i]);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
-            const f32x8 weight = select(used[i], select(is_loaded, load(block.impulse[i]), one()), zero());
+            const f32x8 weight = select(used[i] & ((load(block.impulse[i]) > zero()) | is_free), one(), zero());
             sum = sum + weight * r[i], points += weight;
         }
         j[i] = cross(r[i], normal);
