@@ -304,7 +304,7 @@ void find_groups(BatchScratch& scratch) {
         std::int32_t& place = work.place_of[root_of(work.group, row)];
         if (place == none) {
             place = std::int32_t(work.groups.size());
-            work.groups.push_back({0, 0, false, false, 0});
+            work.groups.push_back({0, 0, false, false});
         }
         work.place_of[row] = place;
     }

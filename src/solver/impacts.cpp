@@ -14,8 +14,8 @@ namespace cairn {
 
 namespace {
 
-constexpr int max_passes = 96; // in a round of an impact, and rounds
-// m/s, rad/s: a group whose bodies are to change by less in all passes to come has settled.
+constexpr int max_passes = 48; // in a round of an impact, and rounds
+// m/s, rad/s: a group whose bodies change by less in a pass has settled.
 constexpr SettledChange settled = {0.01f, 0.04f};
 
 // --- passes
@@ -70,10 +70,7 @@ bool settle_groups(BatchScratch& scratch) {
         const float change =
             kernels().solver.change_since(velocities(scratch), work.rows.data() + group.begin,
                                           int(group.end - group.begin), work.last.data() + group.begin, settled);
-        // Where each pass changes r times what the one before it did, those to come change r + r^2 + ... = r / (1 - r)
-        // times what this one has.
-        group.is_settled = change == 0 || change * change < group.change - change;
-        group.change = change;
+        group.is_settled = !(change >= 1);
         (group.is_settled ? any_settled : any_left) = true;
     }
     if (any_left && any_settled) retire_lanes(scratch);

@@ -174,7 +174,7 @@ void find_shared_groups(ImpactWork& work) {
         const std::int32_t root = root_of(parent, row);
         if (place[root] == none) {
             place[root] = std::int32_t(work.groups.size());
-            work.groups.push_back({0, 0, false, false, 0});
+            work.groups.push_back({0, 0, false, false});
         }
         place[row] = place[root];
     }

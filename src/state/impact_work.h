@@ -79,7 +79,6 @@ struct ImpactWork {
         std::size_t begin, end; // in `rows`
         bool is_settled;
         bool goes_on; // something in it is driven into what did not take part
-        float change; // in its last pass, in units of what has settled; 0: there was none
     };
     std::vector<Group> groups;
     // By row: parents, of which the roots stand for groups, and -1 for rows that take no part; the places of the

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xd8a89bb32c48022e;
-inline constexpr std::uint64_t pyramid = 0xe7a20ef6ea15710f;
+inline constexpr std::uint64_t mixed_pile = 0x9b7172ed01f1d9ce;
+inline constexpr std::uint64_t pyramid = 0x74fad607bc02fab1;
 inline constexpr std::uint64_t dominoes = 0x474950b1950f158a;
-inline constexpr std::uint64_t materials = 0xb8befe36f30515ca;
-inline constexpr std::uint64_t tumbler = 0x1283ca93d9506d27;
-inline constexpr std::uint64_t sleep_and_wake = 0x838a3e4e524c5e10;
-inline constexpr std::uint64_t compounds = 0x07a559166e6191cf;
+inline constexpr std::uint64_t materials = 0x533a365284e01ed7;
+inline constexpr std::uint64_t tumbler = 0x8fa05e40c3ea60e4;
+inline constexpr std::uint64_t sleep_and_wake = 0x415afa711a0c429c;
+inline constexpr std::uint64_t compounds = 0x9cb95f7599a5716a;
 inline constexpr std::uint64_t free_tops = 0x35b7f756fff5cf55;
-inline constexpr std::uint64_t explicit_euler = 0x7b28615f9029809b;
-inline constexpr std::uint64_t whirl = 0xde159a9da0b4f88b;
-inline constexpr std::uint64_t changes = 0xf0e959b6389f802b;
-inline constexpr std::uint64_t all_shapes = 0x167b4d0303e9602a;
-inline constexpr std::uint64_t rounded_shapes = 0xf021dcd3590f2a8e;
-inline constexpr std::uint64_t surfaces = 0x52a3394764c0c765;
-inline constexpr std::uint64_t all_joints = 0x5b26606b0e7da098;
-inline constexpr std::uint64_t chains = 0x9980589138cc41f7;
+inline constexpr std::uint64_t explicit_euler = 0x226e49bfc35ce531;
+inline constexpr std::uint64_t whirl = 0x62ebc37010e00f44;
+inline constexpr std::uint64_t changes = 0xc7d3d826d97ea612;
+inline constexpr std::uint64_t all_shapes = 0x5cd18d6b0dc89873;
+inline constexpr std::uint64_t rounded_shapes = 0xccca02564c774ff4;
+inline constexpr std::uint64_t surfaces = 0xb6b2751767c9ca56;
+inline constexpr std::uint64_t all_joints = 0x123197545f691798;
+inline constexpr std::uint64_t chains = 0xcfd55810a403073f;
 
 } // namespace cairn_test::golden
