@@ -173,6 +173,8 @@ template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactB
     }
 }
 
+// What the points' moving on within the step adds to their opening velocities (slip_of_turning): of several it grows
+// with their places.
 template <int N>
 CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal, f32x8* v) {
     f32x8 slip = dot(slip_of_turning(block, softness.middle), normal);
