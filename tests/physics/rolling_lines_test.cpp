@@ -18,6 +18,13 @@ Material rough() {
     return material;
 }
 
+void add_round(World& world, bool is_capsule, double half, double radius, const BodyDef& def) {
+    if (is_capsule)
+        add_body(world, Capsule{float(half), float(radius), {}}, def, surface(1));
+    else
+        add_body(world, Cylinder{float(half), float(radius)}, def, surface(1));
+}
+
 // A plank that lies across a fixed log and rocks on it by up to 0.15 rad: 1/s, at which its energy grows, above that of
 // lying level, once it has sunk into the log as far as its weight takes it.
 double growth_of_plank(RandomStart& random, bool is_capsule, int hertz) {
@@ -29,10 +36,7 @@ double growth_of_plank(RandomStart& random, bool is_capsule, int hertz) {
     BodyDef log;
     log.type = BodyType::static_;
     log.rotation = Quat(heading * glm::angleAxis(pi / 2, glm::dvec3(1, 0, 0)));
-    if (is_capsule)
-        add_body(world, Capsule{float(2 * radius), float(radius), {}}, log, surface(1));
-    else
-        add_body(world, Cylinder{float(2 * radius), float(radius)}, log, surface(1));
+    add_round(world, is_capsule, 2 * radius, radius, log);
     BodyDef def;
     def.rotation = Quat(turn);
     def.position = turn * glm::dvec3(radius * lean, radius + thickness, 0);
@@ -70,10 +74,7 @@ double left_of_roll(RandomStart& random, bool is_capsule, int hertz) {
     mass.center_of_mass = Vec3(glm::inverse(lying) * glm::dvec3(0, -below, 0));
     mass.inertia_diagonal = Vec3(float(1.5 * radius * radius));
     def.mass_properties = mass;
-    if (is_capsule)
-        add_body(world, Capsule{0.3f, float(radius), {}}, def, surface(1));
-    else
-        add_body(world, Cylinder{0.3f, float(radius)}, def, surface(1));
+    add_round(world, is_capsule, 0.3, radius, def);
     const double lowest = 5 * gravity * (radius - below);
     run(world, 1.0f / float(hertz), hertz);
     const double before = energy_of(world) - lowest;
