@@ -153,16 +153,13 @@ bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
     return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
-// Whether a shape touches by the rim of an end, if the other is flat: then the direction in which it rolls, times the
-// root of the radius of curvature that it has there. With the axis u and the normal n, that is along u x n, and of a
-// rim with radius R it is R / |u x n|.
-bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, math::Vec3& rim) {
+// Whether a shape touches by the rim of an end, if the other is flat: then its axis and the radius of the rim.
+bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float* rim) {
     if (g.type != ShapeType::cylinder || g.rounding > 0) return false;
-    const math::Vec3 axis = axis_of(pose, 1), along = math::cross(axis, outwards);
-    const float sine = math::length(along), radius = math::dot(axis, outwards) > 0 ? g.size.z : g.size.x;
-    if (!(sine > 0)) return false;
-    rim = (std::sqrt(radius / sine) / sine) * along;
-    return true;
+    const math::Vec3 axis = axis_of(pose, 1);
+    put(rim, axis);
+    rim[3] = math::dot(axis, outwards) > 0 ? g.size.z : g.size.x;
+    return !(math::cross(axis, outwards) == math::Vec3{});
 }
 
 // Of a cone that touches along its side with two points: the direction of that, times how its radius of curvature grows
@@ -175,6 +172,14 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
     const float sign = math::dot(way, axis_of(pose, 1)) < 0 ? -1.0f : 1.0f;
     return (sign * growth / std::sqrt(square)) * way;
 }
+
+} // namespace
+
+bool follows_rim(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
+    return points == 1 && g.type == ShapeType::cylinder && !(g.rounding > 0) && is_flat(other, pose, normal);
+}
+
+namespace {
 
 bool has_corners(const Geometry& g) {
     return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
@@ -203,9 +208,9 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
         return;
     }
     face = on_face;
-    if (math::Vec3 rim; find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, rim)) {
+    if (float rim[4]; find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, rim)) {
         other = rolls_on_rim;
-        put(r.more_points[0], rim);
+        std::copy_n(rim, 4, r.more_points[0]);
     } else if (g.type == ShapeType::cylinder) {
         face = 0; // a rounded rim
     }

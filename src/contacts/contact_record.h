@@ -14,6 +14,9 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(const Shapes& shapes, ContactInfo& contact, ContactRecord& record, const Manifold& manifold,
                   const Moment& moment);
+// Whether a shape with so many points on another touches that by its rim, on a face: the solver follows the place.
+bool follows_rim(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, math::Vec3 normal,
+                 int points);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.

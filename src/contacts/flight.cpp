@@ -76,6 +76,7 @@ bool one_gyrates(const Bodies& bodies, const ContactInfo& c, float dt) {
 // Whether one of the two turns so far that their contact cannot stay as it is in a step: however deep they are in each
 // other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
 // apart, and flight would keep them as they are.
+// What rolls on a rim does not count, as the solver follows it.
 bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
                 float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
@@ -85,7 +86,11 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
     if (one_gyrates(bodies, c, dt)) return true;
     const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c)));
-    return !is_pushed && (lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin);
+    const auto lags = [&](const Surface& on, const Surface& under, std::uint32_t lower, std::uint32_t upper) {
+        if (follows_rim(shapes.geometry[lower], shapes.geometry[upper], shapes.poses[upper], n, m.count)) return false;
+        return lag_of(on, under, n, dt) > c.base_margin;
+    };
+    return !is_pushed && (lags(a, b, second, first) || lags(b, a, first, second));
 }
 
 // Rows in the solver that a pair has had so far.

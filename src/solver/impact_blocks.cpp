@@ -64,8 +64,9 @@ template <int N> struct NotStruck<PointRows<N>> {
         std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope);
 };
 template <> struct NotStruck<PointRows<1>> {
-    static constexpr auto list =
-        std::tuple(&PointRows<1>::separation0, &PointRows<1>::rim, &PointRows<1>::total_impulse);
+    using B = PointRows<1>;
+    static constexpr auto list = std::tuple(&B::rim_axis, &B::rim_middle, &B::rim_radius, &B::face_arm, &B::rim_lead,
+                                            &B::rim_moment, &B::separation0, &B::total_impulse);
 };
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
     using B = ContactBlock<N>;

@@ -219,10 +219,9 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
-        const float half_step = 0.5f * dt;
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
-                      scratch.inertia.data(), scratch.velocity.data(), half_step);
+                      scratch.inertia.data(), scratch.velocity.data(), 0.5f * dt, dt / float(batch.substeps));
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;

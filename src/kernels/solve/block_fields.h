@@ -72,7 +72,8 @@ CAIRN_BLOCK_IS_LISTED(0, PointRows<4>);
 template <> struct BlockFields<PointRows<1>> {
     using B = PointRows<1>;
     static constexpr auto list =
-        std::tuple(&B::separation0, &B::total_impulse, &B::rim, &B::effective_mass, &B::impulse, &B::separation);
+        std::tuple(&B::rim_axis, &B::rim_middle, &B::rim_radius, &B::face_arm, &B::rim_lead, &B::rim_moment,
+                   &B::separation0, &B::total_impulse, &B::effective_mass, &B::impulse, &B::separation);
 };
 CAIRN_BLOCK_IS_LISTED(0, PointRows<1>);
 
@@ -81,7 +82,7 @@ template <int N> struct BlockFields<ContactBlock<N>> {
     using Base = PointRows<N>;
     static constexpr auto list = std::tuple(
         &B::a, &B::b, &B::write_b, &B::center, &B::normal, &B::d, &B::mass_a, &B::mass_b, &B::inertia_a, &B::inertia_b,
-        &B::moved_moment, &B::moved, &B::isotropic, &B::rolls, &B::bounces, &B::round, &B::turns, &B::rims, &B::struck,
+        &B::moved_moment, &B::moved, &B::isotropic, &B::rolls, &B::bounces, &B::round, &B::turns, &B::rims_a, &B::rims_b, &B::struck,
         &B::struck_once, &B::struck_twice, &B::d0, &B::d_touch, &B::found, &B::radius_a, &B::radius_b,
         &B::passing_square, &B::turning, &B::sliding, &B::tangent, &B::tangent_mass, &B::torsion_mass,
         &B::torsion_coupling, &B::friction, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,

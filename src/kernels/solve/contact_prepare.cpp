@@ -1,6 +1,6 @@
 // Building contact blocks from contact records, and writing the impulses back.
 #include "core/cache.h"
-#include "kernels/solve/contact_moment.h"
+#include "kernels/solve/rims.h"
 
 #include <cstddef>
 
@@ -97,9 +97,10 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the
 // points that were loaded, or of all, if none was. What holds one point of two beside the other would hold it at none.
-template <int N>
+template <int N, class BeginRims>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   const Before& before, const Inertiax8& a, const Inertiax8& b) {
+                                   const Before& before, const Inertiax8& a, const Inertiax8& b,
+                                   BeginRims&& begin_rims) {
     Vec3x8 r[N], j[N], sum = zero3();
     mask8 used[N];
     f32x8 points = zero(), carried = zero();
@@ -109,6 +110,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         s += before.apart + dot(before.difference, r[i]);
+        if (has_rims(block)) r[i] = begin_rims(r[i], s);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used[i] & ((load(block.impulse[i]) > zero()) | is_free), one(), zero());
@@ -243,7 +245,7 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
-                                const SolverVelocity* velocity, std::int32_t discard_row, float half_step) {
+                                const SolverVelocity* velocity, std::int32_t discard_row, float half_step, float h) {
     const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
@@ -281,36 +283,35 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_a, max(radius_a, zero()));
     store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
-    block.turns = block.rims = 0;
+    block.turns = block.rims_a = block.rims_b = 0;
 
     Before start = {zero3(), zero3(), zero()};
     const bool is_of_later = any(found > zero());
     Velocityx8 at_a, at_b;
-    const mask8 on_rim = (radius_a == splat(rolls_on_rim)) | (radius_b == splat(rolls_on_rim));
+    Vec3x8 rim_axis = zero3();
+    f32x8 rim_radius = zero();
     if constexpr (N == 1) {
-        block.rims = any(on_rim);
-        store3(block.rim, zero3());
-        if (block.rims) {
-            Vec3x8 rim;
-            gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
-            store3(block.rim, select(on_rim, rim, zero3()));
-        }
+        block.rims_a = std::uint8_t(bits(radius_a == splat(rolls_on_rim)));
+        block.rims_b = std::uint8_t(bits(radius_b == splat(rolls_on_rim)));
+        if (has_rims(block)) gather_field(record, point_offset(1), rim_axis.x, rim_axis.y, rim_axis.z, rim_radius);
     }
     const mask8 face_a = radius_a == splat(on_face), face_b = radius_b == splat(on_face);
     const bool may_turn = N == 1 || any(face_a | face_b);
     if (may_turn || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
     if (is_of_later) {
         start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
-        if constexpr (N == 1) {
-            const f32x8 along = dot(load3(block.rim), start.difference);
-            start.apart -= splat(0.5f) * along * along;
-        }
     }
     const Vec3x8 d0 = d - start.passed;
     store3(block.d0, d0);
     store3(block.d, d0);
     store3(block.d_touch, d);
-    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
+    const auto rims_of = [&](Vec3x8 r, f32x8& s) {
+        if constexpr (N == 1)
+            return begin_rims(block, rim_axis, rim_radius, normal, r, d, found, at_a, at_b, h, s);
+        else
+            return r;
+    };
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, rims_of);
     prepare_friction<N>(block, record, normal, d, center, a, b);
     if (!may_turn) return;
     const mask8 is_edge = N == 1 ? (radius_a == zero()) & (radius_b == zero()) : mask_from_bits(0);
@@ -320,19 +321,20 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         gather_field(record, point_offset(3), taper.x, taper.y, taper.z, separation);
         taper = select(separation >= splat(unused_separation), taper, zero3());
     }
-    prepare_turning<N>(block, is_edge, face_a, face_b, max(found, splat(half_step)), at_a, at_b, normal, d, taper);
+    prepare_turning<N>(block, is_edge, face_a, face_b, max(found, splat(half_step)), at_a, at_b, normal, d, taper,
+                       rim_curvature(block, rim_axis, rim_radius, normal));
 }
 
 } // namespace
 
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia, const SolverVelocity* velocity, float half_step) {
+                      const SolverInertia* inertia, const SolverVelocity* velocity, float half_step, float h) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
-                         velocity, lanes.first_discard + k, half_step);
+                         velocity, lanes.first_discard + k, half_step, h);
     }
 }
 
@@ -467,9 +469,9 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
 }
 
 template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
-                                  const SolverVelocity*, float);
+                                  const SolverVelocity*, float, float);
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
-                                  const SolverVelocity*, float);
+                                  const SolverVelocity*, float, float);
 template void store_contacts<1>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
                                 ContactReport*, float);
 template void store_contacts<4>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,

@@ -62,17 +62,15 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Vec3x8 delta_a = turned_back_difference(a.dq, normal, bend),
                  delta_b = turned_back_difference(b.dq, normal, bend);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
-    f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
-    if constexpr (N == 1) {
-        if (block.rims) {
-            const f32x8 along = dot(load3(block.rim), difference);
-            common -= splat(0.5f) * bend * along * along;
-        }
-    }
+    f32x8 common = -dot(normal, passed);
     if (block.turns) {
         const float elapsed = 1 / inverse_elapsed;
         common += splat(elapsed * elapsed) * bend * load(block.sliding);
     }
+    f32x8 on_rims = zero();
+    if constexpr (N == 1)
+        if (has_rims(block)) on_rims = rim_separations(block, normal, a.dq, b.dq, delta_a, delta_b, common);
+    common += dot(delta_b, load3(block.d_touch));
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
@@ -84,6 +82,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
         else
             height = load(block.height[i]);
         s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
+        if (has_rims(block)) s[i] = select(mask_from_bits(block.rims_a | block.rims_b), on_rims, s[i]);
         store(block.separation[i], s[i]);
     }
     refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });
@@ -195,6 +194,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     rows.a = gather_velocity(velocity, block.a);
     rows.b = gather_velocity(velocity, block.b);
     if (block.moved) rows.b.w = rows.b.w + turned_b(block, load3(block.moved_moment));
+    if constexpr (N == 1)
+        if (block.moved && has_rims(block)) rows.a.w = rows.a.w - turned_a(block, load3(block.rim_moment));
     const mask8 immovable = load(block.mass_b) == zero();
     const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
     const f32x8 push_rate = select(immovable, splat(fixed.push_rate), splat(other.push_rate));
@@ -205,6 +206,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     if (block.turns) add_turning<N>(block, softness, normal, v);
+    if (has_rims(block)) v[0] += dot(slip_of_rims(block, rows.b.w - rows.a.w), normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -325,6 +327,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     if (block.turns) add_turning<N>(block, softness, normal, v);
+    if (has_rims(block)) v[0] += dot(slip_of_rims(block, rows.b.w - rows.a.w), normal);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
@@ -375,6 +378,15 @@ CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const 
     return sums;
 }
 
+template <int N>
+CAIRN_INLINE void follow_rims(ContactBlock<N>& block, const SolverBodies& bodies, const ContactSoftness& softness,
+                              const Rows<N>& rows) {
+    if constexpr (N == 1)
+        if (has_rims(block))
+            advance_rims(block, gather_pose(bodies.pose, block.a), gather_pose(bodies.pose, block.b), rows.a, rows.b,
+                         load3(block.normal), softness.h);
+}
+
 template <int N, int M, bool Watched>
 CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
     int struck = 0;
@@ -383,7 +395,10 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, softness, rows[m]);
     mask8 idle = is_idle(rows[0]) & is_frictionless(blocks[0]);
     for (int m = 1; m < M; ++m) idle = idle & is_idle(rows[m]) & is_frictionless(blocks[m]);
-    if (all(idle)) return 0; // without a load there is no friction
+    if (all(idle)) { // without a load there is no friction
+        for (int m = 0; m < M; ++m) follow_rims<N>(blocks[m], bodies, softness, rows[m]);
+        return 0;
+    }
     sweep_points<N, M, false>(blocks, rows);
     PointSums sums[M];
 #pragma GCC unroll 4
@@ -396,6 +411,7 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];
         if (block.rolls) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);
+        follow_rims<N>(block, bodies, softness, rows[m]);
         scatter_velocity(bodies.velocity, block.a, rows[m].a);
         scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
     }

@@ -1,7 +1,7 @@
 // Friction and rolling resistance of contact blocks, after their normal impulses.
 #pragma once
 
-#include "kernels/solve/solver.h"
+#include "kernels/solve/rims.h"
 
 namespace cairn::CAIRN_ISA {
 
@@ -93,6 +93,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Vec3x8 dw = b.w - a.w, dv = b.v - a.v;
     Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + splat(0.5f * softness.h) * dv);
     if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
+    if (has_rims(block)) velocity = velocity + slip_of_rims(block, dw);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};

@@ -11,7 +11,7 @@ namespace cairn::CAIRN_ISA {
 SolverKernels solver_kernels();
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia, const SolverVelocity* velocity, float half_step);
+                      const SolverInertia* inertia, const SolverVelocity* velocity, float half_step, float h);
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
                     ContactRecord* records, ContactReport* reports, float dt);

@@ -67,9 +67,9 @@ struct alignas(64) ContactRecord {
                                // two convex shapes that no wide kernel tests: a ContactMemory
     float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
-    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what rolls on a rim the first is the direction in which it
-                             // rolls, times the root of its radius of curvature there; of a cone on its side the last
-                             // is the direction of that, times how its radius of curvature grows along it
+    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what rolls on a rim the first is the axis and the rim's radius;
+                             // of a cone on its side the last is the direction of that, times how its radius of
+                             // curvature grows along it
     float more_totals[3];
     float more_padding;
 };
@@ -95,8 +95,11 @@ template <int N> struct PointRows {
 };
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
+    // Of what rolls on a rim, where the block has any, see rims.h: its axis, the arm of the middle of the rim and its
+    // radius, at the start of the step; the arm of the point for the body with the face, at the moment that the contact
+    // is of; how far the point runs in half a substep; the moment on A of the impulses carried over, as it has run.
+    float rim_axis[3][8], rim_middle[3][8], rim_radius[8], face_arm[3][8], rim_lead[3][8], rim_moment[3][8];
     float separation0[1][8], total_impulse[1][8];
-    float rim[3][8]; // of what rolls on a rim, as in the record; where the block has any
     float effective_mass[1][8], impulse[1][8], separation[1][8];
 };
 
@@ -116,7 +119,8 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t rolls;                     // any rolling resistance
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
-    std::uint8_t turns, rims;               // any point that moves within the step, any rim
+    std::uint8_t turns;                     // any point that moves within the step
+    std::uint8_t rims_a, rims_b;            // lanes, as bits, of which A or B rolls on a rim
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
@@ -217,9 +221,9 @@ struct HalfLimits;
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
-        // `half_step`: half of the step, s.
+        // `half_step`: half of the step, `h`: a substep, s.
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                        const SolverInertia* inertia, const SolverVelocity* velocity, float half_step);
+                        const SolverInertia* inertia, const SolverVelocity* velocity, float half_step, float h);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
         // `bounce` changes velocity_correction, which must be there.
         // `solve` and `relax` return the number of blocks with lanes that were struck.
