@@ -153,13 +153,16 @@ bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
     return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
-// Whether a shape touches by the rim of an end, if the other is flat: then its axis and the radius of the rim.
-bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float* rim) {
-    if (g.type != ShapeType::cylinder || g.rounding > 0) return false;
-    const math::Vec3 axis = axis_of(pose, 1);
-    put(rim, axis);
-    rim[3] = math::dot(axis, outwards) > 0 ? g.size.z : g.size.x;
-    return !(math::cross(axis, outwards) == math::Vec3{});
+// What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
+// axis and radius. What is rounded does with a sphere about that. Returns the radius of the sphere, up to midway.
+float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation, float* rim) {
+    const bool is_top = math::dot(axis_of(pose, 1), outwards) > 0;
+    const float radius = is_top ? g.size.z : g.size.x;
+    std::fill_n(rim, 4, 0.0f);
+    if (g.type == ShapeType::cylinder) put(rim, axis_of(pose, 1)), rim[3] = radius;
+    if (g.type == ShapeType::capsule) return radius + 0.5f * separation;
+    if (g.type == ShapeType::cylinder) return g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
+    return contact_radius(g, pose, outwards, separation);
 }
 
 // Of a cone that touches along its side with two points: the direction of that, times how its radius of curvature grows
@@ -175,8 +178,9 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
 
 } // namespace
 
-bool follows_rim(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
-    return points == 1 && g.type == ShapeType::cylinder && !(g.rounding > 0) && is_flat(other, pose, normal);
+bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
+    const bool has_axis = g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder;
+    return points == 1 && has_axis && is_flat(other, pose, normal);
 }
 
 namespace {
@@ -208,12 +212,7 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
         return;
     }
     face = on_face;
-    if (float rim[4]; find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, rim)) {
-        other = rolls_on_rim;
-        std::copy_n(rim, 4, r.more_points[0]);
-    } else if (g.type == ShapeType::cylinder) {
-        face = 0; // a rounded rim
-    }
+    other = find_rim(g, on_a ? *at.pose_b : *at.pose_a, on_a ? -normal : normal, m.points[0][3], r.more_points[0]);
 }
 
 } // namespace

@@ -64,33 +64,33 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
-// Whether one of the two does, as it turns when the step begins.
-bool one_gyrates(const Bodies& bodies, const ContactInfo& c, float dt) {
-    for (const std::int32_t b : {c.body_a, c.body_b}) {
-        const BodyMotion& motion = bodies.motion[b];
-        if (bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt))) return true;
-    }
-    return false;
+bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
+    const BodyMotion& motion = bodies.motion[b];
+    return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));
 }
 
-// Whether one of the two turns so far that their contact cannot stay as it is in a step: however deep they are in each
-// other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
-// apart, and flight would keep them as they are.
-// What rolls on a rim does not count, as the solver follows it.
-bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
-                float dt) {
+// Whether a shape turns so far that its contact with another cannot stay as it is in a step: however deep they are in
+// each other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
+// apart, and flight would keep them as they are. Not where the solver follows the place of touch.
+struct TurnsAway {
+    bool by_itself = false, at_all = false;
+};
+TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
     const math::Vec3 n = math::to_vec(m.normal), arm = shapes.links[first].arm + math::to_vec(m.points[0]);
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
-    if (one_gyrates(bodies, c, dt)) return true;
-    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c)));
-    const auto lags = [&](const Surface& on, const Surface& under, std::uint32_t lower, std::uint32_t upper) {
-        if (follows_rim(shapes.geometry[lower], shapes.geometry[upper], shapes.poses[upper], n, m.count)) return false;
-        return lag_of(on, under, n, dt) > c.base_margin;
+    TurnsAway turns;
+    const auto look_at = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
+        if (is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) return;
+        turns.by_itself |= gyrates(bodies, shapes.links[shape].body, dt);
+        turns.at_all |= lag_of(on, under, n, dt) > c.base_margin;
     };
-    return !is_pushed && (lags(a, b, second, first) || lags(b, a, first, second));
+    look_at(first, second, a, b);
+    look_at(second, first, b, a);
+    turns.at_all |= turns.by_itself;
+    return turns;
 }
 
 // Rows in the solver that a pair has had so far.
@@ -149,7 +149,7 @@ class FlightList {
         for (FlightPair& f : flights_) {
             const ContactInfo& c = s.contacts.info[contact_of(f)];
             f.is_free = (is_free(c.body_a) && (!c.b_moves || is_free(c.body_b))) ||
-                        (may_turn_away(s.bodies, c, dt_) && one_gyrates(s.bodies, c, dt_));
+                        (may_turn_away(s.bodies, c, dt_) && (gyrates(s.bodies, c.body_a, dt_) || gyrates(s.bodies, c.body_b, dt_)));
         }
         for_each_body([&](std::int32_t b, int) { rows[b] = 0; });
     }
@@ -222,7 +222,11 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (c.is_trigger || m.count == 0) return false;
     const float least = least_separation(m);
     if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
-    if (may_turn_away(in.bodies, c, dt) && turns_away(in.bodies, in.shapes, c, m, -least, dt)) return true;
+    if (may_turn_away(in.bodies, c, dt)) {
+        const TurnsAway turns = turns_away(in.bodies, in.shapes, c, m, dt);
+        const bool is_pushed = -least >= float(core_depth_of(half_width_between(in.shapes, c)));
+        if (turns.by_itself || (turns.at_all && !is_pushed)) return true;
+    }
     if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);

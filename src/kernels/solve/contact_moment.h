@@ -36,6 +36,8 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
+inline constexpr float unseen = 1e-6f; // m: what moves less is not seen
+
 // Whether a body turns what it has at the point by less than a quarter of a radian up to a time: of what is round
 // there, the center of curvature, which has another arm than the point; the center of a ball stays where it is.
 CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 arm_of_center) {
@@ -46,8 +48,8 @@ CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 
 
 // How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity as seen from A, they
 // change by (w_B - w_A) x p', as rows keep B's arm up to where A is. A corner moves with its body; what is round, with
-// the radius of curvature R, stays behind a corner by R (w_A - w_B) x n as it rolls over a face. Rows of rims follow
-// them (rims.h): of those only the face counts here. The face turns the normal: velocities change along that by w x n times themselves as well, and
+// the radius of curvature R, stays behind a corner by R (w_A - w_B) x n as it rolls over a face. The only
+// point on a face is followed (rims.h): of that only the face counts here. The face turns the normal: velocities change along that by w x n times themselves as well, and
 // what slides over it, the corner or the center of what is round, parts from it by w x n times its way and the time.
 // Where neither is a face, two edges meet: the point moves with both, in the mean. That is true of small turns, up to
 // the time `until`: of lanes that turn farther, or change by nothing that could be seen, nothing moves.
@@ -55,7 +57,6 @@ template <int N>
 CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
                                   const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper,
                                   Vec3x8 rim) {
-    constexpr float unseen = 1e-6f; // m
     const Vec3x8 r = load3(block.center), apart = b.v - a.v;
     const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d), rolling = cross(a.w - b.w, normal);
     const auto times_curvature = [&](Vec3x8 u) {
@@ -67,16 +68,16 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const Vec3x8 from_a =
         select(face_b, with_a - rolled, select(face_a, with_b - rolled, splat(0.5f) * (with_a + with_b)));
     const Vec3x8 turned = cross(select(face_b, b.w, select(face_a, a.w, zero3())), normal);
-    const mask8 rim_a = mask_from_bits(block.rims_a), rim_b = mask_from_bits(block.rims_b);
-    const Vec3x8 turning = select(rim_a | rim_b, zero3(), cross(b.w - a.w, from_a)) +
-                           dot(turned, with_b - with_a) * normal;
+    const mask8 stays = N == 1 ? is_edge : face_a | face_b, any_a = N == 1 ? face_b : mask_from_bits(0),
+                any_b = N == 1 ? face_a : mask_from_bits(0);
+    const Vec3x8 turning = select(stays, cross(b.w - a.w, from_a), zero3()) + dot(turned, with_b - with_a) * normal;
     const f32x8 square = until * until;
     mask8 touches = mask_from_bits(0);
     for (int i = 0; i < N; ++i)
         touches = touches | (load(block.impulse[i]) > zero()) | (load(block.separation0[i]) <= splat(unseen));
     const mask8 moves = (is_edge | face_a | face_b) & touches &
-                        (rim_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
-                        (rim_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
+                        (any_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
+                        (any_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
                         (square * square * dot(turning, turning) > splat(unseen * unseen));
     block.turns = any(moves);
     if (!block.turns) return;

@@ -110,7 +110,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         s += before.apart + dot(before.difference, r[i]);
-        if (has_rims(block)) r[i] = begin_rims(r[i], s);
+        r[i] = begin_rims(r[i], s);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used[i] & ((load(block.impulse[i]) > zero()) | is_free), one(), zero());
@@ -288,15 +288,15 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     Before start = {zero3(), zero3(), zero()};
     const bool is_of_later = any(found > zero());
     Velocityx8 at_a, at_b;
+    const mask8 face_a = radius_a == splat(on_face), face_b = radius_b == splat(on_face);
+    const bool any_face = any(face_a | face_b);
+    const f32x8 until = max(found, splat(half_step));
     Vec3x8 rim_axis = zero3();
     f32x8 rim_radius = zero();
     if constexpr (N == 1) {
-        block.rims_a = std::uint8_t(bits(radius_a == splat(rolls_on_rim)));
-        block.rims_b = std::uint8_t(bits(radius_b == splat(rolls_on_rim)));
-        if (has_rims(block)) gather_field(record, point_offset(1), rim_axis.x, rim_axis.y, rim_axis.z, rim_radius);
+        if (any_face) gather_field(record, point_offset(1), rim_axis.x, rim_axis.y, rim_axis.z, rim_radius);
     }
-    const mask8 face_a = radius_a == splat(on_face), face_b = radius_b == splat(on_face);
-    const bool may_turn = N == 1 || any(face_a | face_b);
+    const bool may_turn = N == 1 || any_face;
     if (may_turn || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
     if (is_of_later) {
         start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
@@ -307,9 +307,10 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.d_touch, d);
     const auto rims_of = [&](Vec3x8 r, f32x8& s) {
         if constexpr (N == 1)
-            return begin_rims(block, rim_axis, rim_radius, normal, r, d, found, at_a, at_b, h, s);
-        else
-            return r;
+            if (any_face)
+                return begin_rims(block, RimLanes(face_b, face_a, normal), rim_axis, rim_radius, normal, r, d, until,
+                                  at_a, at_b, h, s);
+        return r;
     };
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, rims_of);
     prepare_friction<N>(block, record, normal, d, center, a, b);
@@ -321,8 +322,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         gather_field(record, point_offset(3), taper.x, taper.y, taper.z, separation);
         taper = select(separation >= splat(unused_separation), taper, zero3());
     }
-    prepare_turning<N>(block, is_edge, face_a, face_b, max(found, splat(half_step)), at_a, at_b, normal, d, taper,
-                       rim_curvature(block, rim_axis, rim_radius, normal));
+    prepare_turning<N>(block, is_edge, face_a, face_b, until, at_a, at_b, normal, d, taper,
+                       rim_curvature(rim_axis, rim_radius, normal));
 }
 
 } // namespace

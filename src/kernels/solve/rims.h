@@ -1,21 +1,23 @@
-// What rolls on a rim over a face: the place of touch runs along the rim, faster than the body turns, and by an angle
-// that is not small in a step. It is known at every pose: with the outward normal n, the axis u and the radius R, at the
-// middle of the rim and R e, with e along n - (n.u) u. Impulses act where it is when the substep begins, and the
-// velocities are asked for where it is in its middle, as bodies move by them from its start to its end.
+// What touches a face by one point. The place of touch of a rim runs along it, faster than the body turns; that of a
+// corner turns with the body, and so does the middle of a sphere. It is known at every pose: with the outward normal n,
+// the axis u and the radius R of the rim, at the middle of that and R e, with e along n - (n.u) u; a corner is a rim
+// with R = 0, and what is rounded by r touches r n beyond. Impulses act where the place is when the substep begins, and
+// the velocities are asked for where it is in its middle, as bodies move by them from its start to its end.
 #pragma once
 
 #include "kernels/solve/contact_moment.h"
 
 namespace cairn::CAIRN_ISA {
 
-// The rims of a block, by what rolls on them.
+// The lanes of a block that are followed.
 struct RimLanes {
     mask8 any, on_b;
     Vec3x8 outward; // the normal, out of what rolls
 
+    RimLanes(mask8 on_a, mask8 on_b, Vec3x8 normal)
+        : any(on_a | on_b), on_b(on_b), outward(select(on_b, -normal, normal)) {}
     RimLanes(const ContactBlock<1>& block, Vec3x8 normal)
-        : any(mask_from_bits(block.rims_a | block.rims_b)), on_b(mask_from_bits(block.rims_b)),
-          outward(select(on_b, -normal, normal)) {}
+        : RimLanes(mask_from_bits(block.rims_a), mask_from_bits(block.rims_b), normal) {}
     // Of two bodies, that which rolls, and that with the face.
     template <class T> T rolling(T a, T b) const { return select(on_b, b, a); }
     template <class T> T other(T a, T b) const { return select(on_b, a, b); }
@@ -25,7 +27,7 @@ CAIRN_INLINE Quatx8 select(mask8 m, Quatx8 a, Quatx8 b) { return {select(m, a.v,
 CAIRN_INLINE bool has_rims(const ContactBlock<1>& block) { return (block.rims_a | block.rims_b) != 0; }
 CAIRN_INLINE bool has_rims(const ContactBlock<4>&) { return false; }
 
-// The arm of the lowest point of a rim.
+// The arm of the lowest point of a rim, or of the middle of the sphere there.
 CAIRN_INLINE Vec3x8 rim_point(Vec3x8 outward, Vec3x8 axis, Vec3x8 middle, f32x8 radius) {
     const Vec3x8 across = outward - dot(outward, axis) * axis;
     const f32x8 square = dot(across, across);
@@ -34,11 +36,10 @@ CAIRN_INLINE Vec3x8 rim_point(Vec3x8 outward, Vec3x8 axis, Vec3x8 middle, f32x8 
 }
 // The direction in which what is on a rim rolls over a face, times the root of the radius of curvature that it has
 // there, R / |u x n|.
-template <int N>
-CAIRN_INLINE Vec3x8 rim_curvature(const ContactBlock<N>& block, Vec3x8 axis, f32x8 radius, Vec3x8 normal) {
+CAIRN_INLINE Vec3x8 rim_curvature(Vec3x8 axis, f32x8 radius, Vec3x8 normal) {
     const Vec3x8 along = cross(axis, normal);
     const f32x8 square = dot(along, along);
-    const mask8 leans = mask_from_bits(block.rims_a | block.rims_b) & (square > zero());
+    const mask8 leans = (radius > zero()) & (square > zero());
     const f32x8 sine = sqrt(select(leans, square, one()));
     return (select(leans, sqrt(radius / sine), zero()) / sine) * along;
 }
@@ -50,12 +51,12 @@ struct RimCenter {
     Vec3x8 arm, lead;
 };
 CAIRN_INLINE RimCenter rim_center(const RimLanes& lanes, const Velocityx8& a, const Velocityx8& b, Vec3x8 axis,
-                                  Vec3x8 middle, f32x8 radius, Vec3x8 d, float h) {
+                                  Vec3x8 middle, f32x8 radius, f32x8 sphere, Vec3x8 d, float h) {
     const Vec3x8 turn = splat(0.5f * h) * lanes.rolling(a.w, b.w);
-    const Vec3x8 arm = rim_point(lanes.outward, axis, middle, radius);
+    const Vec3x8 now = rim_point(lanes.outward, axis, middle, radius), arm = now + sphere * lanes.outward;
     const Vec3x8 ahead = rim_point(lanes.outward, turned(turn, axis), turned(turn, middle), radius);
     const Vec3x8 passed = splat(0.5f * h) * (a.v - b.v);
-    return {lanes.rolling(arm, arm - d), (ahead - arm) - lanes.rolling(zero3(), passed)};
+    return {lanes.rolling(arm, arm - d), (ahead - now) - lanes.rolling(zero3(), passed)};
 }
 CAIRN_INLINE void store_lead(ContactBlock<1>& block, const RimLanes& lanes, Vec3x8 lead) {
     store3(block.rim_lead, select(lanes.any, lead, zero3()));
@@ -69,25 +70,35 @@ template <int N> CAIRN_INLINE Vec3x8 slip_of_rims(const ContactBlock<N>& block, 
 }
 
 // At the start of a step: `center` is where the contact was found, at the time `found`, with the axis and the radius of
-// the record, and `separation` that of the start if the rim was not round. Returns the friction center of the first
-// substep.
-CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, Vec3x8 axis, f32x8 radius, Vec3x8 normal, Vec3x8 center,
-                               Vec3x8 d, f32x8 found, const Velocityx8& a, const Velocityx8& b, float h,
+// the record, of the lanes given; `separation` is that of the start if the place was one point of the body. A place is
+// followed where that could be seen until the time `until`, and rims wherever they are. Returns the friction center of
+// the first substep.
+CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Vec3x8 axis, f32x8 radius, Vec3x8 normal,
+                               Vec3x8 center, Vec3x8 d, f32x8 until, const Velocityx8& a, const Velocityx8& b, float h,
                                f32x8& separation) {
-    const RimLanes lanes(block, normal);
-    const Vec3x8 arm = lanes.rolling(center, center + d), back = -(found * lanes.rolling(a.w, b.w));
-    const Vec3x8 middle = arm - rim_point(lanes.outward, axis, zero3(), radius);
+    const f32x8 found = load(block.found), sphere = lanes.rolling(load(block.radius_a), load(block.radius_b));
+    const Vec3x8 turn = found * lanes.rolling(a.w, b.w), back = -turn, d0 = d - found * (a.v - b.v);
+    const Vec3x8 arm = lanes.rolling(center, center + d), beyond = sphere * lanes.outward;
+    const Vec3x8 middle = arm - rim_point(lanes.outward, axis, beyond, radius);
     const Vec3x8 axis0 = turned(back, axis), middle0 = turned(back, middle);
+    const RimCenter first = rim_center(lanes, a, b, axis0, middle0, radius, sphere, d0, h);
+    const Vec3x8 slip = cross(a.w - b.w, splat(2 / h) * first.lead);
+    const f32x8 square = until * until;
+    const mask8 is_seen = (radius > zero()) | (square * square * dot(slip, slip) > splat(unseen * unseen));
+    block.rims_b = std::uint8_t(bits(lanes.any & is_seen & lanes.on_b));
+    block.rims_a = std::uint8_t(bits(and_not(lanes.any & is_seen, lanes.on_b)));
+    if (!has_rims(block)) return center;
+    const RimLanes followed(block, normal);
     store3(block.rim_axis, axis0);
     store3(block.rim_middle, middle0);
     store(block.rim_radius, radius);
     store3(block.face_arm, lanes.other(center, center + d));
     store3(block.rim_moment, zero3());
-    const Vec3x8 arm0 = rim_point(lanes.outward, axis0, middle0, radius);
-    separation -= select(lanes.any, dot(lanes.outward, arm0 - turned(back, arm)), zero());
-    const RimCenter first = rim_center(lanes, a, b, axis0, middle0, radius, d - found * (a.v - b.v), h);
-    store_lead(block, lanes, first.lead);
-    return select(lanes.any, first.arm, center);
+    store_lead(block, followed, first.lead);
+    const Vec3x8 arm0 = rim_point(lanes.outward, axis0, middle0 + beyond, radius);
+    const f32x8 rounded = sphere * dot(turned_difference(turn, normal), normal); // of which `separation` has that
+    separation -= select(followed.any, dot(lanes.outward, arm0 - turned(back, arm)) + rounded, zero());
+    return select(followed.any, first.arm, center);
 }
 
 // Their separations: `common` is what refresh_separations has of the two bodies' translations and of what does not
@@ -111,7 +122,8 @@ CAIRN_INLINE void advance_rims(ContactBlock<1>& block, const Posex8& at_a, const
     const RimLanes lanes(block, normal);
     const Quatx8 turn = lanes.rolling(at_a.dq, at_b.dq);
     const RimCenter now = rim_center(lanes, a, b, rotate(turn, load3(block.rim_axis)),
-                                     rotate(turn, load3(block.rim_middle)), load(block.rim_radius), load3(block.d), h);
+                                     rotate(turn, load3(block.rim_middle)), load(block.rim_radius),
+                                     lanes.rolling(load(block.radius_a), load(block.radius_b)), load3(block.d), h);
     const Vec3x8 center = load3(block.center), next = select(lanes.any, now.arm, center);
     store_lead(block, lanes, now.lead);
     const Vec3x8 p = load(block.impulse[0]) * normal + load(block.tangent_impulse[0]) * load3(block.tangent) +

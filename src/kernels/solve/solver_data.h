@@ -67,17 +67,16 @@ struct alignas(64) ContactRecord {
                                // two convex shapes that no wide kernel tests: a ContactMemory
     float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
-    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what rolls on a rim the first is the axis and the rim's radius;
+    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what touches a face the first is the axis and the radius of its rim;
                              // of a cone on its side the last is the direction of that, times how its radius of
                              // curvature grows along it
     float more_totals[3];
     float more_padding;
 };
 
-// How the points of a contact move over the surfaces, in place of a radius of A or B: over a face of that one; on the
-// rim of that one, over a face of the other; or in a way that nobody knows, as A's radius. Several points move if what
-// is round touches a face.
-inline constexpr float rolls_on_rim = -1, rolls_somehow = -2, on_face = -3;
+// How the points of a contact move over the surfaces, in place of a radius of A or B: over a face of that one, or in a
+// way that nobody knows, as A's radius. Several points move if what is round touches a face.
+inline constexpr float rolls_somehow = -1, on_face = -2;
 
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct PointRows {
@@ -95,8 +94,8 @@ template <int N> struct PointRows {
 };
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
-    // Of what rolls on a rim, where the block has any, see rims.h: its axis, the arm of the middle of the rim and its
-    // radius, at the start of the step; the arm of the point for the body with the face, at the moment that the contact
+    // Of what is followed over a face, where the block has any, see rims.h: the axis of its rim, the arm of the middle
+    // of that and its radius, at the start of the step; the arm of the point for the body with the face, at the moment that the contact
     // is of; how far the point runs in half a substep; the moment on A of the impulses carried over, as it has run.
     float rim_axis[3][8], rim_middle[3][8], rim_radius[8], face_arm[3][8], rim_lead[3][8], rim_moment[3][8];
     float separation0[1][8], total_impulse[1][8];
@@ -120,7 +119,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
     std::uint8_t turns;                     // any point that moves within the step
-    std::uint8_t rims_a, rims_b;            // lanes, as bits, of which A or B rolls on a rim
+    std::uint8_t rims_a, rims_b;            // lanes, as bits, of which the place on A or on B is followed over a face
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.

@@ -56,18 +56,19 @@ CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& ax
 // Lanes that have turned so little in the step that w answers to what contacts add to L at most twice as much as these
 // are told by the inertia of the start of the step: beyond, each substep would overshoot by more than what it is to
 // correct, and thin rods that something hits would set off whole heaps. Turned by an angle a from an axis of the
-// smallest moment, it is 1 + sin^2 a (largest / smallest - 1) times as much.
-CAIRN_INLINE mask8 answer_as_told(const SpinBlock& block, Quatx8 turn) {
-    const Vec3x8 i = load3(block.moments);
-    const f32x8 least = min(min(i.x, i.y), i.z), most = max(max(i.x, i.y), i.z);
-    const f32x8 half_sine = one() - turn.w * turn.w; // squared
-    return splat(4.0f) * half_sine * (most - least) <= least;
+// smallest moment toward that of another one, it is 1 + sin^2 a (other / smallest - 1) times as much. A turn about an
+// axis of symmetry, as that of a top, is none.
+CAIRN_INLINE mask8 answer_as_told(const SpinBlock& block, Quatx8 turn, Quatx8 axes) {
+    const Vec3x8 i = load3(block.moments), v = rotate_back(axes, turn.v); // sines of half of the angle
+    const f32x8 least = min(min(i.x, i.y), i.z);
+    const Vec3x8 mixed = {abs(i.y - i.z), abs(i.z - i.x), abs(i.x - i.y)};
+    return splat(4.0f) * dot(scaled(v, v), mixed) <= least;
 }
 
 // L now, with what the contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
     if (first) return tensor(axes, load3(block.moments), w);
-    mask8 followed = answer_as_told(block, turn);
+    mask8 followed = answer_as_told(block, turn, axes);
     if (block.any_renewed) followed = followed | (load(block.renewed) > zero());
     Vec3x8 momentum = zero3();
     if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);
