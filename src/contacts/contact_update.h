@@ -46,7 +46,7 @@ inline float least_separation(const Manifold& m) {
 // step either, as the bodies move now.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
                  float dt);
-// Of a contact that bears something: takes from a manifold of what is round about an axis the points that do not come
+// Of a contact that touches: takes from a manifold of what is round about an axis the points that do not come
 // to touch in the step, as the bodies turn about the lowest one by their spins and what pulls at them. What turns about
 // its axis, or about the normal, brings no point nearer. So what rolls on a rim has one point.
 void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, const PosedShape& a, const PosedShape& b,

@@ -78,6 +78,44 @@ DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double d
     return spin.to_world(to, spin.inverse_moments, momentum);
 }
 
+namespace {
+
+// The axis through the center of mass, in the body's frame, about which all shapes of a body are round.
+std::optional<math::Vec3> axis_of_symmetry(const Bodies& bodies, const Shapes& shapes, std::int32_t b) {
+    constexpr float sine = 1e-3f; // by which axes may be off
+    std::optional<math::Vec3> axis;
+    for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next) {
+        const Geometry& g = shapes.geometry[s];
+        const math::Vec3 place = g.position - bodies.mass[b].center;
+        const auto lies_along = [&](math::Vec3 way, float length) {
+            return axis && math::length(math::cross(*axis, way)) <= sine * length;
+        };
+        if (g.type == ShapeType::capsule || g.type == ShapeType::cylinder) {
+            const math::Vec3 own = math::rotate(g.rotation, math::Vec3{0, 1, 0});
+            if (!axis) axis = own;
+            if (!lies_along(own, 1)) return std::nullopt;
+        } else if (g.type != ShapeType::sphere) {
+            return std::nullopt;
+        }
+        const float away = math::length(place);
+        if (!axis && away > sine * g.bounding_radius) axis = (1 / away) * place;
+        if (axis && !lies_along(place, g.bounding_radius)) return std::nullopt;
+    }
+    return axis;
+}
+
+} // namespace
+
+std::optional<DQuat> Movers::end_of_turn(std::int32_t b, DQuat from, DQuat to, DVec3 w, double duration) const {
+    if (is_round(b) || math::length(w) * duration <= double(half_turn)) return to;
+    const std::optional<math::Vec3> axis = axis_of_symmetry(s.bodies, s.shapes, b);
+    if (!axis) return std::nullopt;
+    const DVec3 u0 = math::rotate(from, to_double(*axis)), u1 = math::rotate(to, to_double(*axis));
+    if (math::length(w - dot(w, u0) * u0) * duration > double(half_turn) || !(dot(u0, u1) > -0.99)) return std::nullopt;
+    const DVec3 v = math::cross(u0, u1);
+    return math::normalized(DQuat{v.x, v.y, v.z, 1 + dot(u0, u1)}) * from;
+}
+
 bool Movers::is_round(std::int32_t b) const {
     const BodyLinks& links = s.bodies.links[b];
     return s.bodies.mass[b].isotropic && links.joint_count == 0 && !(links.radius > links.inner_radius);
@@ -124,10 +162,11 @@ void Movers::set_out(std::int32_t i) {
     const BodyMotion& to = s.bodies.motion[b];
     const BodyLinks& links = s.bodies.links[b];
     m.is_free = links.contact_count + links.joint_count == 0;
-    const bool turns_over = !m.is_free && !is_round(b) && math::length(to.w) * dt_ > half_turn;
-    const bool flies_anew = turns_over && links.joint_count == 0;
-    m.turns_over = turns_over && !flies_anew;
-    m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
+    const std::optional<DQuat> end =
+        m.is_free ? to.q : end_of_turn(b, from.q, to.q, to_double(to.w), double(dt_));
+    const bool flies_anew = !end && links.joint_count == 0;
+    m.turns_over = !end && !flies_anew;
+    m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));
     m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
@@ -308,9 +347,10 @@ void Movers::push_end(std::int32_t b, const MovingState& now, double left, DVec3
 
 void Movers::lead_to_end(Mover& m, const MovingState& now, double time, double until) const {
     const BodyMotion& motion = s.bodies.motion[m.body];
-    m.turns_over =
-        !is_round(m.body) && double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
-    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
+    const std::optional<DQuat> end =
+        end_of_turn(m.body, now.q, motion.q, to_double(motion.w), (until - time) * double(dt_));
+    m.turns_over = !end;
+    m.path = RigidPath::between(now.x, now.q, motion.x, end.value_or(now.q), time, until);
     m.is_changed = true;
 }
 
