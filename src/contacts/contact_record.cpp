@@ -3,6 +3,7 @@
 
 #include "contacts/contact_update.h"
 #include "contacts/prefetch.h"
+#include "contacts/round_touch.h"
 #include "state/state.h"
 
 #include <algorithm>
@@ -118,11 +119,6 @@ std::uint32_t packed_features(const Manifold& m) {
     return packed;
 }
 
-math::Vec3 axis_of(const ShapePose& pose, int i) {
-    const float* q = pose.q;
-    return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
-}
-
 // Of a tapered cylinder: by how much its radius shrinks, over a length along its axis.
 float narrowing_of(const Geometry& g) { return (g.size.x - g.size.z) / (2 * g.size.y); }
 
@@ -140,17 +136,6 @@ float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwar
     const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
     constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
     return std::fabs(along) < steepest ? slant * mean + g.rounding + 0.5f * separation : around;
-}
-
-// Whether a shape touches another by a flat face with that normal, as far as its geometry says.
-bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
-    constexpr float along = 0.99999f; // cosine
-    if (g.type == ShapeType::plane) return true;
-    if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
-    if (g.type != ShapeType::box || g.rounding > 0) return false;
-    const float* q = pose.q;
-    const math::Vec3 n = math::abs(math::rotate(math::Quat{-q[0], -q[1], -q[2], q[3]}, normal));
-    return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
 // What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
@@ -175,15 +160,6 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
     const float sign = math::dot(way, axis_of(pose, 1)) < 0 ? -1.0f : 1.0f;
     return (sign * growth / std::sqrt(square)) * way;
 }
-
-} // namespace
-
-bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
-    const bool has_axis = g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder;
-    return points == 1 && has_axis && is_flat(other, pose, normal);
-}
-
-namespace {
 
 bool has_corners(const Geometry& g) {
     return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&

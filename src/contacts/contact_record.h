@@ -14,10 +14,6 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(const Shapes& shapes, ContactInfo& contact, ContactRecord& record, const Manifold& manifold,
                   const Moment& moment);
-// Whether a shape that is round about an axis touches another on a face, by the only one of so many points: the solver
-// follows the place, however it turns.
-bool is_followed(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, math::Vec3 normal,
-                 int points);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.

@@ -1,7 +1,6 @@
 #include "contacts/contact_update.h"
 
 #include "bodies/bodies.h"
-#include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/patches.h"
@@ -175,44 +174,6 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
     };
     const float more = bend(a, bodies.links[first].radius) + bend(b, bodies.links[second].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
-}
-
-namespace {
-
-// Of what turns with w: the part that brings points nearer along the normal n.
-math::Vec3 tilting_part(const PosedShape& shape, math::Vec3 w, math::Vec3 n) {
-    if (shape.geometry.type != ShapeType::cylinder) return w;
-    const math::Vec3 axis = math::rotate(shape_rotation(shape.pose), math::Vec3{0, 1, 0}), t = math::cross(axis, n);
-    const float square = math::dot(t, t);
-    return square > 0 ? (math::dot(w, t) / square) * t : w;
-}
-
-} // namespace
-
-void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const PosedShape& a, const PosedShape& b,
-                           float dt, Manifold& m) {
-    const bool is_round = a.geometry.type == ShapeType::cylinder || b.geometry.type == ShapeType::cylinder;
-    if (m.count < 2 || !is_round || !c.touching) return;
-    const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
-    const math::Vec3 n = to_vec(m.normal), pull = math::to_float(acceleration_at(in.bodies, in.fields, in.settings,
-                                                                                 c.body_a, motion_a.x));
-    const math::Vec3 w = tilting_part(b, motion_b.w, n) - tilting_part(a, motion_a.w, n);
-    const float turn = looked_ahead(dt * math::length(w));
-    const float bend = 0.5f * (turn * turn + dt * dt * math::length(pull) / in.bodies.links[c.body_a].radius);
-    int lowest = 0, kept = 0;
-    for (int i = 1; i < m.count; ++i)
-        if (m.points[i][3] < m.points[lowest][3]) lowest = i;
-    const math::Vec3 bearing = to_vec(m.points[lowest]);
-    const float least = m.points[lowest][3];
-    for (int i = 0; i < m.count; ++i) {
-        const math::Vec3 beside = to_vec(m.points[i]) - bearing;
-        const float closing = std::max(-dt * math::dot(n, math::cross(w, beside)), 0.0f);
-        if (m.points[i][3] - least > c.base_margin + closing + bend * math::length(beside)) continue;
-        std::copy_n(m.points[i], 4, m.points[kept]);
-        m.features[kept++] = m.features[i];
-    }
-    for (int i = kept; i < m.count; ++i) m.points[i][3] = unused;
-    m.count = kept;
 }
 
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t id, float distance) {

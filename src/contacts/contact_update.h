@@ -4,7 +4,6 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contexts.h"
-#include "contacts/convex_tests.h"
 
 #include <algorithm>
 
@@ -46,11 +45,6 @@ inline float least_separation(const Manifold& m) {
 // step either, as the bodies move now.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
                  float dt);
-// Of a contact that touches: takes from a manifold of what is round about an axis the points that do not come
-// to touch in the step, as the bodies turn about the lowest one by their spins and what pulls at them. What turns about
-// its axis, or about the normal, brings no point nearer. So what rolls on a rim has one point.
-void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, const PosedShape& a, const PosedShape& b,
-                           float dt, Manifold& manifold);
 // The greatest speed at which points of a manifold approach, m/s; negative if all part.
 float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.

@@ -6,6 +6,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/patches.h"
 #include "contacts/record_owners.h"
+#include "contacts/round_touch.h"
 #include "contacts/shared_tests.h"
 #include "contacts/touch.h"
 
@@ -71,7 +72,8 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
 
 // Whether a shape turns so far that its contact with another cannot stay as it is in a step: however deep they are in
 // each other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
-// apart, and flight would keep them as they are. Not where the solver follows the place of touch.
+// apart, and flight would keep them as they are. Where the solver follows the place of touch, what tilts the shape
+// counts, and not what turns it about its axis or about the normal.
 struct TurnsAway {
     bool by_itself = false, at_all = false;
 };
@@ -83,7 +85,15 @@ TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactIn
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
     TurnsAway turns;
     const auto look_at = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
-        if (is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) return;
+        if (is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) {
+            const std::int32_t body = shapes.links[shape].body;
+            const BodyMotion& motion = bodies.motion[body];
+            const math::Vec3 change = math::to_float(spin_change(bodies, body, math::to_double(motion.w), motion.q));
+            const Surface tilted = {
+                under.v, tilting_part(shapes.geometry[shape], shapes.poses[shape], motion.w + dt * change, n),
+                under.arm};
+            if (!(lag_of(on, tilted, n, dt) > c.base_margin)) return;
+        }
         turns.by_itself |= gyrates(bodies, shapes.links[shape].body, dt);
         turns.at_all |= lag_of(on, under, n, dt) > c.base_margin;
     };
@@ -149,7 +159,8 @@ class FlightList {
         for (FlightPair& f : flights_) {
             const ContactInfo& c = s.contacts.info[contact_of(f)];
             f.is_free = (is_free(c.body_a) && (!c.b_moves || is_free(c.body_b))) ||
-                        (may_turn_away(s.bodies, c, dt_) && (gyrates(s.bodies, c.body_a, dt_) || gyrates(s.bodies, c.body_b, dt_)));
+                        (may_turn_away(s.bodies, c, dt_) &&
+                         (gyrates(s.bodies, c.body_a, dt_) || gyrates(s.bodies, c.body_b, dt_)));
         }
         for_each_body([&](std::int32_t b, int) { rows[b] = 0; });
     }

@@ -11,6 +11,7 @@
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "contacts/prefetch.h"
+#include "contacts/round_touch.h"
 #include "contacts/shared_tests.h"
 #include "contacts/touch.h"
 #include "core/cache.h"

@@ -162,8 +162,7 @@ void Movers::set_out(std::int32_t i) {
     const BodyMotion& to = s.bodies.motion[b];
     const BodyLinks& links = s.bodies.links[b];
     m.is_free = links.contact_count + links.joint_count == 0;
-    const std::optional<DQuat> end =
-        m.is_free ? to.q : end_of_turn(b, from.q, to.q, to_double(to.w), double(dt_));
+    const std::optional<DQuat> end = m.is_free ? to.q : end_of_turn(b, from.q, to.q, to_double(to.w), double(dt_));
     const bool flies_anew = !end && links.joint_count == 0;
     m.turns_over = !end && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));

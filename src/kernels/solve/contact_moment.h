@@ -49,10 +49,11 @@ CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 
 // How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity as seen from A, they
 // change by (w_B - w_A) x p', as rows keep B's arm up to where A is. A corner moves with its body; what is round, with
 // the radius of curvature R, stays behind a corner by R (w_A - w_B) x n as it rolls over a face. The only
-// point on a face is followed (rims.h): of that only the face counts here. The face turns the normal: velocities change along that by w x n times themselves as well, and
-// what slides over it, the corner or the center of what is round, parts from it by w x n times its way and the time.
-// Where neither is a face, two edges meet: the point moves with both, in the mean. That is true of small turns, up to
-// the time `until`: of lanes that turn farther, or change by nothing that could be seen, nothing moves.
+// point on a face is followed (rims.h): of that only the face counts here. The face turns the normal: velocities change
+// along that by w x n times themselves as well, and what slides over it, the corner or the center of what is round,
+// parts from it by w x n times its way and the time. Where neither is a face, two edges meet: the point moves with
+// both, in the mean. That is true of small turns, up to the time `until`: of lanes that turn farther, or change by
+// nothing that could be seen, nothing moves.
 template <int N>
 CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
                                   const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper,
@@ -68,9 +69,10 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const Vec3x8 from_a =
         select(face_b, with_a - rolled, select(face_a, with_b - rolled, splat(0.5f) * (with_a + with_b)));
     const Vec3x8 turned = cross(select(face_b, b.w, select(face_a, a.w, zero3())), normal);
-    const mask8 stays = N == 1 ? is_edge : face_a | face_b, any_a = N == 1 ? face_b : mask_from_bits(0),
-                any_b = N == 1 ? face_a : mask_from_bits(0);
-    const Vec3x8 turning = select(stays, cross(b.w - a.w, from_a), zero3()) + dot(turned, with_b - with_a) * normal;
+    const mask8 any_a = N == 1 ? face_b : mask_from_bits(0), any_b = N == 1 ? face_a : mask_from_bits(0);
+    const Vec3x8 along_face = select(face_b, one(), splat(-1)) * times_curvature(turned);
+    const Vec3x8 moving = N == 1 ? select(is_edge, from_a, along_face) : from_a;
+    const Vec3x8 turning = cross(b.w - a.w, moving) + dot(turned, with_b - with_a) * normal;
     const f32x8 square = until * until;
     mask8 touches = mask_from_bits(0);
     for (int i = 0; i < N; ++i)

@@ -67,9 +67,9 @@ struct alignas(64) ContactRecord {
                                // two convex shapes that no wide kernel tests: a ContactMemory
     float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
-    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what touches a face the first is the axis and the radius of its rim;
-                             // of a cone on its side the last is the direction of that, times how its radius of
-                             // curvature grows along it
+    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what touches a face the first is the axis and the radius of
+                             // its rim; of a cone on its side the last is the direction of that, times how its radius
+                             // of curvature grows along it
     float more_totals[3];
     float more_padding;
 };
@@ -95,8 +95,9 @@ template <int N> struct PointRows {
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
     // Of what is followed over a face, where the block has any, see rims.h: the axis of its rim, the arm of the middle
-    // of that and its radius, at the start of the step; the arm of the point for the body with the face, at the moment that the contact
-    // is of; how far the point runs in half a substep; the moment on A of the impulses carried over, as it has run.
+    // of that and its radius, at the start of the step; the arm of the point for the body with the face, at the moment
+    // that the contact is of; how far the point runs in half a substep; the moment on A of the impulses carried over,
+    // as it has run.
     float rim_axis[3][8], rim_middle[3][8], rim_radius[8], face_arm[3][8], rim_lead[3][8], rim_moment[3][8];
     float separation0[1][8], total_impulse[1][8];
     float effective_mass[1][8], impulse[1][8], separation[1][8];

@@ -1,0 +1,67 @@
+#include "contacts/round_touch.h"
+
+#include "bodies/bodies.h"
+#include "bodies/integrators.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::to_vec;
+
+math::Vec3 axis_of(const ShapePose& pose, int i) {
+    const float* q = pose.q;
+    return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
+}
+
+bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
+    constexpr float along = 0.99999f; // cosine
+    if (g.type == ShapeType::plane) return true;
+    if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
+    if (g.type != ShapeType::box || g.rounding > 0) return false;
+    const float* q = pose.q;
+    const math::Vec3 n = math::abs(math::rotate(math::Quat{-q[0], -q[1], -q[2], q[3]}, normal));
+    return std::max(std::max(n.x, n.y), n.z) > along;
+}
+
+bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
+    const bool has_axis = g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder;
+    return points == 1 && has_axis && is_flat(other, pose, normal);
+}
+
+math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, math::Vec3 n) {
+    if (g.type == ShapeType::sphere) return {};
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return w;
+    const math::Vec3 t = math::cross(axis_of(pose, 1), n);
+    const float square = math::dot(t, t);
+    return square > 0 ? (math::dot(w, t) / square) * t : w;
+}
+
+void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const PosedShape& a, const PosedShape& b,
+                           float dt, Manifold& m) {
+    const bool is_round = a.geometry.type == ShapeType::cylinder || b.geometry.type == ShapeType::cylinder;
+    if (m.count < 2 || !is_round || !c.touching) return;
+    const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
+    const math::Vec3 n = to_vec(m.normal),
+                     pull = math::to_float(acceleration_at(in.bodies, in.fields, in.settings, c.body_a, motion_a.x));
+    const math::Vec3 w =
+        tilting_part(b.geometry, b.pose, motion_b.w, n) - tilting_part(a.geometry, a.pose, motion_a.w, n);
+    const float turn = looked_ahead(dt * math::length(w));
+    const float bend = 0.5f * (turn * turn + dt * dt * math::length(pull) / in.bodies.links[c.body_a].radius);
+    int lowest = 0, kept = 0;
+    for (int i = 1; i < m.count; ++i)
+        if (m.points[i][3] < m.points[lowest][3]) lowest = i;
+    const math::Vec3 bearing = to_vec(m.points[lowest]);
+    const float least = m.points[lowest][3];
+    for (int i = 0; i < m.count; ++i) {
+        const math::Vec3 beside = to_vec(m.points[i]) - bearing;
+        const float closing = std::max(-dt * math::dot(n, math::cross(w, beside)), 0.0f);
+        if (m.points[i][3] - least > c.base_margin + closing + bend * math::length(beside)) continue;
+        std::copy_n(m.points[i], 4, m.points[kept]);
+        m.features[kept++] = m.features[i];
+    }
+    for (int i = kept; i < m.count; ++i) m.points[i][3] = 1e30f;
+    m.count = kept;
+}
+
+} // namespace cairn

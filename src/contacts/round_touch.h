@@ -1,0 +1,28 @@
+// What is round about an axis and touches a face: turning about its axis, or about the normal, changes nothing there.
+#pragma once
+
+#include "contacts/contexts.h"
+#include "contacts/convex_tests.h"
+
+namespace cairn {
+
+// An axis of a shape's frame: 0 to 2, that about which it is round is 1.
+math::Vec3 axis_of(const ShapePose& pose, int i);
+
+// Whether a shape touches another by a flat face with that normal, as far as its geometry says.
+bool is_flat(const Geometry& shape, const ShapePose& pose, math::Vec3 normal);
+
+// Whether a shape that is round about an axis touches another on a face, by the only one of so many points: the solver
+// follows the place, however it turns about its axis and the normal.
+bool is_followed(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, math::Vec3 normal,
+                 int points);
+
+// Of what turns with w: the part that tilts the axis toward the normal, and so brings points nearer.
+math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3 w, math::Vec3 normal);
+
+// Of a contact that touches: takes from a manifold of cylinders the points that do not come to touch in the step, as
+// the bodies tilt about the lowest one by their spins and what pulls at them. So what rolls on a rim has one point.
+void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, const PosedShape& a, const PosedShape& b,
+                           float dt, Manifold& manifold);
+
+} // namespace cairn
