@@ -164,6 +164,13 @@ bool gyrates(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q, double dt) 
     return off_by * math::length(spin_change(bodies, b, w, q)) > most;
 }
 
+bool keeps_inertia(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q, double dt) {
+    const Spin spin = spin_of(bodies.mass[b]);
+    const DVec3 i = spin.moments, half = math::rotate_back(q * spin.principal, 0.5 * dt * w);
+    const DVec3 mixed = {std::fabs(i.y - i.z), std::fabs(i.z - i.x), std::fabs(i.x - i.y)};
+    return 4 * math::dot(math::scaled(half, half), mixed) <= std::min(i.x, std::min(i.y, i.z));
+}
+
 bool precesses(const BodyMass& mass, DVec3 w, double h) {
     return !mass.isotropic && turns_freely(mass) && h * h * math::dot(w, w) > min_turn * min_turn;
 }

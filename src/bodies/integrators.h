@@ -41,6 +41,10 @@ math::DVec3 spin_change(const Bodies& bodies, std::int32_t body, math::DVec3 w, 
 // by the time that acts, the arm has turned, too. dt^3 / 3 times the change, the rate and the radius.
 bool gyrates(const Bodies& bodies, std::int32_t body, math::DVec3 w, math::DQuat q, double dt);
 
+// Whether the inertia of the start of a step is still nearly that in its end, as the solver takes it (answer_as_told in
+// kernels/solve/spin.cpp): a turn about an axis of symmetry changes nothing.
+bool keeps_inertia(const Bodies& bodies, std::int32_t body, math::DVec3 w, math::DQuat q, double dt);
+
 // What acts on one body, apart from contacts.
 struct Load {
     math::DVec3 force_acceleration;

@@ -77,7 +77,8 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
 struct TurnsAway {
     bool by_itself = false, at_all = false;
 };
-TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
+TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, bool is_pushed,
+                     float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
     const math::Vec3 n = math::to_vec(m.normal), arm = shapes.links[first].arm + math::to_vec(m.points[0]);
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
@@ -85,14 +86,15 @@ TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactIn
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
     TurnsAway turns;
     const auto look_at = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
-        if (is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) {
+        if (!is_pushed && is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) {
             const std::int32_t body = shapes.links[shape].body;
             const BodyMotion& motion = bodies.motion[body];
             const math::Vec3 change = math::to_float(spin_change(bodies, body, math::to_double(motion.w), motion.q));
             const Surface tilted = {
                 under.v, tilting_part(shapes.geometry[shape], shapes.poses[shape], motion.w + dt * change, n),
                 under.arm};
-            if (!(lag_of(on, tilted, n, dt) > c.base_margin)) return;
+            const bool is_told = keeps_inertia(bodies, body, math::to_double(motion.w), motion.q, double(dt));
+            if (is_told && !(lag_of(on, tilted, n, dt) > c.base_margin)) return;
         }
         turns.by_itself |= gyrates(bodies, shapes.links[shape].body, dt);
         turns.at_all |= lag_of(on, under, n, dt) > c.base_margin;
@@ -234,8 +236,8 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     const float least = least_separation(m);
     if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
     if (may_turn_away(in.bodies, c, dt)) {
-        const TurnsAway turns = turns_away(in.bodies, in.shapes, c, m, dt);
         const bool is_pushed = -least >= float(core_depth_of(half_width_between(in.shapes, c)));
+        const TurnsAway turns = turns_away(in.bodies, in.shapes, c, m, is_pushed, dt);
         if (turns.by_itself || (turns.at_all && !is_pushed)) return true;
     }
     if (least > c.base_margin) return true;
