@@ -70,39 +70,38 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
     return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));
 }
 
-// Whether a shape turns so far that its contact with another cannot stay as it is in a step: however deep they are in
-// each other if it does so by itself; under the other, if they overlap by less than a core: else the solver pushes them
-// apart, and flight would keep them as they are. Where the solver follows the place of touch, what tilts the shape
-// counts, and not what turns it about its axis or about the normal.
-struct TurnsAway {
-    bool by_itself = false, at_all = false;
-};
-TurnsAway turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, bool is_pushed,
-                     float dt) {
+// Whether the solver follows the place where a shape touches another, for all of the step: it is round about an axis,
+// and hardly tilts. What turns it about that axis or about the normal changes nothing. `lag`: of a surface that turns.
+template <class Lag>
+bool is_followed(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::uint32_t other,
+                 const Manifold& m, float most, float dt, Lag&& lag) {
+    const math::Vec3 n = math::to_vec(m.normal);
+    if (!is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) return false;
+    const std::int32_t body = shapes.links[shape].body;
+    const BodyMotion& motion = bodies.motion[body];
+    const math::DVec3 w = math::to_double(motion.w);
+    if (!keeps_inertia(bodies, body, w, motion.q, double(dt))) return false;
+    const math::Vec3 later = motion.w + dt * math::to_float(spin_change(bodies, body, w, motion.q));
+    return lag(tilting_part(shapes.geometry[shape], shapes.poses[shape], later, n)) <= most;
+}
+
+// Whether one of two shapes turns so far that their contact cannot stay as it is in a step: by itself, however deep
+// they are in each other; under the other, if they overlap by less than a core: else the solver pushes them apart, and
+// flight would keep them as they are. Not where the solver follows the place of touch.
+bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
+                float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
     const math::Vec3 n = math::to_vec(m.normal), arm = shapes.links[first].arm + math::to_vec(m.points[0]);
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
-    TurnsAway turns;
-    const auto look_at = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
-        if (!is_pushed && is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) {
-            const std::int32_t body = shapes.links[shape].body;
-            const BodyMotion& motion = bodies.motion[body];
-            const math::Vec3 change = math::to_float(spin_change(bodies, body, math::to_double(motion.w), motion.q));
-            const Surface tilted = {
-                under.v, tilting_part(shapes.geometry[shape], shapes.poses[shape], motion.w + dt * change, n),
-                under.arm};
-            const bool is_told = keeps_inertia(bodies, body, math::to_double(motion.w), motion.q, double(dt));
-            if (is_told && !(lag_of(on, tilted, n, dt) > c.base_margin)) return;
-        }
-        turns.by_itself |= gyrates(bodies, shapes.links[shape].body, dt);
-        turns.at_all |= lag_of(on, under, n, dt) > c.base_margin;
+    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c)));
+    const auto turns = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
+        const auto lag = [&](math::Vec3 turn) { return lag_of(on, {under.v, turn, under.arm}, n, dt); };
+        if (!is_pushed && is_followed(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
+        return gyrates(bodies, shapes.links[shape].body, dt) || (!is_pushed && lag(under.turn) > c.base_margin);
     };
-    look_at(first, second, a, b);
-    look_at(second, first, b, a);
-    turns.at_all |= turns.by_itself;
-    return turns;
+    return turns(first, second, a, b) || turns(second, first, b, a);
 }
 
 // Rows in the solver that a pair has had so far.
@@ -235,11 +234,7 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (c.is_trigger || m.count == 0) return false;
     const float least = least_separation(m);
     if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
-    if (may_turn_away(in.bodies, c, dt)) {
-        const bool is_pushed = -least >= float(core_depth_of(half_width_between(in.shapes, c)));
-        const TurnsAway turns = turns_away(in.bodies, in.shapes, c, m, is_pushed, dt);
-        if (turns.by_itself || (turns.at_all && !is_pushed)) return true;
-    }
+    if (may_turn_away(in.bodies, c, dt) && turns_away(in.bodies, in.shapes, c, m, -least, dt)) return true;
     if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);

@@ -77,8 +77,8 @@ class Movers {
     // From several threads at once.
     void note_clamped(std::uint64_t times) const { __atomic_fetch_add(&s.clamped_speeds, times, __ATOMIC_RELAXED); }
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
-    // The rotation at the end of a path that leads from one to another, at that spin, in so many seconds; none, if it is
-    // more than half a turn: the two do not tell how. Of what is round about an axis without its turn about that.
+    // The rotation at the end of a path that leads from one to another, at that spin, in so many seconds; none, if that
+    // is more than half a turn: the two do not tell how. Of what is round about an axis without its turn about that.
     std::optional<math::DQuat> end_of_turn(std::int32_t body, math::DQuat from, math::DQuat to, math::DVec3 w,
                                            double duration) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
