@@ -87,7 +87,8 @@ bool is_followed(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape
 
 // Whether one of two shapes turns so far that their contact cannot stay as it is in a step: by itself, however deep
 // they are in each other; under the other, if they overlap by less than a core: else the solver pushes them apart, and
-// flight would keep them as they are. Not where the solver follows the place of touch.
+// flight would keep them as they are. Not where the solver follows the place of touch, unless they are so deep in each
+// other that they would be thrown out.
 bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
                 float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
@@ -95,10 +96,11 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
-    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c)));
+    const double half_width = half_width_between(shapes, c);
+    const bool is_pushed = overlap >= float(core_depth_of(half_width)), is_deep = overlap >= float(0.5 * half_width);
     const auto turns = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
         const auto lag = [&](math::Vec3 turn) { return lag_of(on, {under.v, turn, under.arm}, n, dt); };
-        if (!is_pushed && is_followed(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
+        if (!is_deep && is_followed(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
         return gyrates(bodies, shapes.links[shape].body, dt) || (!is_pushed && lag(under.turn) > c.base_margin);
     };
     return turns(first, second, a, b) || turns(second, first, b, a);

@@ -65,7 +65,7 @@ TEST_F(CliMemory, LongRunsTakeNoMoreThanShortOnes) {
     };
     int limit = 20000; // KiB
     while (limit < 1000000 && !runs(limit, 10)) limit += 5000;
-    EXPECT_TRUE(runs(limit + 20000, 6000000)); // 8 bytes for each would be 47 MiB
+    EXPECT_TRUE(runs(limit + 25000, 6000000)); // 8 bytes for each would be 47 MiB
 }
 
 } // namespace
