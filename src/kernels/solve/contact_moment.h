@@ -73,6 +73,15 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const Vec3x8 along_face = select(face_b, one(), splat(-1)) * times_curvature(turned);
     const Vec3x8 moving = N == 1 ? select(is_edge, from_a, along_face) : from_a;
     const Vec3x8 turning = cross(b.w - a.w, moving) + dot(turned, with_b - with_a) * normal;
+    const Vec3x8 dw = b.w - a.w;
+    Vec3x8 slope = zero3();
+    f32x8 most = dot(turning, turning); // of all points
+    if constexpr (N > 1) {
+        slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) - dot(rolling, rolling) * taper;
+        f32x8 lever = zero();
+        for (int i = 0; i < N; ++i) lever = max(lever, load(block.square_lever[i]));
+        most += lever * dot(slope, slope);
+    }
     const f32x8 square = until * until;
     mask8 touches = mask_from_bits(0);
     for (int i = 0; i < N; ++i)
@@ -80,18 +89,14 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const mask8 moves = (is_edge | face_a | face_b) & touches &
                         (any_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
                         (any_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
-                        (square * square * dot(turning, turning) > splat(unseen * unseen));
+                        (square * square * most > splat(unseen * unseen));
     block.turns = any(moves);
     if (!block.turns) return;
     const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled +
                                           splat(0.5f) * times_curvature(turned)),
                 found = load(block.found);
     store3(block.turning, select(moves, turning, zero3()));
-    if constexpr (N > 1) {
-        const Vec3x8 dw = b.w - a.w, slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) -
-                                             dot(rolling, rolling) * taper;
-        store3(block.turning_slope, select(moves, slope, zero3()));
-    }
+    if constexpr (N > 1) store3(block.turning_slope, select(moves, slope, zero3()));
     store(block.sliding, select(moves, sliding, zero()));
     const f32x8 parted = select(moves, found * found * sliding, zero());
     for (int i = 0; i < N; ++i) store(block.separation0[i], load(block.separation0[i]) + parted);
