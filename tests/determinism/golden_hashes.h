@@ -16,12 +16,12 @@ inline constexpr std::uint64_t sleep_and_wake = 0x02a5ac89fdfc33d7;
 inline constexpr std::uint64_t compounds = 0x0988708f6a830bad;
 inline constexpr std::uint64_t free_tops = 0x35b7f756fff5cf55;
 inline constexpr std::uint64_t explicit_euler = 0xf8002371152a8e5d;
-inline constexpr std::uint64_t whirl = 0x6d3eb904fb627476;
-inline constexpr std::uint64_t changes = 0xc53aba2854bc127d;
-inline constexpr std::uint64_t all_shapes = 0x30a5525a17da46a9;
-inline constexpr std::uint64_t rounded_shapes = 0xf3e4da49e0ec236f;
-inline constexpr std::uint64_t surfaces = 0xafa8c1a229fd2569;
+inline constexpr std::uint64_t whirl = 0x845d962cf1348d32;
+inline constexpr std::uint64_t changes = 0x7bd70741f95b6cfb;
+inline constexpr std::uint64_t all_shapes = 0xb6c80864d331ba5a;
+inline constexpr std::uint64_t rounded_shapes = 0xcd97ea40249f2d91;
+inline constexpr std::uint64_t surfaces = 0x433a71e31a8aae70;
 inline constexpr std::uint64_t all_joints = 0xf871fbd091d743e0;
-inline constexpr std::uint64_t chains = 0xf5ac872681d471dd;
+inline constexpr std::uint64_t chains = 0x17d1fa1082d31c94;
 
 } // namespace cairn_test::golden
