@@ -73,8 +73,8 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
 // Whether the solver follows the place where a shape touches another, for all of the step: it is round about an axis,
 // and hardly tilts. What turns it about that axis or about the normal changes nothing. `lag`: of a surface that turns.
 template <class Lag>
-bool is_followed(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::uint32_t other,
-                 const Manifold& m, float most, float dt, Lag&& lag) {
+bool solver_follows(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::uint32_t other,
+                    const Manifold& m, float most, float dt, Lag&& lag) {
     const math::Vec3 n = math::to_vec(m.normal);
     if (!is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) return false;
     const std::int32_t body = shapes.links[shape].body;
@@ -100,7 +100,7 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     const bool is_pushed = overlap >= float(core_depth_of(half_width)), is_deep = overlap >= float(0.5 * half_width);
     const auto turns = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
         const auto lag = [&](math::Vec3 turn) { return lag_of(on, {under.v, turn, under.arm}, n, dt); };
-        if (!is_deep && is_followed(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
+        if (!is_deep && solver_follows(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
         return gyrates(bodies, shapes.links[shape].body, dt) || (!is_pushed && lag(under.turn) > c.base_margin);
     };
     return turns(first, second, a, b) || turns(second, first, b, a);

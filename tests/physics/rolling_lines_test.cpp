@@ -239,7 +239,7 @@ Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
 }
 
 // Contacts held the angular velocity of the end of each substep, not that which moved the body: nutation grew until it
-// was 0.1 to 0.3 rad, at 480 and 960 Hz. At 60 and 120 Hz it was up to 1 rad, as the inertia of a top was thought to
+// was 0.1 to 0.3 rad, at 480 and 960 Hz. At 60 and 120 Hz it was up to 0.9 rad, as the inertia of a top was thought to
 // turn with its spin, and as a second point, far beside its tip, came within the margin of contacts. On the ball it
 // rolls, too, which slows its precession.
 TEST(RollingLines, ATopOnItsTipPrecesses) {
