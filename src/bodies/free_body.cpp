@@ -123,4 +123,9 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
     return clamped_speeds;
 }
 
+void turn_free_body(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t b,
+                    double dt, int substeps, DQuat& q, DVec3& w) {
+    FreeStep{bodies, fields, settings, b, dt / substeps, substeps}.turn(q, w);
+}
+
 } // namespace cairn

@@ -69,6 +69,10 @@ double Movers::offset_of_velocity() const {
     return path_offset(s.settings.integrator) * double(dt_) / substeps_of(s.settings, dt_);
 }
 
+int Movers::substeps_in(double duration) const {
+    return std::max(int(std::ceil(substeps_of(s.settings, dt_) * duration / double(dt_))), 1);
+}
+
 // Of what is free: by its angular momentum, which torque alone changes.
 DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double duration) const {
     if (s.bodies.mass[m.body].isotropic && !s.bodies.is_pushed(m.body)) return w;
@@ -263,11 +267,12 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
         return now;
     }
     const RigidPath::Pose first = m.path.first();
-    const double passed = (time - m.path.begin) * double(dt_);
+    const double passed = (time - m.path.begin) * double(dt_), left = (m.path.until - time) * double(dt_);
+    if (m.gyrates) now.x = pose.x - (0.5 * passed * left) * m.acceleration; // parts are short
     now.v = with_square(m.velocity + passed * m.acceleration,
-                        dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
-    if (is_round(m.body)) now.q = turned_by(passed * m.spin, first.q);
-    now.w = spin_later(m, m.spin, first.q, now.q, passed);
+                        dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, now.x - first.x));
+    now.q = first.q, now.w = m.spin;
+    if (passed > 0) turn_free_body(s.bodies, s.fields, s.settings, m.body, passed, substeps_in(passed), now.q, now.w);
     return now;
 }
 
@@ -276,7 +281,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     BodyMotion& motion = s.bodies.motion[m.body];
     const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
-    const int all = substeps_of(s.settings, dt_), substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
+    const int substeps = substeps_in(duration);
     const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
     motion.x = from.x, motion.q = from.q;
@@ -366,10 +371,16 @@ void Movers::push_way(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_
     lead_to_end(m, now, time, 1);
 }
 
-DVec3 Movers::acceleration_of(std::int32_t i, const MovingState& now, DVec3 point) const {
+void Movers::go_on_freely(std::int32_t i, const MovingState& now, DVec3& pull, DVec3& turning) const {
     const Mover& m = (*this)[i];
-    if (!m.is_free) return {};
-    return m.acceleration + math::cross(spin_change(s.bodies, m.body, now.w, now.q), point - now.x);
+    if (!m.is_free) return;
+    pull = m.acceleration;
+    turning = spin_change(s.bodies, m.body, now.w, now.q);
+}
+
+DVec3 Movers::arm_of(std::uint32_t shape, DQuat q) const {
+    return math::rotate(
+        q, to_double(s.shapes.geometry[shape].position - s.bodies.mass[s.shapes.links[shape].body].center));
 }
 
 void Movers::rest_on(std::int32_t i, DVec3 down) {
@@ -401,12 +412,15 @@ void Movers::put_back(std::int32_t i) {
     const Mover& m = (*this)[i];
     BodyMotion& motion = s.bodies.motion[m.body];
     if (m.has_stopped()) {
-        const RigidPath::Pose pose = m.path.at(m.until);
+        const MovingState then = state_at(i, m.until);
         const DVec3 v = to_double(motion.v);
-        const double square = dot(v, v), left = square - 2 * dot(m.acceleration, motion.x - pose.x);
+        const double square = dot(v, v), left = square - 2 * dot(m.acceleration, motion.x - then.x);
         motion.v = math::to_float(with_square(v, std::min(left, square))); // it gains nothing: it was pushed
-        motion.x = pose.x;
-        if (!m.turns_over) motion.q = pose.q;
+        motion.x = then.x;
+        if (!m.turns_over) {
+            motion.q = then.q;
+            motion.w = math::to_float(then.w), motion.w_rest = math::to_float(then.w - to_double(motion.w));
+        }
     }
     motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s.bodies, s.islands, m.body).q));
     if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;

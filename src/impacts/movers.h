@@ -43,8 +43,10 @@ class Movers {
     std::int32_t count() const { return std::int32_t(movers_.size()); }
 
     MovingState state_at(std::int32_t i, double time) const;
-    // How forces, and the change of its own turn, press what is at a point of it, m/s^2; of what is not free: none.
-    math::DVec3 acceleration_of(std::int32_t i, const MovingState& now, math::DVec3 point) const;
+    // How forces, and the change of its own turn, change the velocity of what is free, m/s^2, rad/s^2.
+    void go_on_freely(std::int32_t i, const MovingState& now, math::DVec3& pull, math::DVec3& spin_change) const;
+    // From its body's center of mass to the origin of a shape, m, as the body is turned.
+    math::DVec3 arm_of(std::uint32_t shape, math::DQuat q) const;
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
     // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
@@ -83,6 +85,7 @@ class Movers {
                                            double duration) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
+    int substeps_in(double duration) const;
     void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;

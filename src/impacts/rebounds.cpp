@@ -1,5 +1,8 @@
 #include "impacts/rebounds.h"
 
+#include "bodies/bodies.h"
+#include "contacts/round_touch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,51 +11,71 @@ namespace cairn {
 using math::cross;
 using math::dot;
 using math::DVec3;
+using math::to_double;
 
 namespace {
 
-DVec3 turn_of(const TouchingBody& body) { return body.is_round ? DVec3{} : body.now.w; }
-DVec3 velocity_at(const TouchingBody& body, DVec3 point) {
-    return body.now.v + cross(turn_of(body), point - body.now.x);
+DVec3 velocity_of(const TouchingBody& body) { return body.now.v + cross(body.now.w, body.middle - body.now.x); }
+
+// Of the height of its surface along `outward`, the normal that points out of it. That of a rim is R sqrt(1 - s^2) more
+// than that of its middle, s the cosine between axis and normal, which turns with the other.
+double acceleration_along(const TouchingBody& body, DVec3 outward, const TouchingBody& other) {
+    const DVec3 arm = body.middle - body.now.x, w = body.now.w;
+    const double middle = dot(outward, body.pull + cross(body.spin_change, arm) + cross(w, cross(w, arm)));
+    const double cosine = dot(body.axis, outward), square = 1 - cosine * cosine;
+    constexpr double upright = 1e-4; // of the square of the sine: a rim that lies flat has corners
+    if (!(body.radius > 0) || !(square > upright)) return middle;
+    const DVec3 seen = w - other.now.w, change = body.spin_change - other.spin_change - cross(other.now.w, w);
+    const double rate = dot(outward, cross(seen, body.axis)),
+                 growth = dot(outward, cross(change, body.axis) + cross(seen, cross(seen, body.axis)));
+    return middle - body.radius / std::sqrt(square) * (rate * rate / square + cosine * growth);
 }
 
-// A ball's center is where it is held, wherever its surface touches.
-DVec3 held_point(const TouchingBody& a, const TouchingBody& b, DVec3 point) {
-    return a.is_round ? a.now.x : b.is_round ? b.now.x : point;
+// What of a shape touches there; `outward`: out of it.
+TouchingBody touching_body(const Movers& movers, const Shapes& shapes, std::int32_t mover, std::uint32_t shape,
+                           const MovingState& now, DVec3 point, DVec3 outward) {
+    const Geometry& g = shapes.geometry[shape];
+    const math::DQuat q = now.q * to_double(g.rotation);
+    const DVec3 center = now.x + movers.arm_of(shape, now.q);
+    TouchingBody body{now, point - double(g.rounding) * outward};
+    ShapePose pose{};
+    pose_shape(pose, g, {}, math::to_float(now.q));
+    body.is_flat = is_flat(g, pose, math::to_float(outward));
+    if (mover != none) movers.go_on_freely(mover, now, body.pull, body.spin_change);
+    if (g.type == ShapeType::sphere) body.middle = center;
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return body;
+    body.axis = math::rotate(q, DVec3{0, 1, 0});
+    const double half = double(g.size.y), along = std::clamp(dot(body.axis, body.middle - center), -half, half);
+    if (g.type == ShapeType::cylinder) {
+        const DVec3 middle = center + along * body.axis;
+        body.radius = math::length(body.middle - middle), body.middle = middle;
+    } else {
+        const double upper = half > 0 ? 0.5 * (1 + along / half) : 0;
+        body.middle = point - ((1 - upper) * double(g.size.x) + upper * double(g.size.z)) * outward;
+    }
+    return body;
 }
 
 } // namespace
 
-double closing_acceleration(const TouchingBody& a, const TouchingBody& b, DVec3 point, DVec3 normal) {
-    if (a.is_round && b.is_round) return 0; // they part on straight ways
-    const DVec3 held = held_point(a, b, point), slip = velocity_at(b, held) - velocity_at(a, held);
-    const auto drawn = [&](const TouchingBody& body) {
-        const DVec3 w = turn_of(body);
-        return cross(w, cross(w, held - body.now.x));
-    };
+double closing_acceleration(const TouchingBody& a, const TouchingBody& b, DVec3 normal) {
+    const DVec3 slip = velocity_of(b) - velocity_of(a);
     const auto followed = [&](const TouchingBody& body) { return 2 * dot(normal, cross(body.now.w, slip)); };
-    const double faces = a.is_round ? followed(b) : b.is_round ? followed(a) : std::max(followed(a), followed(b));
-    return dot(drawn(a) - drawn(b), normal) + faces;
+    const double faces = a.is_flat == b.is_flat ? std::max(followed(a), followed(b)) : followed(a.is_flat ? a : b);
+    return acceleration_along(a, normal, b) + acceleration_along(b, -normal, a) + faces;
 }
 
 void set_rebounds(const Movers& movers, const Shapes& shapes, const SweptPair& pair, const MovingState& now_a,
                   const MovingState& now_b, std::span<ImpactPoint> points) {
-    const auto is_round = [&](std::uint32_t shape) {
-        return shapes.geometry[shape].type == ShapeType::sphere && movers.is_round(shapes.links[shape].body);
-    };
-    const TouchingBody a{now_a, is_round(pair.shape)}, b{now_b, is_round(pair.other)};
-    const bool has_second = pair.second != none;
-    const bool gyrates = movers[pair.first].gyrates || (has_second && movers[pair.second].gyrates);
     for (ImpactPoint& point : points) {
-        DVec3 force = movers.acceleration_of(pair.first, now_a, point.position);
-        if (has_second) force -= movers.acceleration_of(pair.second, now_b, point.position);
         const DVec3 n = point.normal;
-        const double depth = std::max(point.depth, 0.0), press = dot(force, n);
-        const auto speed_from = [&](double acceleration) { return std::sqrt(2 * std::max(acceleration, 0.0) * depth); };
-        const DVec3 held = held_point(a, b, point.position);
-        const double approach = std::max(dot(velocity_at(a, held) - velocity_at(b, held), n), 0.0);
-        point.rebound = std::min(speed_from(press + closing_acceleration(a, b, point.position, n)), approach);
-        if (gyrates) point.rebound = std::max(point.rebound, speed_from(press));
+        const TouchingBody a = touching_body(movers, shapes, pair.first, pair.shape, now_a, point.position, n),
+                           b = touching_body(movers, shapes, pair.second, pair.other, now_b, point.position, -n);
+        const double depth = std::max(point.depth, 0.0),
+                     approach = std::max(dot(velocity_of(a) - velocity_of(b), n), 0.0);
+        const auto gain = [&](double acceleration) { return 2 * std::max(acceleration, 0.0) * depth; };
+        point.rebound = std::sqrt(
+            std::min(gain(closing_acceleration(a, b, n)), approach * approach + gain(dot(a.pull - b.pull, n))));
     }
 }
 

@@ -292,7 +292,7 @@ class ImpactQueue {
         }
         if (is_impact) pairs_[k].touches = !outcome.bounces;
         changed_.clear();
-        if (!is_impact && (points_.empty() || pair.rests)) {
+        if (!is_impact && (!(outcome.approach > 0) || pair.rests)) {
             if (!part_ways(k, time)) return false;
             follow(time);
             return true;

@@ -53,9 +53,26 @@ class Gain {
     double least_, most_ = 0;
 };
 
+// How far a body of one of the shapes, about its origin, reaches below it, m.
+double reach_below(const Body& body, std::size_t shape) {
+    const Quat q = body.rotation();
+    const auto up = [&](Vec3 axis) { return double(std::fabs((q * axis).y)); };
+    const double along = up({0, 1, 0}), across = std::sqrt(std::max(1 - along * along, 0.0));
+    if (const auto* box = std::get_if<Box>(&shapes()[shape])) {
+        const Vec3 half = box->half_extents;
+        return double(half.x) * up({1, 0, 0}) + double(half.y) * along + double(half.z) * up({0, 0, 1});
+    }
+    if (const auto* capsule = std::get_if<Capsule>(&shapes()[shape]))
+        return double(capsule->half_height) * along + double(capsule->radius);
+    const auto& cylinder = std::get<Cylinder>(shapes()[shape]);
+    return double(cylinder.half_height) * along + double(cylinder.radius) * across;
+}
+
 // Contacts and inertia that were kept for a step in which the body turned gave it energy without end: a capsule that
-// lay on the ground at 100 rad/s jumped up with 21 times what it had.
-TEST(Spinning, WhatSpinsOnTheGroundGainsNothing) {
+// lay on the ground at 100 rad/s jumped up with 21 times what it had. And each impact let what had sunk between two of
+// them leave by the acceleration of a point of its surface, though places of touch of what is round do not turn with
+// it: up to 38 of 60 went deeper than 2 cm, capsules of 5 cm all the way, and 9 of 2,400 gained more than a tenth.
+TEST(Spinning, WhatSpinsOnTheGroundGainsNothingAndStaysOnIt) {
     Starts starts(5);
     for (const float spin : {30.0f, 70.0f, 150.0f, 300.0f})
         for (const float friction : {0.0f, 0.5f})
@@ -66,11 +83,42 @@ TEST(Spinning, WhatSpinsOnTheGroundGainsNothing) {
                 def.position = {0, 0.45, 0};
                 def.rotation = starts.rotation();
                 def.angular_velocity = spin * starts.direction();
-                add_body(world, shapes()[k / 4], def, slippery_or_not(friction));
+                const Body body = world.body(add_body(world, shapes()[k / 4], def, slippery_or_not(friction)));
                 Gain gain(world);
-                for (int i = 0; i < 240; ++i) world.step(1.0f / 60), gain.look();
-                EXPECT_LT(gain.most(), 0.1) << "shape " << k / 4 << ", " << spin << " rad/s, friction " << friction;
+                double deepest = 0;
+                for (int i = 0; i < 240; ++i) {
+                    world.step(1.0f / 60), gain.look();
+                    deepest = std::max(deepest, reach_below(body, k / 4) - body.position().y);
+                }
+                EXPECT_LT(deepest, 0.008) << "shape " << k / 4 << ", " << spin << " rad/s, friction " << friction;
+                EXPECT_LT(gain.most(), 0.05) << "shape " << k / 4 << ", " << spin << " rad/s, friction " << friction;
             }
+}
+
+// A capsule of 0.5 m lies on a smooth floor, turns about its own axis and the vertical, and flies from impact to
+// impact: in 3 s it lost 8 % of its energy, and sank by 16 mm.
+TEST(Spinning, WhatLiesAndSpinsAboutTwoAxesGoesOn) {
+    Starts starts(6);
+    for (int k = 0; k < 40; ++k) {
+        World world(without_sleep());
+        add_ground(world, slippery_or_not(0));
+        BodyDef def;
+        def.position = {0, 0.05, 0};
+        def.rotation = glm::angleAxis(starts.between(0, 6.28f), Vec3(0, 1, 0)) *
+                       glm::angleAxis(glm::half_pi<float>(), Vec3(0, 0, 1));
+        const float about_axis = starts.between(15, 60), about_vertical = starts.between(10, 20);
+        def.angular_velocity = about_axis * (def.rotation * Vec3(0, 1, 0)) + about_vertical * Vec3(0, 1, 0);
+        const Body body = world.body(add_body(world, Capsule{0.2f, 0.05f}, def, slippery_or_not(0)));
+        const double first = world.kinetic_energy() + world.potential_energy();
+        double deepest = 0;
+        for (int i = 0; i < 180; ++i) {
+            world.step(1.0f / 60);
+            deepest = std::max(deepest, reach_below(body, 1) - body.position().y);
+        }
+        const double energy = world.kinetic_energy() + world.potential_energy();
+        EXPECT_NEAR(energy / first, 1, 0.02) << k << ": " << about_axis << ", " << about_vertical << " rad/s";
+        EXPECT_LT(deepest, 0.001) << k << ": " << about_axis << ", " << about_vertical << " rad/s";
+    }
 }
 
 // In a pit of 1.1 m. What touched several others had the contacts of the start of the step for all of it: up to 28 %.
