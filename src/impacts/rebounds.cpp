@@ -23,8 +23,7 @@ double acceleration_along(const TouchingBody& body, DVec3 outward, const Touchin
     const DVec3 arm = body.middle - body.now.x, w = body.now.w;
     const double middle = dot(outward, body.pull + cross(body.spin_change, arm) + cross(w, cross(w, arm)));
     const double cosine = dot(body.axis, outward), square = 1 - cosine * cosine;
-    constexpr double upright = 1e-4; // of the square of the sine: a rim that lies flat has corners
-    if (!(body.radius > 0) || !(square > upright)) return middle;
+    if (!(body.radius > 0) || !(square > 0)) return middle;
     const DVec3 seen = w - other.now.w, change = body.spin_change - other.spin_change - cross(other.now.w, w);
     const double rate = dot(outward, cross(seen, body.axis)),
                  growth = dot(outward, cross(change, body.axis) + cross(seen, cross(seen, body.axis)));

@@ -233,16 +233,22 @@ class ImpactQueue {
 
     // Its place among the bodies of the impact. What no impact moves has one for each pair, as it has another surface
     // there.
-    std::int32_t add_struck(std::int32_t mover, std::int32_t body, const MovingState& now) {
+    std::int32_t add_struck(std::int32_t mover, std::int32_t body, double time) {
         for (std::size_t i = 0; mover != none && i < struck_.size(); ++i)
             if (struck_[i].mover == mover) return std::int32_t(i);
-        struck_.push_back({mover, body, {}});
+        const MovingState now = state_of(mover, body, time);
+        struck_.push_back({mover, body, now.q, now.v, now.w, {}});
         bodies_.push_back(impact_body(mover, body, now));
         return std::int32_t(struck_.size()) - 1;
     }
+    MovingState state_of_struck(std::int32_t i) const {
+        const StruckBody& body = struck_[std::size_t(i)];
+        return {bodies_[std::size_t(i)].x, body.rotation, body.v, body.w};
+    }
     void add_touching(const SweptPair& pair, double time, bool rests) {
-        const std::int32_t body_a = s.shapes.links[pair.shape].body, body_b = s.shapes.links[pair.other].body;
-        const MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
+        const std::int32_t a = add_struck(pair.first, s.shapes.links[pair.shape].body, time),
+                           b = add_struck(pair.second, s.shapes.links[pair.other].body, time);
+        const MovingState now_a = state_of_struck(a), now_b = state_of_struck(b);
         const std::size_t before = points_.size();
         find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.axis, scratch_, points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
@@ -251,7 +257,6 @@ class ImpactQueue {
         const ImpactMaterial law{double(material.restitution), double(material.friction),
                                  double(material.torsion_radius), double(material.rolling_radius),
                                  double(s.settings.restitution_speed)};
-        const std::int32_t a = add_struck(pair.first, body_a, now_a), b = add_struck(pair.second, body_b, now_b);
         touching_.push_back({a, b, int(points.size()), law, rests});
         for (const auto& [place, shape] : {std::pair(a, pair.shape), std::pair(b, pair.other)}) {
             const DVec3 belt = surface_velocity(shape, points);
@@ -367,10 +372,10 @@ class ImpactQueue {
 
     // With the velocities after the impact.
     void go_on(std::size_t struck, double time) {
-        const auto [mover, body, belt] = struck_[struck];
+        const std::int32_t mover = struck_[struck].mover, body = struck_[struck].body;
         if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return;
-        MovingState now = state_of(mover, body, time);
-        const DVec3 v = bodies_[struck].v - belt, w = bodies_[struck].w;
+        MovingState now = state_of_struck(std::int32_t(struck));
+        const DVec3 v = bodies_[struck].v - struck_[struck].belt, w = bodies_[struck].w;
         const bool is_of_the_two = struck < 2;
         if (!is_of_the_two && v == now.v && w == now.w) return;
         now.v = v, now.w = w;

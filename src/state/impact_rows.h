@@ -25,7 +25,9 @@ struct ImpactBody {
 // Of which body that is: of a mover, or of what does not move by impacts.
 struct StruckBody {
     std::int32_t mover, body; // `mover`: or none
-    math::DVec3 belt;         // m/s: of its surface
+    math::DQuat rotation;
+    math::DVec3 v, w; // before the impact
+    math::DVec3 belt; // m/s: of its surface
 };
 
 struct ImpactMaterial {

@@ -16,11 +16,11 @@ inline constexpr std::uint64_t sleep_and_wake = 0x02a5ac89fdfc33d7;
 inline constexpr std::uint64_t compounds = 0xa9bfdbcc47a5cf2e;
 inline constexpr std::uint64_t free_tops = 0x7028295f6bba04c8;
 inline constexpr std::uint64_t explicit_euler = 0xf5c7ef31df71c55b;
-inline constexpr std::uint64_t whirl = 0x0c46ce92bb899c44;
+inline constexpr std::uint64_t whirl = 0x04fc008e8fa71da3;
 inline constexpr std::uint64_t changes = 0x63032b78994cfc62;
-inline constexpr std::uint64_t all_shapes = 0x89351a3e013ed754;
+inline constexpr std::uint64_t all_shapes = 0xe7a0fb90cff21ecd;
 inline constexpr std::uint64_t rounded_shapes = 0xc3e77ff75171fed2;
-inline constexpr std::uint64_t surfaces = 0x58f61ab25b3574d6;
+inline constexpr std::uint64_t surfaces = 0xf9eb6d24372de749;
 inline constexpr std::uint64_t all_joints = 0x609c4b0c4f6f72f1;
 inline constexpr std::uint64_t chains = 0x17d1fa1082d31c94;
 
