@@ -271,6 +271,10 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     if (m.gyrates) now.x = pose.x - (0.5 * passed * left) * m.acceleration; // parts are short
     now.v = with_square(m.velocity + passed * m.acceleration,
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, now.x - first.x));
+    if (left <= 0 && !m.turns_over) { // so far it has been moved
+        now.q = end.q, now.w = to_double(end.w) + to_double(end.w_rest);
+        return now;
+    }
     now.q = first.q, now.w = m.spin;
     if (passed > 0) turn_free_body(s.bodies, s.fields, s.settings, m.body, passed, substeps_in(passed), now.q, now.w);
     return now;
