@@ -379,14 +379,18 @@ SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
     return r;
 }
 
+// The points over the polygon, `separation` along its normal or more.
+bool front_manifold(const Convex& a, const Convex& polygon, double separation, double margin, Manifold& out) {
+    const FaceAxis face{-polygon.axes.c1, separation, 0, true, unknown_vertex, polygon.corners[0]};
+    FacePoints found;
+    return face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out);
+}
+
 // Pushed out along the normal, by the lower side; by the middle where that reaches beyond the polygon.
 void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
-    if (separation > margin) return;
-    const FaceAxis face{-up, separation, 0, true, unknown_vertex, polygon.corners[0]};
-    FacePoints found;
-    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
+    if (separation > margin || front_manifold(a, polygon, separation, margin, out)) return;
     const DVec3 m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
     const DVec3 position = m + (0.5 * separation - height) * up;
@@ -439,6 +443,12 @@ SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, c
     FacePoints found;
     found.known = known;
     return contact_from_cores(a, polygon, margin, guess, found, out);
+}
+
+void collide_front(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
+    clear_manifold(out);
+    const double separation = separation_along(a, polygon, -polygon.axes.c1);
+    if (separation <= margin) front_manifold(a, polygon, separation, margin, out);
 }
 
 } // namespace cairn

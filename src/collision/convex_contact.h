@@ -43,4 +43,7 @@ struct FaceReach {
 SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, const Convex& polygon, double margin,
                                       math::DVec3 guess, Manifold& out);
 
+// Along the normal of the polygon, whatever is nearest: the points over it that are nearer than the margin.
+void collide_front(const Convex& a, const Convex& polygon, double margin, Manifold& out);
+
 } // namespace cairn

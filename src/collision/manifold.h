@@ -16,6 +16,9 @@ struct alignas(32) Manifold {
     std::uint32_t features[4]; // which features meet; their lowest bytes are what the next step knows (no_features)
 };
 
+// Beside the feature of the first point: it touches a face of a mesh or height field, whose normal this is.
+inline constexpr std::uint32_t on_surface_face = 256;
+
 // The features of no point, as they are kept for the next step: a byte of each point, the first point's lowest.
 inline constexpr std::uint32_t no_features = 0xffffffffu;
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits that are one patch
 constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
+constexpr double normal_rounding = 1e-6;     // likewise: one that is computed twice
 constexpr double flatness = 1e-4;            // of the shape's size: how far off a plane or a triangle a point may be
 constexpr std::size_t none = ~std::size_t{}; // of the patches
 
@@ -149,11 +150,34 @@ class HitSearch {
         return distance;
     }
 
+    // A triangle in the plane of a face that is touched deeper goes on with it: what leans toward that is nearest to
+    // its edge there, but may lie over all of it.
+    void go_on_with(const SurfacePatch& face, std::uint32_t hit) {
+        const std::uint32_t index = scratch_.hits[hit].triangle;
+        const Convex triangle = placed(index);
+        const DVec3 n = -triangle.axes.c1;
+        if (!is_near(frame_.turned(face.normal), n, same_normal)) return;
+        Manifold found;
+        collide_front(a_, triangle, margin_, found);
+        if (found.count == 0) return;
+        add_hit(found, {}, frame_, index, scratch_);
+        scratch_.hits[hit] = scratch_.hits.back();
+        scratch_.hits.pop_back();
+    }
+
   private:
+    Convex placed(const Triangle& t) const {
+        const auto to_common = [&](math::Vec3 v) { return surface_.center + surface_.axes * math::to_double(v); };
+        return make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+    }
+    Convex placed(std::uint32_t index) const {
+        Convex triangle;
+        with_data(surface_, [&](const auto& data) { triangle = placed(triangle_of(data, index)); });
+        return triangle;
+    }
     // By the test of all convex shapes. beyond: what is known of the faces, if they do not make the contact.
     void test(const Triangle& t, std::uint32_t index, const FaceReach* beyond = nullptr) {
-        const auto to_common = [&](math::Vec3 v) { return surface_.center + surface_.axes * math::to_double(v); };
-        const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+        const Convex triangle = placed(t);
         const DVec3 guess = -triangle.axes.c1;
         Manifold found;
         const SurfaceContact contact = beyond ? collide_surface_beyond(*beyond, a_, triangle, margin_, guess, found)
@@ -225,6 +249,13 @@ class LocalMinima {
     const double tolerance_;
 };
 
+// Whether a hit that is not along the normal of a deeper face has points in its plane.
+bool may_go_on_with(const SurfacePatch& face, const TriangleHit& hit, double size) {
+    return face.on_face && is_near(face.normal, hit.normal, same_patch) &&
+           !is_near(face.normal, hit.normal, normal_rounding) &&
+           std::fabs(math::dot(face.normal, hit.foot - face.foot)) <= flatness * size;
+}
+
 // The points of all hits of a patch, reduced to four.
 void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent, Manifold& out) {
     const DVec3 normal = scratch.patches[patch].normal;
@@ -250,8 +281,9 @@ void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& fr
         const SurfacePoint& p = scratch.points[scratch.which[chosen.index[i]]];
         math::put(out.points[i], math::to_float(frame.placed(p.position)));
         out.points[i][3] = static_cast<float>(p.separation);
-        out.features[i] = static_cast<std::uint32_t>(chosen.index[i]);
+        out.features[i] = static_cast<std::uint32_t>(chosen.index[i]) & 255u;
     }
+    if (scratch.patches[patch].on_face) out.features[0] |= on_surface_face;
 }
 
 } // namespace
@@ -278,6 +310,9 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     scratch.patches.clear();
     const LocalMinima minima(surface, frame, scratch, flatness * size);
     for (std::size_t place = 0; place < scratch.order.size(); ++place) {
+        for (const SurfacePatch& face : scratch.patches)
+            if (may_go_on_with(face, scratch.hits[scratch.order[place]], size))
+                search.go_on_with(face, scratch.order[place]);
         TriangleHit& hit = scratch.hits[scratch.order[place]];
         const bool is_edge = std::any_of(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& p) {
             return is_internal_edge(scratch, p, hit, size);
@@ -287,7 +322,10 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
             return is_near(patch.normal, hit.normal, same_patch);
         });
         hit.patch = std::size_t(same - scratch.patches.begin());
-        if (same == scratch.patches.end()) scratch.patches.push_back({hit.normal, hit.foot, hit.depth});
+        if (same == scratch.patches.end())
+            scratch.patches.push_back({hit.normal, hit.foot, hit.depth, hit.on_face});
+        else if (hit.on_face && is_near(same->normal, hit.normal, same_normal))
+            same->on_face = true;
     }
     manifolds.resize(scratch.patches.size());
     for (std::size_t i = 0; i < manifolds.size(); ++i) write_patch(scratch, i, frame, a.extent, manifolds[i]);

@@ -34,6 +34,7 @@ struct SurfacePatch {
     math::DVec3 normal; // from the shape to the surface
     math::DVec3 foot;   // where the surface is
     double depth = 0;
+    bool on_face = false; // of a triangle that has its normal
 };
 
 // Working memory.

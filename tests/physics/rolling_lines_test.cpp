@@ -114,34 +114,65 @@ double left_of_cone(RandomStart& random, bool has_tip, int hertz) {
     return world.kinetic_energy() / before;
 }
 
+enum class Ground { plane, mesh, height_field };
+
+// Of 12 by 12 cells of a meter, cut in two.
+void add_smooth_ground(World& world, Ground ground, const Material& material) {
+    constexpr int cells = 12;
+    BodyDef def;
+    def.type = BodyType::static_;
+    if (ground == Ground::plane) {
+        add_ground(world, material);
+    } else if (ground == Ground::mesh) {
+        std::vector<Vec3> corners;
+        std::vector<std::uint32_t> triangles;
+        for (int x = 0; x <= cells; ++x)
+            for (int z = 0; z <= cells; ++z) corners.push_back({float(x) - 6, 0, float(z) - 6});
+        for (std::uint32_t x = 0; x < cells; ++x)
+            for (std::uint32_t z = 0; z < cells; ++z) {
+                const std::uint32_t at = x * (cells + 1) + z, beside = at + cells + 1;
+                triangles.insert(triangles.end(), {at, at + 1, beside + 1, at, beside + 1, beside});
+            }
+        add_body(world, Mesh(corners, triangles), def, material);
+    } else {
+        const std::vector<float> heights((cells + 1) * (cells + 1), 0.0f);
+        add_body(world, HeightField(cells + 1, cells + 1, {1, 1}, heights), def, material);
+    }
+}
+
 // What lies on the ground and spins about its own axis as well as about the vertical keeps both. Where only the ends of
 // a line move within the step, and not its middle, nothing of it was seen: all of the spin about the axis was lost in
-// three seconds, at 240 Hz nine tenths of it.
+// three seconds, at 240 Hz nine tenths of it. On meshes and height fields it was lost until nobody knew that their
+// triangles are flat; and what lay across an edge between two in one plane, and leaned a little, had no point beyond.
 TEST(RollingLines, WhatSpinsAboutItsAxisAndTurnsKeepsBoth) {
     RandomStart random(3);
-    for (const auto& [hertz, bar] : {std::pair(60, 0.03), std::pair(120, 0.02), std::pair(240, 0.006)})
-        for (const bool is_capsule : {true, false})
-            for (int i = 0; i < 12; ++i) {
-                World world(without_sleep());
-                Material smooth = surface(0);
-                smooth.torsional_friction = 0;
-                add_ground(world, smooth);
-                const double about_axis = random.uniform(2, 10), about_vertical = random.uniform(2, 8);
-                BodyDef def;
-                def.position = {0, 0.05, 0};
-                def.rotation = glm::angleAxis(float(random.uniform(0, 2 * pi)), Vec3(0, 1, 0)) *
-                               glm::angleAxis(float(pi / 2), Vec3(0, 0, 1));
-                const Vec3 axis = def.rotation * Vec3(0, 1, 0);
-                def.angular_velocity = float(about_axis) * axis + float(about_vertical) * Vec3(0, 1, 0);
-                const BodyId id = is_capsule ? add_body(world, Capsule{0.2f, 0.05f}, def, smooth)
-                                             : add_body(world, Cylinder{0.2f, 0.05f}, def, smooth);
-                const double before = world.kinetic_energy();
-                run(world, 1.0f / float(hertz), 3 * hertz);
-                const Vec3 now = world.body(id).rotation() * Vec3(0, 1, 0), spin = world.body(id).angular_velocity();
-                EXPECT_NEAR(double(glm::dot(spin, now)) / about_axis, 1, bar) << hertz << " " << is_capsule << " " << i;
-                EXPECT_NEAR(double(spin.y) / about_vertical, 1, bar) << hertz << " " << is_capsule << " " << i;
-                EXPECT_NEAR(world.kinetic_energy() / before, 1, 0.01) << hertz << " " << is_capsule << " " << i;
-            }
+    for (const Ground ground : {Ground::plane, Ground::mesh, Ground::height_field})
+        for (const auto& [hertz, bar] : {std::pair(60, 0.03), std::pair(120, 0.02), std::pair(240, 0.006)})
+            for (const bool is_capsule : {true, false})
+                for (int i = 0; i < 12; ++i) {
+                    World world(without_sleep());
+                    Material smooth = surface(0);
+                    smooth.torsional_friction = 0;
+                    add_smooth_ground(world, ground, smooth);
+                    const double about_axis = random.uniform(2, 10), about_vertical = random.uniform(2, 8);
+                    BodyDef def;
+                    def.position = {random.uniform(-1, 1), 0.05, random.uniform(-1, 1)};
+                    def.rotation = glm::angleAxis(float(random.uniform(0, 2 * pi)), Vec3(0, 1, 0)) *
+                                   glm::angleAxis(float(pi / 2), Vec3(0, 0, 1));
+                    const Vec3 axis = def.rotation * Vec3(0, 1, 0);
+                    def.angular_velocity = float(about_axis) * axis + float(about_vertical) * Vec3(0, 1, 0);
+                    const BodyId id = is_capsule ? add_body(world, Capsule{0.2f, 0.05f}, def, smooth)
+                                                 : add_body(world, Cylinder{0.2f, 0.05f}, def, smooth);
+                    const double before = world.kinetic_energy();
+                    run(world, 1.0f / float(hertz), 3 * hertz);
+                    const Vec3 now = world.body(id).rotation() * Vec3(0, 1, 0),
+                               spin = world.body(id).angular_velocity();
+                    const std::string what = std::to_string(int(ground)) + ", " + std::to_string(hertz) + " Hz, " +
+                                             (is_capsule ? "capsule " : "cylinder ") + std::to_string(i);
+                    EXPECT_NEAR(double(glm::dot(spin, now)) / about_axis, 1, bar) << what;
+                    EXPECT_NEAR(double(spin.y) / about_vertical, 1, bar) << what;
+                    EXPECT_NEAR(world.kinetic_energy() / before, 1, 0.01) << what;
+                }
 }
 
 // Which way the line of touch turns within a step, and that a cone is rounder at one end, was left out: 0.82 were left
