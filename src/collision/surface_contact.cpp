@@ -108,6 +108,19 @@ template <class F> void with_data(const Surface& surface, F&& f) {
         f(height_field_of(surface.data));
 }
 
+// Whether a point is on a triangle, but for a tolerance.
+bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
+    const DVec3 n = math::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double square = squared(n), height = math::dot(n, p - corners[0]);
+    if (!(height * height <= tolerance * tolerance * square)) return false;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
+        const double inside = math::dot(math::cross(edge, p - from), n);
+        if (inside < 0 && inside * inside > tolerance * tolerance * squared(edge) * square) return false;
+    }
+    return true;
+}
+
 // Finds the hits of a shape of any kind; returns how far it is apart from all triangles at least.
 class HitSearch {
   public:
@@ -165,7 +178,29 @@ class HitSearch {
         scratch_.hits.pop_back();
     }
 
+    // What a cylinder or cone has to do with the plane of a face, if all of that is over triangles in it: where its rim
+    // meets several of them, each would have the lowest point over it. (Of other shapes those are corners.)
+    bool lies_on_plane(std::size_t patch, double tolerance, Manifold& out) const {
+        const SurfacePatch& face = scratch_.patches[patch];
+        if (!face.on_face || a_.kind != Convex::Kind::cylinder) return false;
+        collide_plane(a_, -face.normal, math::dot(face.normal, face.foot - a_.center), margin_, out);
+        for (int i = 0; i < out.count; ++i) {
+            const DVec3 p = math::to_double(math::to_vec(out.points[i]));
+            if (!is_over_face(face, p + (0.5 * double(out.points[i][3])) * face.normal, tolerance)) return false;
+        }
+        for (int i = 0; i < out.count; ++i) out.features[i] &= 255u;
+        out.features[0] |= on_surface_face;
+        return out.count > 0;
+    }
+
   private:
+    bool is_over_face(const SurfacePatch& face, DVec3 foot, double tolerance) const {
+        return std::any_of(scratch_.hits.begin(), scratch_.hits.end(), [&](const TriangleHit& hit) {
+            const Convex t = placed(hit.triangle);
+            return is_near(-t.axes.c1, face.normal, same_normal) &&
+                   is_on({t.corners[0], t.corners[1], t.corners[2]}, foot, tolerance);
+        });
+    }
     Convex placed(const Triangle& t) const {
         const auto to_common = [&](math::Vec3 v) { return surface_.center + surface_.axes * math::to_double(v); };
         return make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
@@ -191,19 +226,6 @@ class HitSearch {
     const Placement& frame_;
     SurfaceScratch& scratch_;
 };
-
-// Whether a point is on a triangle, but for a tolerance.
-bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
-    const DVec3 n = math::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const double square = squared(n), height = math::dot(n, p - corners[0]);
-    if (!(height * height <= tolerance * tolerance * square)) return false;
-    for (int i = 0; i < 3; ++i) {
-        const DVec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
-        const double inside = math::dot(math::cross(edge, p - from), n);
-        if (inside < 0 && inside * inside > tolerance * tolerance * squared(edge) * square) return false;
-    }
-    return true;
-}
 
 // What touches a surface is nearest to it there, among all places around: the edge of a triangle where another one goes
 // on towards the shape is not. The next triangle of a floor begins there, or the next facet of a bowl.
@@ -328,7 +350,9 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
             same->on_face = true;
     }
     manifolds.resize(scratch.patches.size());
-    for (std::size_t i = 0; i < manifolds.size(); ++i) write_patch(scratch, i, frame, a.extent, manifolds[i]);
+    for (std::size_t i = 0; i < manifolds.size(); ++i)
+        if (!search.lies_on_plane(i, flatness * size, manifolds[i]))
+            write_patch(scratch, i, frame, a.extent, manifolds[i]);
     return 0;
 }
 

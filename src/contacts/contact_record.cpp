@@ -174,7 +174,7 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
     const bool on_a = is_flat(a, *at.pose_a, normal);
-    const bool on_b = !on_a && (is_flat(b, *at.pose_b, normal) || (m.features[0] & on_surface_face) != 0);
+    const bool on_b = !on_a && (is_on_surface_face(m) || is_flat(b, *at.pose_b, normal));
     if (!on_a && !on_b) {
         if (m.count > 1) return;
         if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;

@@ -22,13 +22,6 @@ bool may_fly(const Bodies& bodies, const Islands& islands, std::int32_t b) {
     return !bodies.is_dynamic(b) || (bodies.links[b].first_joint == none && is_awake(bodies, islands, b));
 }
 
-bool touches(const Contacts& contacts, const ContactInfo& c) {
-    if (!is_group(c)) return c.touching;
-    for (std::int32_t p = c.related; p != none; p = contacts.info[p].next)
-        if (contacts.info[p].touching) return true;
-    return false;
-}
-
 // How far forces bring the two together in the step, along the normal.
 float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
@@ -76,7 +69,7 @@ template <class Lag>
 bool solver_follows(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::uint32_t other,
                     const Manifold& m, float most, float dt, Lag&& lag) {
     const math::Vec3 n = math::to_vec(m.normal);
-    if (!is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], n, m.count)) return false;
+    if (!is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], m)) return false;
     const std::int32_t body = shapes.links[shape].body;
     const BodyMotion& motion = bodies.motion[body];
     const math::DVec3 w = math::to_double(motion.w);

@@ -9,6 +9,7 @@
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "contacts/record_owners.h"
+#include "contacts/round_touch.h"
 #include "contacts/touch.h"
 #include "core/cache.h"
 #include "islands/coloring.h"
@@ -48,11 +49,14 @@ float reach_of(const ContactInfo& group, float margin) {
 }
 
 // Finds the patches of a group at the start of the step; how far they are apart at least if there are none.
-float find_at_start(const NarrowInput& in, const NarrowScratch& narrow, const ContactInfo& group, float dt,
-                    NarrowBatch& own) {
+float find_at_start(const NarrowInput& in, const Contacts& contacts, const NarrowScratch& narrow,
+                    const ContactInfo& group, float dt, NarrowBatch& own) {
     const float margin = contact_margin(in.bodies, narrow, group, dt);
-    return find_patches(posed_shape(in.shapes, group.shape_a), posed_shape(in.shapes, group.shape_b), margin,
-                        reach_of(group, margin), own.surface, own.hits);
+    const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
+    const float distance = find_patches(a, b, margin, reach_of(group, margin), own.surface, own.hits);
+    if (touches(contacts, group))
+        for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, a, b, dt, hit);
+    return distance;
 }
 
 // The triangles that a patch is of.
@@ -147,8 +151,11 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     if (group.point_count == 0 ||
         !may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
         return false;
-    find_patches(shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
-                 shape_midway(in.bodies, in.shapes, narrow, group.shape_b), margin, margin, own.surface, own.hits);
+    const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
+                     b_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_b);
+    find_patches(a_then, b_then, margin, margin, own.surface, own.hits);
+    if (touches(contacts, group))
+        for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, a_then, b_then, dt, hit);
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
     own.matched.clear();
     for (const Manifold& hit : own.hits) {
@@ -177,7 +184,7 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
         narrow.outcomes[place] = tested_patches;
         return;
     }
-    const float distance = find_at_start(in, narrow, group, dt, own);
+    const float distance = find_at_start(in, contacts, narrow, group, dt, own);
     if (own.hits.empty() && group.related == none) {
         narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
         return;
@@ -213,8 +220,15 @@ std::uint8_t take_fresh_patch(const FollowUpContext& s, std::uint32_t patch, con
 
 void test_held_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place,
                      NarrowBatch& own, float dt) {
-    find_at_start(in, narrow, contacts.info[narrow.candidates[place]], dt, own);
+    find_at_start(in, contacts, narrow, contacts.info[narrow.candidates[place]], dt, own);
     take_group(in, contacts, narrow, place, own, dt);
+}
+
+bool touches(const Contacts& contacts, const ContactInfo& c) {
+    if (!is_group(c)) return c.touching;
+    for (std::int32_t p = c.related; p != none; p = contacts.info[p].next)
+        if (contacts.info[p].touching) return true;
+    return false;
 }
 
 void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {

@@ -18,6 +18,9 @@ template <class F> void for_each_patch(const Contacts& contacts, std::uint32_t i
     }
 }
 
+// Whether the contact does, or a patch of the group.
+bool touches(const Contacts& contacts, const ContactInfo& contact);
+
 void begin_groups(const Contacts& contacts, NarrowScratch& narrow);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
 void test_groups(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, int begin, int end, NarrowBatch& own,

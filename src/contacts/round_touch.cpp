@@ -24,9 +24,9 @@ bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
     return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
-bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, math::Vec3 normal, int points) {
+bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, const Manifold& m) {
     const bool has_axis = g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder;
-    return points == 1 && has_axis && is_flat(other, pose, normal);
+    return m.count == 1 && has_axis && (is_on_surface_face(m) || is_flat(other, pose, to_vec(m.normal)));
 }
 
 math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, math::Vec3 n) {
@@ -40,7 +40,7 @@ math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, 
 void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const PosedShape& a, const PosedShape& b,
                            float dt, Manifold& m) {
     const bool is_round = a.geometry.type == ShapeType::cylinder || b.geometry.type == ShapeType::cylinder;
-    if (m.count < 2 || !is_round || !c.touching) return;
+    if (m.count < 2 || !is_round) return;
     const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
     const math::Vec3 n = to_vec(m.normal),
                      pull = math::to_float(acceleration_at(in.bodies, in.fields, in.settings, c.body_a, motion_a.x));

@@ -11,11 +11,12 @@ math::Vec3 axis_of(const ShapePose& pose, int i);
 
 // Whether a shape touches another by a flat face with that normal, as far as its geometry says.
 bool is_flat(const Geometry& shape, const ShapePose& pose, math::Vec3 normal);
+// And as far as the manifold does, of a mesh or height field, which is the second shape.
+inline bool is_on_surface_face(const Manifold& m) { return (m.features[0] & on_surface_face) != 0; }
 
-// Whether a shape that is round about an axis touches another on a face, by the only one of so many points: the solver
-// follows the place, however it turns about its axis and the normal.
-bool is_followed(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, math::Vec3 normal,
-                 int points);
+// Whether a shape that is round about an axis touches another on a face, by the only point: the solver follows the
+// place, however it turns about its axis and the normal.
+bool is_followed(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, const Manifold& m);
 
 // Of what turns with w: the part that tilts the axis toward the normal, and so brings points nearer.
 math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3 w, math::Vec3 normal);

@@ -81,12 +81,18 @@ TEST(Rocking, TetrahedraOnBallsGainNothing) {
 // How the energy of a disk changes in a second, of 50 cm and 2 cm, that rolls on its rim around one place at that angle
 // to the ground (Euler's disk) and starts in any direction. It turns about the line from its center to its lowest
 // point, which goes round at a rate with rate^2 = 4 g / (R sin(lean)) for a thin one.
-double change_of_disk(double degrees, double direction, int hertz) {
+double change_of_disk(double degrees, double direction, int hertz, bool on_mesh = false) {
     constexpr double radius = 0.5, half = 0.01;
     World world(without_sleep());
     Material material = surface(1);
     material.torsional_friction = 0;
-    add_ground(world, material);
+    if (on_mesh) {
+        BodyDef ground;
+        ground.type = BodyType::static_;
+        add_body(world, flat_mesh(16, 0.3f), ground, material);
+    } else {
+        add_ground(world, material);
+    }
     const double lean = radians(degrees), sine = std::sin(lean), cosine = std::cos(lean);
     const Quat heading = glm::angleAxis(float(direction), Vec3(0, 1, 0));
     BodyDef def;
@@ -115,6 +121,20 @@ TEST(Rocking, EulersDiskKeepsItsEnergy) {
             for (int i = 0; i < 12; ++i) {
                 const double lean = starts.between(least, most), direction = starts.between(0, 6);
                 EXPECT_NEAR(change_of_disk(lean, direction, hertz), 0, bar) << hertz << " " << lean << " " << direction;
+            }
+}
+
+// Where its rim ran over the triangles of a mesh, it touched each of them by a point of its own, and nobody knew that
+// they are flat: it lost 92 % at 5 degrees, 51 % at 30.
+TEST(Rocking, EulersDiskKeepsItsEnergyOnTriangles) {
+    Starts starts(8);
+    for (const int hertz : {60, 240})
+        for (const auto& [least, most, bar] :
+             {std::tuple(4, 6, 0.004), std::tuple(8, 20, 0.001), std::tuple(20, 42, 0.0005), std::tuple(55, 80, 0.002)})
+            for (int i = 0; i < 6; ++i) {
+                const double lean = starts.between(least, most), direction = starts.between(0, 6);
+                EXPECT_NEAR(change_of_disk(lean, direction, hertz, true), 0, bar)
+                    << hertz << " " << lean << " " << direction;
             }
 }
 

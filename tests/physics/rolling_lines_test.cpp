@@ -116,7 +116,6 @@ double left_of_cone(RandomStart& random, bool has_tip, int hertz) {
 
 enum class Ground { plane, mesh, height_field };
 
-// Of 12 by 12 cells of a meter, cut in two.
 void add_smooth_ground(World& world, Ground ground, const Material& material) {
     constexpr int cells = 12;
     BodyDef def;
@@ -124,16 +123,7 @@ void add_smooth_ground(World& world, Ground ground, const Material& material) {
     if (ground == Ground::plane) {
         add_ground(world, material);
     } else if (ground == Ground::mesh) {
-        std::vector<Vec3> corners;
-        std::vector<std::uint32_t> triangles;
-        for (int x = 0; x <= cells; ++x)
-            for (int z = 0; z <= cells; ++z) corners.push_back({float(x) - 6, 0, float(z) - 6});
-        for (std::uint32_t x = 0; x < cells; ++x)
-            for (std::uint32_t z = 0; z < cells; ++z) {
-                const std::uint32_t at = x * (cells + 1) + z, beside = at + cells + 1;
-                triangles.insert(triangles.end(), {at, at + 1, beside + 1, at, beside + 1, beside});
-            }
-        add_body(world, Mesh(corners, triangles), def, material);
+        add_body(world, flat_mesh(cells, 1), def, material);
     } else {
         const std::vector<float> heights((cells + 1) * (cells + 1), 0.0f);
         add_body(world, HeightField(cells + 1, cells + 1, {1, 1}, heights), def, material);

@@ -21,6 +21,22 @@ inline std::vector<Vec3> box_corners(const Vec3& half) {
     return result;
 }
 
+// A floor of so many cells along either side, of that width, m, each cut in two triangles; about the origin.
+inline Mesh flat_mesh(int cells, float width) {
+    std::vector<Vec3> corners;
+    std::vector<std::uint32_t> triangles;
+    const float first = -0.5f * float(cells) * width;
+    for (int x = 0; x <= cells; ++x)
+        for (int z = 0; z <= cells; ++z) corners.push_back({first + float(x) * width, 0, first + float(z) * width});
+    const auto row = std::uint32_t(cells) + 1;
+    for (std::uint32_t x = 0; x + 1 < row; ++x)
+        for (std::uint32_t z = 0; z + 1 < row; ++z) {
+            const std::uint32_t at = x * row + z, beside = at + row;
+            triangles.insert(triangles.end(), {at, at + 1, beside + 1, at, beside + 1, beside});
+        }
+    return Mesh(corners, triangles);
+}
+
 // A test that is run with several lengths of the step; the parameter is the number of steps per second.
 class EveryStep : public testing::TestWithParam<int> {
   protected:
