@@ -159,11 +159,11 @@ def bowling():
 
 def eulers_disk():
     s = Scene("Euler's disk", "The lower a coin lies, the faster it runs around, until it stops at once.",
-              (0, 2.1, 3.5), (0, 0.0, 0.1), 38, time_step=1 / 480)
+              (0, 2.1, 3.5), (0, 0.0, 0.1), 38)
     s.ground(0.6, 0.0, "#4A5560")
     glass = s.material(0.9, 0.0, combine="minimum")
     s.fixed(s.cylinder(1.75, 0.1), glass, (0, 0.05, 0), None, "base", "#27313B")
-    metal = s.material(0.9, 0.0, 7800, combine="minimum", rolling=0.003, torsional=0.003)
+    metal = s.material(0.9, 0.0, 7800, combine="minimum", rolling=0.005, torsional=0.005)
 
     def disk(radius, thickness, lean, x, z, heading, name, color):
         # Steady motion with the middle at rest, thin disk: it turns about its diameter through the contact, and the
@@ -185,7 +185,7 @@ def eulers_disk():
 
 def tippe_tops():
     s = Scene("Tippe tops", "A top with a low center of mass that spins fast turns over, and rises on its stem.",
-              (0.3, 1.7, 3.5), (0.3, 0.05, -0.15), 40, time_step=1 / 240, sleep=False)
+              (0.3, 1.7, 3.5), (0.3, 0.05, -0.15), 40, sleep=False)
     s.ground(0.5, 0.0, "#5D6B66")
     radius, mass = 0.16, 1.0
     ball, stem, knob = s.sphere(radius), s.cylinder(0.035, 0.1, 0.026), s.sphere(0.028)

@@ -225,6 +225,12 @@ class DiscPoints {
     Polygon corners_; // of the other feature, seen along m in the plane of the disc
 };
 
+// Whether all of a disc is over another.
+bool lies_over(const Feature& disc, const Feature& face) {
+    const DVec3 d = disc.center - face.center, across = d - dot(d, face.normal) * face.normal;
+    return math::length(across) + disc.radius <= face.radius;
+}
+
 } // namespace
 
 void outline_points(const FaceOutline& face, const Feature& incident, ContactPoints& out) {
@@ -258,10 +264,23 @@ void outline_points(const FaceOutline& face, const Feature& incident, ContactPoi
     if (n > 2 && inside.any_outside != 0) add_corners(face, incident, other, slack, out);
 }
 
+void square_under(const Feature& disc, const DVec3& point, const DVec3& up, Feature& out) {
+    const DVec3 e1 = math::to_double(math::any_orthogonal(math::to_float(up)));
+    const DVec3 x = (8 * disc.radius) * math::normalized(e1 - dot(e1, up) * up), z = math::cross(x, up);
+    const DVec3 under = disc.center - dot(disc.center - point, up) * up;
+    out.kind = Feature::Kind::polygon;
+    out.normal = up;
+    for (const DVec3& p : {under - x - z, under - x + z, under + x + z, under + x - z}) out.points.add(p);
+}
+
 void disc_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out) {
     using Kind = Feature::Kind;
     if (reference.kind != Kind::disc) {
         DiscPoints(incident, reference, -reference.normal, extent, out).find();
+    } else if (incident.kind == Kind::disc && lies_over(incident, reference)) {
+        Feature square; // the part of the face that it is over
+        square_under(incident, reference.center, reference.normal, square);
+        DiscPoints(incident, square, -square.normal, extent, out).find();
     } else if (incident.kind == Kind::disc) {
         Feature polygon;
         disc_polygon(incident, reference, extent, polygon);

@@ -32,6 +32,8 @@ struct FaceOutline;
 void outline_points(const FaceOutline& reference, const Feature& incident, ContactPoints& out);
 // Where one of them is:
 void disc_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
+// The plane under a disc, through a point and with that normal, as a square: the rim is found as on any face.
+void square_under(const Feature& disc, const math::DVec3& point, const math::DVec3& up, Feature& out);
 
 // A segment, or a point where it leads nowhere.
 struct EdgeLine {

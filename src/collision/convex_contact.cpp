@@ -285,7 +285,10 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
     if (contact_by_sides(a, b, margin, out)) return;
     FacePoints found;
     Axis last;
-    if (contact_by_last_face(a, b, margin, memory, last, found, out)) return;
+    const auto tell_face = [&] {
+        if (out.count > 0) out.features[0] |= found.known.is_second ? on_second_face : on_first_face;
+    };
+    if (contact_by_last_face(a, b, margin, memory, last, found, out)) return tell_face();
     Axis axis;
     if (axis_of_edges(memory, cores_of(a, b), axis)) {
         measure(a, b, axis);
@@ -293,12 +296,14 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
         memory = nothing_met;
         if (contact_by_guess(a, b, margin, last, guess, found, out)) {
             if (out.count > 0) memory = memory_of_face(found.known.face, found.known.is_second);
-            return;
+            return tell_face();
         }
         find_axis(a, b, margin, guess, axis, memory);
     }
-    if (axis.separation <= margin && contact_along(a, b, axis, margin, found, out))
+    if (axis.separation <= margin && contact_along(a, b, axis, margin, found, out)) {
         memory = memory_of_face(found.known.face, found.known.is_second);
+        tell_face();
+    }
     if (out.count > 0) return;
     math::put(out.normal, math::to_float(axis.normal));
     if (axis.separation > margin) put_apart(out, axis.normal, axis.separation);
@@ -311,14 +316,8 @@ void collide_plane(const Convex& a, DVec3 up, double height, double margin, Mani
     incident_feature(a, -up, unknown_vertex, lower);
     ContactPoints points;
     if (lower.kind == Feature::Kind::disc) {
-        // A square under the disc: its rim is found as on any face.
-        const DVec3 e1 = math::to_double(math::any_orthogonal(math::to_float(up)));
-        const DVec3 x = (8 * lower.radius) * math::normalized(e1 - dot(e1, up) * up), z = math::cross(x, up);
-        const DVec3 under = lower.center - dot(lower.center - origin, up) * up;
         Feature square;
-        square.kind = Feature::Kind::polygon;
-        square.normal = up;
-        for (const DVec3& p : {under - x - z, under - x + z, under + x + z, under + x - z}) square.points.add(p);
+        square_under(lower, origin, up, square);
         disc_points(square, lower, a.extent, points);
     } else {
         const FlatFrame flat(up, origin);

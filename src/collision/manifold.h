@@ -16,8 +16,9 @@ struct alignas(32) Manifold {
     std::uint32_t features[4]; // which features meet; their lowest bytes are what the next step knows (no_features)
 };
 
-// Beside the feature of the first point: it touches a face of a mesh or height field, whose normal this is.
-inline constexpr std::uint32_t on_surface_face = 256;
+// Beside the feature of the first point, of pairs of convex shapes that are tested one at a time, and of patches:
+// whether the normal is that of a face of the first shape, or of the second, which is touched there.
+inline constexpr std::uint32_t on_first_face = 1u << 30, on_second_face = 1u << 31;
 
 // The features of no point, as they are kept for the next step: a byte of each point, the first point's lowest.
 inline constexpr std::uint32_t no_features = 0xffffffffu;

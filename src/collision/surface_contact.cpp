@@ -189,7 +189,7 @@ class HitSearch {
             if (!is_over_face(face, p + (0.5 * double(out.points[i][3])) * face.normal, tolerance)) return false;
         }
         for (int i = 0; i < out.count; ++i) out.features[i] &= 255u;
-        out.features[0] |= on_surface_face;
+        out.features[0] |= on_second_face;
         return out.count > 0;
     }
 
@@ -305,7 +305,7 @@ void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& fr
         out.points[i][3] = static_cast<float>(p.separation);
         out.features[i] = static_cast<std::uint32_t>(chosen.index[i]) & 255u;
     }
-    if (scratch.patches[patch].on_face) out.features[0] |= on_surface_face;
+    if (scratch.patches[patch].on_face) out.features[0] |= on_second_face;
 }
 
 } // namespace

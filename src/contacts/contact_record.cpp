@@ -173,8 +173,11 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
-    const bool on_a = is_flat(a, *at.pose_a, normal);
-    const bool on_b = !on_a && (is_on_surface_face(m) || is_flat(b, *at.pose_b, normal));
+    // Of what has corners alone, the places hardly move.
+    const bool is_smooth = !has_corners(a) || !has_corners(b);
+    const auto by_face = [&](bool second) { return is_smooth && touches_by_face(c.kind, m, second); };
+    const bool on_a = is_flat(a, *at.pose_a, normal) || by_face(c.flipped);
+    const bool on_b = !on_a && (is_flat(b, *at.pose_b, normal) || by_face(!c.flipped));
     if (!on_a && !on_b) {
         if (m.count > 1) return;
         if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;

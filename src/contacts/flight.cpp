@@ -66,10 +66,11 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
 // Whether the solver follows the place where a shape touches another, for all of the step: it is round about an axis,
 // and hardly tilts. What turns it about that axis or about the normal changes nothing. `lag`: of a surface that turns.
 template <class Lag>
-bool solver_follows(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::uint32_t other,
-                    const Manifold& m, float most, float dt, Lag&& lag) {
+bool solver_follows(const Bodies& bodies, const Shapes& shapes, PairKind kind, std::uint32_t shape, std::uint32_t other,
+                    bool other_is_second, const Manifold& m, float most, float dt, Lag&& lag) {
     const math::Vec3 n = math::to_vec(m.normal);
-    if (!is_followed(shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], m)) return false;
+    if (!is_followed(kind, shapes.geometry[shape], shapes.geometry[other], shapes.poses[other], m, other_is_second))
+        return false;
     const std::int32_t body = shapes.links[shape].body;
     const BodyMotion& motion = bodies.motion[body];
     const math::DVec3 w = math::to_double(motion.w);
@@ -93,7 +94,9 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     const bool is_pushed = overlap >= float(core_depth_of(half_width)), is_deep = overlap >= float(0.5 * half_width);
     const auto turns = [&](std::uint32_t shape, std::uint32_t other, const Surface& under, const Surface& on) {
         const auto lag = [&](math::Vec3 turn) { return lag_of(on, {under.v, turn, under.arm}, n, dt); };
-        if (!is_deep && solver_follows(bodies, shapes, shape, other, m, c.base_margin, dt, lag)) return false;
+        if (!is_deep &&
+            solver_follows(bodies, shapes, c.kind, shape, other, other == second, m, c.base_margin, dt, lag))
+            return false;
         return gyrates(bodies, shapes.links[shape].body, dt) || (!is_pushed && lag(under.turn) > c.base_margin);
     };
     return turns(first, second, a, b) || turns(second, first, b, a);

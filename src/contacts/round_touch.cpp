@@ -24,9 +24,16 @@ bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
     return std::max(std::max(n.x, n.y), n.z) > along;
 }
 
-bool is_followed(const Geometry& g, const Geometry& other, const ShapePose& pose, const Manifold& m) {
+bool touches_by_face(PairKind kind, const Manifold& m, bool is_second) {
+    const bool is_told = kind == PairKind::convex_convex || kind == PairKind::group || kind == PairKind::patch;
+    return is_told && (m.features[0] & (is_second ? on_second_face : on_first_face)) != 0;
+}
+
+bool is_followed(PairKind kind, const Geometry& g, const Geometry& other, const ShapePose& pose, const Manifold& m,
+                 bool other_is_second) {
     const bool has_axis = g.type == ShapeType::sphere || g.type == ShapeType::capsule || g.type == ShapeType::cylinder;
-    return m.count == 1 && has_axis && (is_on_surface_face(m) || is_flat(other, pose, to_vec(m.normal)));
+    return m.count == 1 && has_axis &&
+           (touches_by_face(kind, m, other_is_second) || is_flat(other, pose, to_vec(m.normal)));
 }
 
 math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, math::Vec3 n) {

@@ -11,12 +11,13 @@ math::Vec3 axis_of(const ShapePose& pose, int i);
 
 // Whether a shape touches another by a flat face with that normal, as far as its geometry says.
 bool is_flat(const Geometry& shape, const ShapePose& pose, math::Vec3 normal);
-// And as far as the manifold does, of a mesh or height field, which is the second shape.
-inline bool is_on_surface_face(const Manifold& m) { return (m.features[0] & on_surface_face) != 0; }
+// And as far as the manifold does, of hulls, cylinders, meshes and height fields: of its first shape, or the second.
+bool touches_by_face(PairKind kind, const Manifold& m, bool is_second);
 
 // Whether a shape that is round about an axis touches another on a face, by the only point: the solver follows the
 // place, however it turns about its axis and the normal.
-bool is_followed(const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other, const Manifold& m);
+bool is_followed(PairKind kind, const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other,
+                 const Manifold& m, bool other_is_second);
 
 // Of what turns with w: the part that tilts the axis toward the normal, and so brings points nearer.
 math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3 w, math::Vec3 normal);

@@ -17,10 +17,10 @@ inline constexpr std::uint64_t compounds = 0xd3e1b5658bdfcd79;
 inline constexpr std::uint64_t free_tops = 0xb4b6be45f2968b4b;
 inline constexpr std::uint64_t explicit_euler = 0xe20ab4c948f81c44;
 inline constexpr std::uint64_t whirl = 0xdac6b57e5d1ad2bf;
-inline constexpr std::uint64_t changes = 0x14b36f8c41290b4c;
-inline constexpr std::uint64_t all_shapes = 0x7e3ccb8343ec3900;
-inline constexpr std::uint64_t rounded_shapes = 0x996b2c54c9ec3034;
-inline constexpr std::uint64_t surfaces = 0x3687689456029e99;
+inline constexpr std::uint64_t changes = 0x3a1aff1a4f261d59;
+inline constexpr std::uint64_t all_shapes = 0x12587399e35ea85a;
+inline constexpr std::uint64_t rounded_shapes = 0x5b3b2ab406817060;
+inline constexpr std::uint64_t surfaces = 0xf3a284f66cb5e6f2;
 inline constexpr std::uint64_t all_joints = 0x609c4b0c4f6f72f1;
 inline constexpr std::uint64_t chains = 0x17d1fa1082d31c94;
 
