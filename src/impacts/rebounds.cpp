@@ -67,12 +67,12 @@ double closing_acceleration(const TouchingBody& a, const TouchingBody& b, DVec3 
 void set_rebounds(const Movers& movers, const Shapes& shapes, const SweptPair& pair, const MovingState& now_a,
                   const MovingState& now_b, std::span<ImpactPoint> points) {
     for (ImpactPoint& point : points) {
+        if (!(point.depth > 0)) continue;
         const DVec3 n = point.normal;
         const TouchingBody a = touching_body(movers, shapes, pair.first, pair.shape, now_a, point.position, n),
                            b = touching_body(movers, shapes, pair.second, pair.other, now_b, point.position, -n);
-        const double depth = std::max(point.depth, 0.0),
-                     approach = std::max(dot(velocity_of(a) - velocity_of(b), n), 0.0);
-        const auto gain = [&](double acceleration) { return 2 * std::max(acceleration, 0.0) * depth; };
+        const double approach = std::max(dot(velocity_of(a) - velocity_of(b), n), 0.0);
+        const auto gain = [&](double acceleration) { return 2 * std::max(acceleration, 0.0) * point.depth; };
         point.rebound = std::sqrt(
             std::min(gain(closing_acceleration(a, b, n)), approach * approach + gain(dot(a.pull - b.pull, n))));
     }
