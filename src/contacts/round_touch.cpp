@@ -58,6 +58,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const Po
     int lowest = 0, kept = 0;
     for (int i = 1; i < m.count; ++i)
         if (m.points[i][3] < m.points[lowest][3]) lowest = i;
+    const std::uint32_t faces = m.features[0] & (on_first_face | on_second_face);
     const math::Vec3 bearing = to_vec(m.points[lowest]);
     const float least = m.points[lowest][3];
     for (int i = 0; i < m.count; ++i) {
@@ -67,6 +68,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const Po
         std::copy_n(m.points[i], 4, m.points[kept]);
         m.features[kept++] = m.features[i];
     }
+    m.features[0] |= faces;
     for (int i = kept; i < m.count; ++i) m.points[i][3] = 1e30f;
     m.count = kept;
 }
