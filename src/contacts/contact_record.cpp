@@ -173,7 +173,7 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
-    // Of what has corners alone, the places hardly move.
+    // Hulls on hulls keep their places, as boxes on boxes do, which are never asked.
     const bool is_smooth = !has_corners(a) || !has_corners(b);
     const auto by_face = [&](bool second) { return is_smooth && touches_by_face(c.kind, m, second); };
     const bool on_a = is_flat(a, *at.pose_a, normal) || by_face(c.flipped);

@@ -11,7 +11,8 @@ math::Vec3 axis_of(const ShapePose& pose, int i);
 
 // Whether a shape touches another by a flat face with that normal, as far as its geometry says.
 bool is_flat(const Geometry& shape, const ShapePose& pose, math::Vec3 normal);
-// And as far as the manifold does, of hulls, cylinders, meshes and height fields: of its first shape, or the second.
+// Whether a manifold tells that its normal is that of a face of its first shape, or of the second: of hulls, cylinders,
+// meshes and height fields, of which is_flat does not know.
 bool touches_by_face(PairKind kind, const Manifold& m, bool is_second);
 
 // Whether a shape that is round about an axis touches another on a face, by the only point: the solver follows the

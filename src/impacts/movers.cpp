@@ -268,10 +268,12 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     }
     const RigidPath::Pose first = m.path.first();
     const double passed = (time - m.path.begin) * double(dt_), left = (m.path.until - time) * double(dt_);
-    if (m.gyrates) now.x = pose.x - (0.5 * passed * left) * m.acceleration; // parts are short
+    // The path is the chord of a parabola. What gyrates is on that, as its parts are so short that it is the same
+    // touch.
+    if (m.gyrates) now.x = pose.x - (0.5 * passed * left) * m.acceleration;
     now.v = with_square(m.velocity + passed * m.acceleration,
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, now.x - first.x));
-    if (left <= 0 && !m.turns_over) { // so far it has been moved
+    if (left <= 0 && !m.turns_over) { // fly has moved it there
         now.q = end.q, now.w = to_double(end.w) + to_double(end.w_rest);
         return now;
     }

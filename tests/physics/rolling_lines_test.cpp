@@ -132,7 +132,7 @@ void add_smooth_ground(World& world, Ground ground, const Material& material) {
 
 // What lies on the ground and spins about its own axis as well as about the vertical keeps both. Where only the ends of
 // a line move within the step, and not its middle, nothing of it was seen: all of the spin about the axis was lost in
-// three seconds, at 240 Hz nine tenths of it. On meshes and height fields it was lost until nobody knew that their
+// three seconds, at 240 Hz nine tenths of it. On meshes and height fields it was lost, too, as nobody knew that their
 // triangles are flat; and what lay across an edge between two in one plane, and leaned a little, had no point beyond.
 TEST(RollingLines, WhatSpinsAboutItsAxisAndTurnsKeepsBoth) {
     RandomStart random(3);
