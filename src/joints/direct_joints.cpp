@@ -346,6 +346,13 @@ void begin_limits_of(const SetView& v, BatchScratch& scratch) {
     write_velocities(v, scratch);
 }
 
+void count_impulse(const SetView& v, std::size_t i, DVec3 impulse) {
+    DirectRow& r = v.rows[i];
+    const bool is_turning_axis =
+        v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
+    const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
+    r.total += turns ? math::transposed_times(r.angular[1], impulse) : force_of(r, impulse);
+}
 void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
@@ -353,22 +360,21 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     hold_limits(v, rate, h);
     count_limits(v);
     find_stiffness(v, h);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
-        DirectRow& r = v.rows[i];
-        const bool is_turning_axis =
-            v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
-        const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
-        r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r, r.impulse);
-    }
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) count_impulse(v, i, v.rows[i].impulse);
     write_velocities(v, scratch);
 }
 
-void hold_set(const SetView& v, BatchScratch& scratch, double h) {
-    if (!v.is_touched) return;
+// The velocities that the joints allow: what that changes is in dv and dw.
+void join_set(const SetView& v, const BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
     seek_impulses(v, rate);
     hold_limits_for_now(v, rate, h);
+}
+
+void hold_set(const SetView& v, BatchScratch& scratch, double h) {
+    if (!v.is_touched) return;
+    join_set(v, scratch, h);
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         if (!b.by_forces) continue;
@@ -387,17 +393,27 @@ void release_set(const SetView& v, BatchScratch& scratch) {
     }
 }
 
+SetView view_of(const DirectSets& direct, BatchScratch& scratch, std::size_t place) {
+    DirectWork& w = scratch.direct;
+    const DirectSolve& solve = w.sets[place];
+    return {direct.sets[solve.set],
+            w.bodies.data() + solve.first_body,
+            w.rows.data() + solve.first_row,
+            w.diagonal.data() + solve.first_row,
+            w.lower.data() + solve.first_block,
+            w.sought.data() + solve.first_row,
+            solve.is_new,
+            solve.is_touched,
+            w.limits.data() + solve.first_limit,
+            solve.limit_count,
+            scratch.axis_blocks.data()};
+}
+
 template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
     if (w.sets.empty()) return; // as most batches have it: nothing need be ready for threads
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
-        for (int k = begin; k < end; ++k) {
-            const DirectSolve& solve = w.sets[k];
-            work(SetView{direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
-                         w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
-                         w.sought.data() + solve.first_row, solve.is_new, solve.is_touched,
-                         w.limits.data() + solve.first_limit, solve.limit_count, scratch.axis_blocks.data()});
-        }
+        for (int k = begin; k < end; ++k) work(view_of(direct, scratch, std::size_t(k)));
     });
 }
 
@@ -422,6 +438,18 @@ void hold_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadP
 
 void release_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool) {
     for_sets(direct, scratch, thread_pool, [&](const SetView& v) { release_set(v, scratch); });
+}
+
+void join_velocities(const DirectSets& direct, BatchScratch& scratch, std::size_t place, float h) {
+    const SetView v = view_of(direct, scratch, place);
+    join_set(v, scratch, double(h));
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) count_impulse(v, i, v.sought[i]);
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        const DirectBody& b = v.bodies[i];
+        if (!b.by_forces) continue;
+        SolverVelocity& velocity = scratch.velocity[b.row];
+        put(velocity.v, math::to_float(b.v + b.dv)), put(velocity.w, math::to_float(b.w + b.dw));
+    }
 }
 
 } // namespace cairn

@@ -32,6 +32,9 @@ void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPo
 void hold_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 void release_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool);
 
+// In an impact: gives the bodies of a set, `place` in DirectWork::sets, velocities that its joints allow.
+void join_velocities(const DirectSets& direct, BatchScratch& scratch, std::size_t place, float h);
+
 // After the last substep: impulses and forces (as impulses of the whole step) back to the joints.
 void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& scratch);
 

@@ -78,12 +78,25 @@ void find_runs(BatchScratch& scratch) {
     }
 }
 
-void begin_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
+void find_sets(const DirectSets& direct, BatchScratch& scratch) {
+    std::vector<std::int32_t>& set_of_row = scratch.impact.set_of_row;
+    set_of_row.clear();
+    if (scratch.direct.sets.empty()) return;
+    set_of_row.assign(scratch.row_count(), none);
+    for (std::size_t place = 0; place < scratch.direct.sets.size(); ++place) {
+        const DirectSolve& solve = scratch.direct.sets[place];
+        for (std::size_t i = 1; i < direct.sets[std::size_t(solve.set)].bodies.size(); ++i)
+            set_of_row[std::size_t(scratch.direct.bodies[solve.first_body + i].row)] = std::int32_t(place);
+    }
+}
+
+void begin_lists(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
         for (const std::int32_t component : work.ever_struck) work.struck_when[component] = untouched;
     } else {
         find_components(bodies, joints, scratch);
+        find_sets(direct, scratch);
         find_sides(scratch.one_lanes, scratch.row_count(), work.one_sides_of);
         find_sides(scratch.four_lanes, scratch.row_count(), work.four_sides_of);
         find_runs(scratch);
@@ -183,6 +196,8 @@ void list_lane(ImpactWork& work, int type, std::size_t lane, std::int32_t row) {
 }
 
 void list_joints(BatchScratch& scratch, std::int32_t row) {
+    const std::vector<std::int32_t>& set_of_row = scratch.impact.set_of_row;
+    if (!set_of_row.empty() && set_of_row[std::size_t(row)] != none) return; // all of them act at once
     const JointLayout& layout = *scratch.joint_layout;
     scratch.impact.joints_of.for_each(row, [&](std::size_t joint) {
         for (std::uint32_t k = layout.first_row[joint]; k < layout.first_row[joint + 1]; ++k)
@@ -243,6 +258,18 @@ void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowL
         }
         list_lane(work, type, lane, row);
     });
+}
+
+void list_sets(BatchScratch& scratch) {
+    ImpactWork& work = scratch.impact;
+    work.sets.clear();
+    if (work.set_of_row.empty()) return;
+    for (const std::int32_t component : work.struck)
+        work.rows_of.for_each(component, [&](std::size_t row) {
+            if (work.set_of_row[row] != none) work.sets.push_back(work.set_of_row[row]);
+        });
+    std::sort(work.sets.begin(), work.sets.end());
+    work.sets.erase(std::unique(work.sets.begin(), work.sets.end()), work.sets.end());
 }
 
 // --- what is hit in turn
@@ -324,9 +351,9 @@ std::int32_t place_of_body(const BatchScratch& scratch, std::int32_t body) {
 
 } // namespace
 
-void begin_impact_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, Communicator* ranks,
-                        const ContactSoftness& softness) {
-    begin_lists(bodies, joints, scratch);
+void begin_impact_lists(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                        Communicator* ranks, const ContactSoftness& softness) {
+    begin_lists(bodies, joints, direct, scratch);
     scratch.impact.hits.clear();
     list_struck(scratch, scratch.one_lanes, scratch.one_blocks);
     list_struck(scratch, scratch.four_lanes, scratch.four_blocks);
@@ -348,6 +375,7 @@ void list_impact(BatchScratch& scratch, float h) {
         list_contacts(scratch, four_points_type, row, work.four_sides_of, scratch.four_lanes, scratch.four_blocks, h);
         list_contacts(scratch, one_point_type, row, work.one_sides_of, scratch.one_lanes, scratch.one_blocks, h);
     });
+    list_sets(scratch);
     find_groups(scratch);
     put_together(work.listed_runs, work.listed, work.sorted_lanes,
                  [](const ImpactWork::ListedLane& lane) { return lane.run; });

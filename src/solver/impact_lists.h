@@ -2,6 +2,7 @@
 #pragma once
 
 #include "jobs/thread_pool.h"
+#include "state/direct_sets.h"
 #include "state/solver_scratch.h"
 #include "state/state.h"
 
@@ -15,8 +16,8 @@ namespace cairn {
 
 // Once for an impact: takes from the blocks what was struck. What is pushed out of something faster than an impact has
 // no velocity of its own, and strikes nothing. `ranks`: of a batch that is cut.
-void begin_impact_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, Communicator* ranks,
-                        const ContactSoftness& softness);
+void begin_impact_lists(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                        Communicator* ranks, const ContactSoftness& softness);
 
 // Lists the rows, the groups and the lanes of a round of an impact in scratch.impact.
 void list_impact(BatchScratch& scratch, float h);

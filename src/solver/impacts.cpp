@@ -1,5 +1,6 @@
 #include "solver/impacts.h"
 
+#include "joints/direct_joints.h"
 #include "solver/block_runs.h"
 #include "solver/impact_blocks.h"
 #include "solver/rank_impacts.h"
@@ -46,6 +47,17 @@ void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
                    [&](int begin, int end, int) {
                        strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
                    });
+}
+
+// Joints that are solved directly are one row of a pass: all of what hangs together has velocities that they allow.
+void join_sets(const DirectSets& direct, BatchScratch& scratch, float h) {
+    const ImpactWork& work = scratch.impact;
+    for (const std::int32_t set : work.sets) {
+        const DirectSolve& solve = scratch.direct.sets[std::size_t(set)];
+        const std::int32_t row = scratch.direct.bodies[solve.first_body + 1].row;
+        if (!work.groups[std::size_t(work.place_of[std::size_t(row)])].is_settled)
+            join_velocities(direct, scratch, std::size_t(set), h);
+    }
 }
 
 // Lanes of groups that have settled take part no longer.
@@ -99,11 +111,12 @@ void add_to_references(BatchScratch& scratch) {
 
 } // namespace
 
-void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool,
-                   Communicator* ranks, const ContactSoftness& softness, std::atomic<int>& struck_contacts) {
+void solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                   ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
+                   std::atomic<int>& struck_contacts) {
     const auto struck = std::uint64_t(struck_contacts.exchange(0));
     if ((scratch.border ? ranks->sum(struck) : struck) == 0) return;
-    begin_impact_lists(bodies, joints, scratch, ranks, softness);
+    begin_impact_lists(bodies, joints, direct, scratch, ranks, softness);
     for (int round = 0; round < max_passes; ++round) {
         list_impact(scratch, softness.h);
         copy_listed(scratch);
@@ -113,6 +126,7 @@ void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scr
         }
         for (int pass = 0; pass < max_passes; ++pass) {
             strike_all(scratch, thread_pool, softness.h);
+            join_sets(direct, scratch, softness.h);
             if (!settle_groups(scratch)) break;
         }
         if (scratch.border) return_shared_velocities(scratch);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "jobs/thread_pool.h"
+#include "state/direct_sets.h"
 #include "state/solver_scratch.h"
 #include "state/state.h"
 
@@ -17,7 +18,8 @@ inline constexpr float no_impact_speed = 1e30f;
 
 // After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
 // it is set back to 0. `ranks`: of a batch that is cut.
-void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool,
-                   Communicator* ranks, const ContactSoftness& softness, std::atomic<int>& struck_contacts);
+void solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                   ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
+                   std::atomic<int>& struck_contacts);
 
 } // namespace cairn

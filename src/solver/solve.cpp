@@ -112,9 +112,8 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     ContactSoftness softness = contact_softness(dt, batch.substeps, settings.recovery_speed);
     const BounceSettings bounce{h, settings.restitution_speed, velocity_offset(settings.integrator)};
     const JointSoftness joint_soft = joint_softness(dt, batch.substeps);
-    // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
-    // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
-    const bool stops_impacts = scratch.direct.sets.empty() && scratch.joint_layout->kinematic_bodies.empty();
+    // Not where kinematic bodies drive joints: the passes would stop what they drive.
+    const bool stops_impacts = scratch.joint_layout->kinematic_bodies.empty();
     softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
@@ -151,7 +150,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(bodies, joints, scratch, thread_pool, ranks, softness, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, struck);
         hold_direct_bodies(direct, scratch, thread_pool, h);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
@@ -168,7 +167,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             if (count > 0) struck += count;
         });
         release_what_turns(scratch, thread_pool);
-        solve_impacts(bodies, joints, scratch, thread_pool, ranks, softness, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, struck);
     }
 }
 

@@ -87,6 +87,10 @@ struct ImpactWork {
     std::vector<std::int32_t> rows, sorted_rows; // the rows that may change, those of a group side by side
     std::vector<SolverVelocity> before, last;    // of those
 
+    // Of joints that are solved directly: places in DirectWork::sets.
+    std::vector<std::int32_t> set_of_row; // none: of no set; empty: the batch has none
+    std::vector<std::int32_t> sets;       // those that take part
+
     // The lanes that take part, run by run.
     struct ListedLane {
         std::uint32_t source; // the lane of the batch
