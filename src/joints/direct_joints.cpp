@@ -21,6 +21,7 @@ constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
 constexpr double stiffness_damping = 0.02;
 // Of the diagonal: in loops some rows say what others say already.
 constexpr double loop_compliance = 1e-6;
+constexpr int max_bound_rounds = 8; // in which drives are put at their bounds, or freed
 
 DVec3 vector_of(const float* p) { return math::to_double(math::to_vec(p)); }
 
@@ -165,7 +166,7 @@ void refresh_axis(const JointAxisRule& rule, DVec3 axis_a, DVec3 axis_b, DVec3 g
 Block free_directions(const DirectNode& node, const JointLocks& rules, const DirectRow& r, const Block& k) {
     const double size = k.m[0] + k.m[4] + k.m[8];
     const double scale = size > 0 ? size : 1.0;
-    if (node.rows == DirectRows::axis) return {{0, 0, 0, 0, scale, 0, 0, 0, scale}};
+    if (node.rows == DirectRows::axis || node.rows == DirectRows::drive) return {{0, 0, 0, 0, scale, 0, 0, 0, scale}};
     const bool is_point = node.rows == DirectRows::point;
     if ((is_point ? rules.point : rules.turn) != JointLock::across) return {};
     Block free = math::identity_block();
@@ -174,7 +175,7 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
 }
 
 // Jacobian, error and own block of one node.
-void refresh_row(const Joints& joints, const SetView& v, std::size_t i) {
+void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h) {
     const DirectNode& node = v.set.nodes[i];
     DirectRow& r = v.rows[i];
     const JointLocks& rules = joints.info[node.joint].rules;
@@ -186,9 +187,15 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i) {
         refresh_point(rules, axis_a, gap, r);
     else if (node.rows == DirectRows::turn)
         refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
-    else
+    else if (node.rows == DirectRows::axis)
         refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
+    else
+        refresh_drive(v, r, h);
 }
+
+bool is_drive(const SetView& v, std::size_t i) { return v.set.nodes[i].rows == DirectRows::drive; }
+// Whether it gives all that it can: then it is no row.
+bool is_bound(const SetView& v, std::size_t i) { return is_drive(v, i) && v.rows[i].drive.bound != 0; }
 
 void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
     if (row.is_plain && column.is_plain)
@@ -207,6 +214,11 @@ Block own_block(const Joints& joints, const SetView& v, std::size_t i) {
         r.response[side] = r.angular[side] * math::to_block(ends[side]->inverse_inertia);
         k += math::times_transposed(r.response[side], r.angular[side]);
     }
+    if (is_bound(v, i)) {
+        r.diagonal = {1, 1, 1};
+        return math::identity_block();
+    }
+    if (is_drive(v, i)) k.m[0] += r.drive.compliance;
     k += free_directions(node, joints.info[node.joint].rules, r, k);
     r.diagonal = {k.m[0], k.m[4], k.m[8]};
     if (v.set.has_loops)
@@ -220,6 +232,7 @@ void assemble(const Joints& joints, const SetView& v) {
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.diagonal[i] = own_block(joints, v, i);
     std::fill(v.lower, v.lower + v.set.plan.block_count(), Block{});
     for (const DirectCoupling& c : v.set.plan.couplings) {
+        if (is_bound(v, c.row) || is_bound(v, c.column)) continue;
         const DirectRow &row = v.rows[c.row], &column = v.rows[c.column];
         Block& block = v.lower[c.block];
         block += math::times_transposed(row.response[c.row_side], column.angular[c.column_side]);
@@ -293,16 +306,52 @@ DVec3 return_speed(DVec3 v) {
 
 void seek_impulses(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
-    for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + return_speed(rate * v.rows[i].error));
+    for (std::size_t i = 0; i < n; ++i) {
+        const DVec3 slip = slip_of(v, i);
+        if (!is_drive(v, i))
+            v.sought[i] = -(slip + return_speed(rate * v.rows[i].error));
+        else
+            v.sought[i] = {is_bound(v, i) ? 0 : lack_of_drive(v.rows[i], slip.x), 0, 0};
+    }
     substitute(v);
-    for (std::size_t i = 0; i < n; ++i) apply(v, i, v.sought[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+        apply(v, i, v.sought[i]);
+        v.rows[i].given += v.sought[i];
+    }
+}
+
+void keep_given(const SetView& v) {
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        v.rows[i].impulse += v.rows[i].given;
+        v.rows[i].given = {};
+    }
 }
 
 namespace {
 
-void solve_rows(const SetView& v, double rate) {
+// Puts drives at their bounds, or frees them. Whether any changed: then the matrix is made anew.
+bool bound_drives(const Joints& joints, const SetView& v) {
+    bool any = false;
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        double change = 0;
+        if (!is_drive(v, i) || !bound_drive(v.rows[i], slip_of(v, i).x, change)) continue;
+        apply(v, i, {change, 0, 0});
+        any = true;
+    }
+    if (!any) return false;
+    assemble(joints, v);
+    factorize(v);
+    return true;
+}
+
+void seek_within_bounds(const Joints& joints, const SetView& v, double rate) {
     seek_impulses(v, rate);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].impulse += v.sought[i];
+    for (int round = 0; round < max_bound_rounds && bound_drives(joints, v); ++round) seek_impulses(v, rate);
+}
+
+void solve_rows(const Joints& joints, const SetView& v, double rate) {
+    seek_within_bounds(joints, v, rate);
+    keep_given(v);
 }
 
 double return_rate(const SetView& v, double h) {
@@ -316,19 +365,20 @@ void read_velocities(const SetView& v, const BatchScratch& scratch) {
         b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].given = {};
 }
 
 void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h, bool first) {
     const std::size_t n = v.set.nodes.size();
     place_bodies(v, scratch);
-    for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i);
+    for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i, h);
     if (first && v.is_new) { // the tension must be known before anything turns
         stiffen_bodies(v);
         assemble(joints, v);
         factorize(v);
         for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {};
         forget_limits(v);
-        solve_rows(v, 0);
+        solve_rows(joints, v, 0);
         for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].dv = v.bodies[i].dw = {};
     }
     if (first) find_stiffness(v, h);
@@ -353,11 +403,15 @@ void count_impulse(const SetView& v, std::size_t i, DVec3 impulse) {
     const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
     r.total += turns ? math::transposed_times(r.angular[1], impulse) : force_of(r, impulse);
 }
-void solve_set(const SetView& v, BatchScratch& scratch, double h) {
+void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
-    solve_rows(v, rate);
+    solve_rows(joints, v, rate);
     hold_limits(v, rate, h);
+    if (bound_drives(joints, v)) { // by what the limits asked for
+        solve_rows(joints, v, rate);
+        hold_limits(v, rate, h);
+    }
     count_limits(v);
     find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) count_impulse(v, i, v.rows[i].impulse);
@@ -365,16 +419,16 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
 }
 
 // The velocities that the joints allow: what that changes is in dv and dw.
-void join_set(const SetView& v, const BatchScratch& scratch, double h) {
+void join_set(const Joints& joints, const SetView& v, const BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
-    seek_impulses(v, rate);
+    seek_within_bounds(joints, v, rate);
     hold_limits_for_now(v, rate, h);
 }
 
-void hold_set(const SetView& v, BatchScratch& scratch, double h) {
+void hold_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h) {
     if (!v.is_touched) return;
-    join_set(v, scratch, h);
+    join_set(joints, v, scratch, h);
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         if (!b.by_forces) continue;
@@ -428,22 +482,28 @@ void begin_direct_limits(const DirectSets& direct, BatchScratch& scratch, Thread
     for_sets(direct, scratch, thread_pool, [&](const SetView& v) { begin_limits_of(v, scratch); });
 }
 
-void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
-    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+void solve_direct_rows(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool,
+                       float h) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { solve_set(joints, v, scratch, double(h)); });
 }
 
-void hold_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
-    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { hold_set(v, scratch, double(h)); });
+void hold_direct_bodies(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool,
+                        float h) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { hold_set(joints, v, scratch, double(h)); });
 }
 
 void release_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool) {
     for_sets(direct, scratch, thread_pool, [&](const SetView& v) { release_set(v, scratch); });
 }
 
-void join_velocities(const DirectSets& direct, BatchScratch& scratch, std::size_t place, float h) {
+void join_velocities(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, std::size_t place,
+                     float h) {
     const SetView v = view_of(direct, scratch, place);
-    join_set(v, scratch, double(h));
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) count_impulse(v, i, v.sought[i]);
+    join_set(joints, v, scratch, double(h));
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        count_impulse(v, i, v.rows[i].given);
+        if (is_drive(v, i)) v.rows[i].impulse += v.rows[i].given; // else it would give that again
+    }
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         const DirectBody& b = v.bodies[i];
         if (!b.by_forces) continue;

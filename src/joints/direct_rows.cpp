@@ -51,9 +51,28 @@ void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node
         r.at = double(joints.axes[node.joint].rules[node.axis].lower);
         r.impulse.x = double(joints.axes[node.joint].states[node.axis].lower);
         break;
+    case DirectRows::drive:
+        r.impulse.x = double(joints.axes[node.joint].states[node.axis].drive);
+        break;
     }
     r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
     r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
+}
+
+bool comes_first(const DriveLane& a, const DriveLane& b) {
+    return a.joint != b.joint ? a.joint < b.joint : a.axis < b.axis;
+}
+
+void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& node, float h, DirectRow& r) {
+    const JointAxisRule& rule = joints.axes[node.joint].rules[node.axis];
+    DirectDrive& d = r.drive;
+    const DriveLane sought{node.joint, node.axis, 0};
+    d.lane = std::lower_bound(work.drive_lanes.begin(), work.drive_lanes.end(), sought, comes_first)->lane;
+    d.stiffness = double(rule.drive_stiffness), d.damping = double(rule.drive_damping);
+    d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
+    d.most = double(rule.max_drive) * double(h);
+    d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
+    d.bound = r.impulse.x >= d.most ? 1 : r.impulse.x <= -d.most ? -1 : 0;
 }
 
 } // namespace
@@ -81,9 +100,10 @@ void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScrat
 void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
     DirectWork& work = scratch.direct;
     const JointLayout& layout = *scratch.joint_layout;
-    work.limits.clear();
+    work.limits.clear(), work.drive_lanes.clear();
     if (work.sets.empty()) return;
     for (const JointRow& row : layout.rows) {
+        if (row.is_direct_drive) work.drive_lanes.push_back({row.joint, row.axis, row.lane});
         if (!row.is_direct_limit || row.idle) continue;
         const std::int32_t index = direct.set_of_joint[row.joint];
         const std::vector<DirectNode>& nodes = direct.sets[index].found; // in the order of joints
@@ -96,6 +116,7 @@ void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScr
         limit.body[0] = node->body[0], limit.body[1] = node->body[1];
         limit.bounds[0] = double(rule.lower), limit.bounds[1] = double(rule.upper);
     }
+    std::sort(work.drive_lanes.begin(), work.drive_lanes.end(), comes_first);
     std::stable_sort(work.limits.begin(), work.limits.end(),
                      [](const DirectLimit& a, const DirectLimit& b) { return a.set < b.set; });
     for (DirectSolve& solve : work.sets) {
@@ -109,7 +130,7 @@ void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScr
 }
 
 void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
-                      ThreadPool* thread_pool) {
+                      ThreadPool* thread_pool, float h) {
     DirectWork& work = scratch.direct;
     for_chunks(thread_pool, int(work.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
@@ -121,6 +142,9 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
                 fill_body(bodies, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
                 fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
+            for (std::size_t i = 0; i < set.nodes.size(); ++i)
+                if (set.nodes[i].rows == DirectRows::drive)
+                    fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < solve.limit_count; ++i) {
                 DirectLimit& limit = work.limits[solve.first_limit + i];
                 const JointAxisState& state = joints.axes[limit.joint].states[limit.axis];
@@ -151,6 +175,10 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 joints.axes[node.joint].states[node.axis].lower = impulse.x;
                 joints.axes[node.joint].states[node.axis].upper = 0;
                 is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
+                break;
+            case DirectRows::drive:
+                joints.axes[node.joint].states[node.axis].drive = impulse.x;
+                is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
                 break;
             }
             (is_force ? joint.force : joint.torque) += total;

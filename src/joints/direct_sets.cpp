@@ -107,11 +107,13 @@ class Finder {
             if (info.rules.point != JointLock::none) set_.found.push_back(node);
             node.rows = DirectRows::turn;
             if (info.rules.turn != JointLock::none) set_.found.push_back(node);
-            node.rows = DirectRows::axis;
             for (std::uint8_t i = 0; i < info.rules.axis_count; ++i) {
-                if (!is_direct_axis(joints_.axes[joint].rules[i])) continue;
+                const JointAxisRule& rule = joints_.axes[joint].rules[i];
                 node.axis = i;
-                set_.found.push_back(node);
+                node.rows = DirectRows::axis;
+                if (is_direct_axis(rule)) set_.found.push_back(node);
+                node.rows = DirectRows::drive;
+                if (is_direct_drive(rule)) set_.found.push_back(node);
             }
         }
         for (const DirectNode& node : set_.found) {
@@ -170,14 +172,23 @@ class Finder {
         for (std::size_t i = 1; i < at.size(); ++i) {
             if (at[i].size() < 2) continue;
             if (heaviest > max_equal_mass_ratio * bodies_.mass[set.bodies[i]].mass) return true;
-            int fixed = 0;
-            for (const std::uint32_t joint : at[i]) {
-                const JointLocks& rules = joints_.info[joint].rules;
-                fixed += rules.point == JointLock::full && rules.turn == JointLock::full;
-            }
-            if (fixed >= 2) return true; // in series
+            const auto holding =
+                std::count_if(at[i].begin(), at[i].end(), [&](std::uint32_t joint) { return holds_all(joint); });
+            if (holding >= 2) return true; // in series
         }
         return longest_chain(set, at) > min_chain;
+    }
+
+    // Whether a joint lets nothing move: it is fixed, or a servo holds the angle that it leaves.
+    bool holds_all(std::uint32_t joint) const {
+        const JointLocks& rules = joints_.info[joint].rules;
+        if (rules.point != JointLock::full) return false;
+        bool turns = rules.turn != JointLock::full;
+        for (int i = 0; i < rules.axis_count; ++i) {
+            const JointAxisRule& rule = joints_.axes[joint].rules[i];
+            if (is_direct_drive(rule) && rule.drive_stiffness > 0) turns = false;
+        }
+        return !turns;
     }
 
     static std::size_t place_of(const DirectSet& set, std::int32_t body) {
@@ -253,6 +264,20 @@ bool is_direct_axis(const JointAxisRule& rule) {
         return true;
     case AxisKind::distance:
         return rule.lower > 0;
+    default:
+        return false;
+    }
+}
+
+bool is_direct_drive(const JointAxisRule& rule) {
+    if (!rule.has_drive || !(rule.rigid_drive || rule.drive_stiffness > 0 || rule.drive_damping > 0)) return false;
+    switch (rule.kind) {
+    case AxisKind::linear:
+    case AxisKind::twist:
+    case AxisKind::cross_a:
+    case AxisKind::cross_b:
+    case AxisKind::rotation:
+        return true;
     default:
         return false;
     }

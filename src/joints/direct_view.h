@@ -23,8 +23,18 @@ struct SetView {
     AxisBlock* axes;
 };
 
-// Impulses (`sought`) that take the velocities of the rows to -rate x error; their bodies gain what they give.
+// Impulses that take the velocities of the rows to -rate x error, and drives to where they yield; their bodies gain
+// what they give. They are `given` beside the rows' impulses, until those are to have them.
 void seek_impulses(const SetView& v, double rate);
+void keep_given(const SetView& v);
+
+// Of the poses now: the row of a drive, and how it yields.
+void refresh_drive(const SetView& v, DirectRow& row, double h);
+// The speed that the row of a drive lacks.
+double lack_of_drive(const DirectRow& row, double velocity);
+// A drive that gives more than it can is held at that bound; one that is held and would give less is set free. Returns
+// whether that changed; `change`: of its impulse.
+bool bound_drive(DirectRow& row, double velocity, double& change);
 
 // At the start of a substep: the impulses of the last one.
 void begin_limits(const SetView& v);

@@ -155,6 +155,7 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
     b.friction_impulse[lane] = state.friction;
     b.lower_impulse[lane] = state.lower;
     b.upper_impulse[lane] = state.upper;
+    if (row.is_direct_drive) b.drive_impulse[lane] = b.max_drive[lane] = 0;
     if (!row.is_direct_limit) return;
     b.lower[lane] = -unlimited, b.upper[lane] = unlimited;
     b.lower_impulse[lane] = b.upper_impulse[lane] = 0;
@@ -391,7 +392,7 @@ void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& d
         }
     });
     list_calls(scratch);
-    fill_direct_rows(bodies, joints, direct, scratch, thread_pool);
+    fill_direct_rows(bodies, joints, direct, scratch, thread_pool, h);
 }
 
 void store_joints(Joints& joints, const WorldDef& settings, const DirectSets& direct, BatchScratch& scratch, float dt) {

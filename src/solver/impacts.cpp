@@ -50,13 +50,13 @@ void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
 }
 
 // Joints that are solved directly are one row of a pass: all of what hangs together has velocities that they allow.
-void join_sets(const DirectSets& direct, BatchScratch& scratch, float h) {
+void join_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, float h) {
     const ImpactWork& work = scratch.impact;
     for (const std::int32_t set : work.sets) {
         const DirectSolve& solve = scratch.direct.sets[std::size_t(set)];
         const std::int32_t row = scratch.direct.bodies[solve.first_body + 1].row;
         if (!work.groups[std::size_t(work.place_of[std::size_t(row)])].is_settled)
-            join_velocities(direct, scratch, std::size_t(set), h);
+            join_velocities(joints, direct, scratch, std::size_t(set), h);
     }
 }
 
@@ -126,7 +126,7 @@ void solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
         }
         for (int pass = 0; pass < max_passes; ++pass) {
             strike_all(scratch, thread_pool, softness.h);
-            join_sets(direct, scratch, softness.h);
+            join_sets(joints, direct, scratch, softness.h);
             if (!settle_groups(scratch)) break;
         }
         if (scratch.border) return_shared_velocities(scratch);

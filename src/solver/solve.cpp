@@ -130,12 +130,13 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
             k.integrate_velocities(solver_bodies, std::max(begin, int(first_body_row)), end, first);
         });
-        begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
-        if (batch.bounces) bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce);
-        if (first) {
+        if (first)
             for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
                 rows_of.warm_start(blocks, solver_bodies, joint_soft);
             });
+        begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
+        if (batch.bounces) bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce);
+        if (first) {
             sweep([&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
@@ -145,13 +146,13 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.solve(blocks, velocity, joint_soft);
         });
-        solve_direct_rows(direct, scratch, thread_pool, h);
+        solve_direct_rows(joints, direct, scratch, thread_pool, h);
         sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
         solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, struck);
-        hold_direct_bodies(direct, scratch, thread_pool, h);
+        hold_direct_bodies(joints, direct, scratch, thread_pool, h);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
         turn_spinning_rows(bodies, scratch, h);

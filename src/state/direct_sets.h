@@ -35,9 +35,8 @@ inline bool operator==(const DirectEnds& a, const DirectEnds& b) {
     return a.body[0] == b.body[0] && a.body[1] == b.body[1];
 }
 
-enum class DirectRows : std::uint8_t { point, turn, axis };
-
-// Three rows of a joint, or its axis row `axis` alone.
+// Three rows of a joint, or its axis row `axis` alone: as an equation, or its drive.
+enum class DirectRows : std::uint8_t { point, turn, axis, drive };
 struct DirectNode {
     std::uint32_t joint;
     DirectRows rows;

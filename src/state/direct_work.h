@@ -26,6 +26,17 @@ struct DirectBody {
     math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another
 };
 
+// The drive of an axis row, on which it gives the impulse p in a substep: a damped spring has v + p / g = pull / g with
+// g = h (h k + d), so that it acts at the end of the substep; what is rigid has v = pull.
+struct DirectDrive {
+    std::uint32_t lane = 0; // of the axis blocks, which have the Jacobian and the position
+    double stiffness = 0, damping = 0, target_position = 0, target_velocity = 0;
+    double most = 0; // N s or N m s
+    bool is_rigid = false, is_relative = false;
+    double compliance = 0, pull = 0; // 1 / g, pull / g
+    int bound = 0;                   // -1, 1: it gives all that it can, one way or the other; the row takes no part
+};
+
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
 struct DirectRow {
     math::DVec3 arm_a0, arm_b0, gap0; // from the centers of mass to the anchors, and from A's to B's
@@ -38,7 +49,9 @@ struct DirectRow {
     bool is_plain = false; // L is the unit matrix
     math::DVec3 diagonal;  // of the rows' matrix, before the elimination
     math::DVec3 error, impulse;
-    math::DVec3 total; // N s or N m s on B, world axes, over all substeps
+    math::DVec3 given, held_given; // beside that, while velocities are sought, and while others are tried
+    math::DVec3 total;             // N s or N m s on B, world axes, over all substeps
+    DirectDrive drive;
 };
 
 // A rigid limit of a joint in a set. Its axis block has Jacobian and position.
@@ -60,6 +73,11 @@ struct DirectSolve {
     std::size_t first_limit = 0, limit_count = 0;
 };
 
+// Where a drive's axis row lies.
+struct DriveLane {
+    std::uint32_t joint, axis, lane; // of the axis blocks
+};
+
 struct DirectWork {
     std::vector<DirectSolve> sets;
     std::vector<DirectBody> bodies;
@@ -67,6 +85,7 @@ struct DirectWork {
     std::vector<math::Block> diagonal, lower; // of the factor; by node and by block
     std::vector<math::DVec3> sought;          // by node
     std::vector<DirectLimit> limits;          // by set
+    std::vector<DriveLane> drive_lanes;       // by joint and axis
 };
 
 } // namespace cairn
