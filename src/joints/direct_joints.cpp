@@ -166,7 +166,7 @@ void refresh_axis(const JointAxisRule& rule, DVec3 axis_a, DVec3 axis_b, DVec3 g
 Block free_directions(const DirectNode& node, const JointLocks& rules, const DirectRow& r, const Block& k) {
     const double size = k.m[0] + k.m[4] + k.m[8];
     const double scale = size > 0 ? size : 1.0;
-    if (node.rows == DirectRows::axis || node.rows == DirectRows::drive) return {{0, 0, 0, 0, scale, 0, 0, 0, scale}};
+    if (node.rows == DirectRows::axis || is_bounded(node.rows)) return {{0, 0, 0, 0, scale, 0, 0, 0, scale}};
     const bool is_point = node.rows == DirectRows::point;
     if ((is_point ? rules.point : rules.turn) != JointLock::across) return {};
     Block free = math::identity_block();
@@ -193,7 +193,7 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h
         refresh_drive(v, r, h);
 }
 
-bool is_drive(const SetView& v, std::size_t i) { return v.set.nodes[i].rows == DirectRows::drive; }
+bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
 // Whether it gives all that it can: then it is no row.
 bool is_bound(const SetView& v, std::size_t i) { return is_drive(v, i) && v.rows[i].drive.bound != 0; }
 

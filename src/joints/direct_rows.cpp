@@ -54,6 +54,9 @@ void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node
     case DirectRows::drive:
         r.impulse.x = double(joints.axes[node.joint].states[node.axis].drive);
         break;
+    case DirectRows::friction:
+        r.impulse.x = double(joints.axes[node.joint].states[node.axis].friction);
+        break;
     }
     r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
     r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
@@ -68,10 +71,15 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
     DirectDrive& d = r.drive;
     const DriveLane sought{node.joint, node.axis, 0};
     d.lane = std::lower_bound(work.drive_lanes.begin(), work.drive_lanes.end(), sought, comes_first)->lane;
-    d.stiffness = double(rule.drive_stiffness), d.damping = double(rule.drive_damping);
-    d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
-    d.most = double(rule.max_drive) * double(h);
-    d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
+    if (node.rows == DirectRows::friction) {
+        d.is_rigid = true;
+        d.most = double(rule.friction) * double(h);
+    } else {
+        d.stiffness = double(rule.drive_stiffness), d.damping = double(rule.drive_damping);
+        d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
+        d.most = double(rule.max_drive) * double(h);
+        d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
+    }
     d.bound = r.impulse.x >= d.most ? 1 : r.impulse.x <= -d.most ? -1 : 0;
 }
 
@@ -103,7 +111,7 @@ void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScr
     work.limits.clear(), work.drive_lanes.clear();
     if (work.sets.empty()) return;
     for (const JointRow& row : layout.rows) {
-        if (row.is_direct_drive) work.drive_lanes.push_back({row.joint, row.axis, row.lane});
+        if (row.is_direct_drive || row.is_direct_friction) work.drive_lanes.push_back({row.joint, row.axis, row.lane});
         if (!row.is_direct_limit || row.idle) continue;
         const std::int32_t index = direct.set_of_joint[row.joint];
         const std::vector<DirectNode>& nodes = direct.sets[index].found; // in the order of joints
@@ -143,7 +151,7 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
                 fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
-                if (set.nodes[i].rows == DirectRows::drive)
+                if (is_bounded(set.nodes[i].rows))
                     fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < solve.limit_count; ++i) {
                 DirectLimit& limit = work.limits[solve.first_limit + i];
@@ -177,7 +185,9 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
                 break;
             case DirectRows::drive:
-                joints.axes[node.joint].states[node.axis].drive = impulse.x;
+            case DirectRows::friction:
+                (node.rows == DirectRows::drive ? joints.axes[node.joint].states[node.axis].drive
+                                                : joints.axes[node.joint].states[node.axis].friction) = impulse.x;
                 is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
                 break;
             }

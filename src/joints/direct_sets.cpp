@@ -114,6 +114,8 @@ class Finder {
                 if (is_direct_axis(rule)) set_.found.push_back(node);
                 node.rows = DirectRows::drive;
                 if (is_direct_drive(rule)) set_.found.push_back(node);
+                node.rows = DirectRows::friction;
+                if (is_direct_friction(rule)) set_.found.push_back(node);
             }
         }
         for (const DirectNode& node : set_.found) {
@@ -256,6 +258,24 @@ class Finder {
 
 } // namespace
 
+namespace {
+
+// Drives and friction along other axes have no direction where their position is 0, or depend on more than two bodies.
+bool is_linear_enough(AxisKind kind) {
+    switch (kind) {
+    case AxisKind::linear:
+    case AxisKind::twist:
+    case AxisKind::cross_a:
+    case AxisKind::cross_b:
+    case AxisKind::rotation:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
 bool is_direct_axis(const JointAxisRule& rule) {
     if (!rule.has_limits || !rule.is_equation || !rule.rigid_limit || rule.has_drive || rule.friction > 0) return false;
     switch (rule.kind) {
@@ -270,18 +290,10 @@ bool is_direct_axis(const JointAxisRule& rule) {
 }
 
 bool is_direct_drive(const JointAxisRule& rule) {
-    if (!rule.has_drive || !(rule.rigid_drive || rule.drive_stiffness > 0 || rule.drive_damping > 0)) return false;
-    switch (rule.kind) {
-    case AxisKind::linear:
-    case AxisKind::twist:
-    case AxisKind::cross_a:
-    case AxisKind::cross_b:
-    case AxisKind::rotation:
-        return true;
-    default:
-        return false;
-    }
+    return rule.has_drive && (rule.rigid_drive || rule.drive_stiffness > 0 || rule.drive_damping > 0) &&
+           is_linear_enough(rule.kind);
 }
+bool is_direct_friction(const JointAxisRule& rule) { return rule.friction > 0 && is_linear_enough(rule.kind); }
 
 bool is_direct_limit(const JointAxisRule& rule) { return rule.has_limits && rule.rigid_limit && !rule.is_equation; }
 

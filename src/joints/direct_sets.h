@@ -15,8 +15,9 @@ void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& 
 
 // Whether an axis row of a joint belongs to what a direct solver holds: it is a rigid equation, and linear enough.
 bool is_direct_axis(const JointAxisRule& rule);
-// Whether its drive does.
+// Whether its drive does, and its friction.
 bool is_direct_drive(const JointAxisRule& rule);
+bool is_direct_friction(const JointAxisRule& rule);
 // Whether the limits of an axis row do: they are rigid.
 bool is_direct_limit(const JointAxisRule& rule);
 

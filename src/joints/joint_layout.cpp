@@ -62,7 +62,8 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
         row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
         row.is_direct_drive = is_direct && is_direct_drive(rule);
         row.has_drive = rule.has_drive != 0 && !row.is_direct_drive;
-        row.has_friction = rule.friction > 0;
+        row.is_direct_friction = is_direct && is_direct_friction(rule);
+        row.has_friction = rule.friction > 0 && !row.is_direct_friction;
         row.reach_by_turn = reach_by_turn(rules, joints.axes[joint], rule);
         layout.may_idle |= row.reach_by_turn != 0;
     }

@@ -156,6 +156,7 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
     b.lower_impulse[lane] = state.lower;
     b.upper_impulse[lane] = state.upper;
     if (row.is_direct_drive) b.drive_impulse[lane] = b.max_drive[lane] = 0;
+    if (row.is_direct_friction) b.friction_impulse[lane] = b.max_friction[lane] = 0;
     if (!row.is_direct_limit) return;
     b.lower[lane] = -unlimited, b.upper[lane] = unlimited;
     b.lower_impulse[lane] = b.upper_impulse[lane] = 0;

@@ -35,8 +35,10 @@ inline bool operator==(const DirectEnds& a, const DirectEnds& b) {
     return a.body[0] == b.body[0] && a.body[1] == b.body[1];
 }
 
-// Three rows of a joint, or its axis row `axis` alone: as an equation, or its drive.
-enum class DirectRows : std::uint8_t { point, turn, axis, drive };
+// Three rows of a joint, or one of its axis `axis`: an equation, a drive, or friction.
+enum class DirectRows : std::uint8_t { point, turn, axis, drive, friction };
+// Rows that give no more than so much.
+inline bool is_bounded(DirectRows rows) { return rows == DirectRows::drive || rows == DirectRows::friction; }
 struct DirectNode {
     std::uint32_t joint;
     DirectRows rows;

@@ -26,8 +26,8 @@ struct DirectBody {
     math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another
 };
 
-// The drive of an axis row, on which it gives the impulse p in a substep: a damped spring has v + p / g = pull / g with
-// g = h (h k + d), so that it acts at the end of the substep; what is rigid has v = pull.
+// A drive or the friction of an axis, which gives the impulse p in a substep: a damped spring has v + p / g = pull / g
+// with g = h (h k + d), so that it acts at the end of the substep; a motor and friction have v = pull.
 struct DirectDrive {
     std::uint32_t lane = 0; // of the axis blocks, which have the Jacobian and the position
     double stiffness = 0, damping = 0, target_position = 0, target_velocity = 0;
@@ -73,7 +73,7 @@ struct DirectSolve {
     std::size_t first_limit = 0, limit_count = 0;
 };
 
-// Where a drive's axis row lies.
+// Where the axis row of a drive or of friction lies.
 struct DriveLane {
     std::uint32_t joint, axis, lane; // of the axis blocks
 };
