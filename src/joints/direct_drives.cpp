@@ -1,9 +1,10 @@
-// Drives of joints that are solved directly. A drive that is a row of its own sees the two bodies of its joint alone:
-// where these are light beside what hangs on them, its impulse turns them by far too much, and the joints pass that on.
-// So drives are rows among the equations, each with the softness of its spring (see solver_data of joints: AxisBlock).
+// Drives, friction and soft limits of joints that are solved directly. A drive that is a row of its own sees the two
+// bodies of its joint alone: where these are light beside what hangs on them, its impulse turns them by far too much,
+// and the joints pass that on. So drives are rows among the equations, each with the softness of its spring (see
+// solver_data of joints: AxisBlock).
 #include "joints/direct_view.h"
 
-#include <cmath>
+#include <limits>
 
 namespace cairn {
 
@@ -14,9 +15,19 @@ namespace {
 // m/s or rad/s: what lacks less stays at its bound.
 constexpr double settled = 1e-9;
 
+// The nearer one of the two bounds of a soft limit. One that gave nothing takes no part.
+void choose_limit(DirectDrive& d, double position, double impulse) {
+    const double all = std::numeric_limits<double>::infinity();
+    const bool is_lower = position - d.lower < d.upper - position;
+    d.target_position = is_lower ? d.lower : d.upper;
+    d.least = is_lower ? 0 : -all, d.most = is_lower ? all : 0;
+    d.bound = impulse != 0 ? 0 : is_lower ? -1 : 1;
+}
+
 } // namespace
 
-void refresh_drive(const SetView& v, DirectRow& row, double h) {
+void refresh_drive(const SetView& v, std::size_t node, double h) {
+    DirectRow& row = v.rows[node];
     DirectDrive& d = row.drive;
     const AxisBlock& b = v.axes[d.lane / 8];
     const std::size_t lane = d.lane % 8;
@@ -29,9 +40,17 @@ void refresh_drive(const SetView& v, DirectRow& row, double h) {
     row.arm_a = row.arm_b = row.error = {};
     d.compliance = 0, d.pull = d.target_velocity;
     if (d.is_rigid) return;
+    const double position = double(b.position[lane]);
+    const bool is_range = v.set.nodes[node].rows == DirectRows::soft_limit && d.lower < d.upper;
+    if (is_range) choose_limit(d, position, row.impulse.x);
+    const double missing = d.target_position - position;
+    if (is_range && (d.most > 0 ? missing < 0 : missing > 0)) {
+        d.pull = missing / h; // it is not reached: the position goes no farther than there
+        return;
+    }
     const double unit = d.is_relative ? double(b.mass[lane]) : 1, k = unit * d.stiffness, c = unit * d.damping;
     d.compliance = 1 / (h * (h * k + c));
-    d.pull = d.compliance * h * (k * (d.target_position - double(b.position[lane])) + c * d.target_velocity);
+    d.pull = d.compliance * h * (k * missing + c * d.target_velocity);
 }
 
 double lack_of_drive(const DirectRow& row, double velocity) {
@@ -40,17 +59,17 @@ double lack_of_drive(const DirectRow& row, double velocity) {
 
 bool bound_drive(DirectRow& row, double velocity, double& change) {
     DirectDrive& d = row.drive;
-    const double all = row.impulse.x + row.given.x, lack = lack_of_drive(row, velocity);
+    const double all = row.impulse.x + row.given.x;
     change = 0;
-    if (d.bound == 0) {
-        if (!(std::fabs(all) > d.most)) return false;
-        d.bound = all > 0 ? 1 : -1;
-        change = d.bound * d.most - all;
-        row.given.x += change;
+    if (d.bound != 0) {
+        if (!(d.bound * lack_of_drive(row, velocity) < -settled)) return false;
+        d.bound = 0;
         return true;
     }
-    if (!(d.bound * lack < -settled)) return false;
-    d.bound = 0;
+    if (!(all > d.most || all < d.least)) return false;
+    d.bound = all > d.most ? 1 : -1;
+    change = (d.bound == 1 ? d.most : d.least) - all;
+    row.given.x += change;
     return true;
 }
 

@@ -190,7 +190,7 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h
     else if (node.rows == DirectRows::axis)
         refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
     else
-        refresh_drive(v, r, h);
+        refresh_drive(v, i, h);
 }
 
 bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
@@ -333,12 +333,12 @@ namespace {
 bool bound_drives(const Joints& joints, const SetView& v) {
     bool any = false;
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
-        double change = 0;
-        if (!is_drive(v, i) || !bound_drive(v.rows[i], slip_of(v, i).x, change)) continue;
-        apply(v, i, {change, 0, 0});
-        any = true;
+        v.sought[i] = {};
+        if (is_drive(v, i)) any |= bound_drive(v.rows[i], slip_of(v, i).x, v.sought[i].x);
     }
     if (!any) return false;
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i)
+        if (v.sought[i].x != 0) apply(v, i, v.sought[i]);
     assemble(joints, v);
     factorize(v);
     return true;

@@ -6,6 +6,7 @@
 #include "state/state.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn {
 
@@ -57,6 +58,10 @@ void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node
     case DirectRows::friction:
         r.impulse.x = double(joints.axes[node.joint].states[node.axis].friction);
         break;
+    case DirectRows::soft_limit:
+        r.impulse.x = double(joints.axes[node.joint].states[node.axis].lower) -
+                      double(joints.axes[node.joint].states[node.axis].upper);
+        break;
     }
     r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
     r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
@@ -71,16 +76,26 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
     DirectDrive& d = r.drive;
     const DriveLane sought{node.joint, node.axis, 0};
     d.lane = std::lower_bound(work.drive_lanes.begin(), work.drive_lanes.end(), sought, comes_first)->lane;
-    if (node.rows == DirectRows::friction) {
-        d.is_rigid = true;
-        d.most = double(rule.friction) * double(h);
-    } else {
+    const double all = std::numeric_limits<double>::infinity();
+    switch (node.rows) {
+    case DirectRows::drive:
         d.stiffness = double(rule.drive_stiffness), d.damping = double(rule.drive_damping);
         d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
-        d.most = double(rule.max_drive) * double(h);
+        d.most = double(rule.max_drive) * double(h), d.least = -d.most;
         d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
+        break;
+    case DirectRows::friction:
+        d.is_rigid = true;
+        d.most = double(rule.friction) * double(h), d.least = -d.most;
+        break;
+    default:
+        d.stiffness = double(rule.limit_stiffness), d.damping = double(rule.limit_damping);
+        d.is_relative = rule.limit_relative;
+        d.lower = double(rule.lower), d.upper = double(rule.upper);
+        d.target_position = d.lower;
+        d.most = all, d.least = -all;
     }
-    d.bound = r.impulse.x >= d.most ? 1 : r.impulse.x <= -d.most ? -1 : 0;
+    if (node.rows != DirectRows::soft_limit) d.bound = r.impulse.x >= d.most ? 1 : r.impulse.x <= d.least ? -1 : 0;
 }
 
 } // namespace
@@ -111,7 +126,8 @@ void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScr
     work.limits.clear(), work.drive_lanes.clear();
     if (work.sets.empty()) return;
     for (const JointRow& row : layout.rows) {
-        if (row.is_direct_drive || row.is_direct_friction) work.drive_lanes.push_back({row.joint, row.axis, row.lane});
+        if (row.is_direct_drive || row.is_direct_friction || row.is_direct_soft_limit)
+            work.drive_lanes.push_back({row.joint, row.axis, row.lane});
         if (!row.is_direct_limit || row.idle) continue;
         const std::int32_t index = direct.set_of_joint[row.joint];
         const std::vector<DirectNode>& nodes = direct.sets[index].found; // in the order of joints
@@ -171,6 +187,7 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
             JointInfo& joint = joints.info[node.joint];
             const math::Vec3 impulse = math::to_float(row.impulse), total = math::to_float(row.total);
             bool is_force = true;
+            JointAxisState* const state = is_bounded(node.rows) ? &joints.axes[node.joint].states[node.axis] : nullptr;
             switch (node.rows) {
             case DirectRows::point:
                 joint.point_impulse = impulse;
@@ -185,12 +202,16 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
                 break;
             case DirectRows::drive:
+                state->drive = impulse.x;
+                break;
             case DirectRows::friction:
-                (node.rows == DirectRows::drive ? joints.axes[node.joint].states[node.axis].drive
-                                                : joints.axes[node.joint].states[node.axis].friction) = impulse.x;
-                is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
+                state->friction = impulse.x;
+                break;
+            case DirectRows::soft_limit:
+                state->lower = std::max(impulse.x, 0.0f), state->upper = std::max(-impulse.x, 0.0f);
                 break;
             }
+            if (is_bounded(node.rows)) is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
             (is_force ? joint.force : joint.torque) += total;
         }
         for (std::size_t i = 0; i < solve.limit_count; ++i) {

@@ -10,8 +10,10 @@ namespace cairn {
 
 namespace {
 
-// Where the direct solver pays by itself. Beyond these blocks and nodes the iterative one is cheaper by far.
-constexpr std::size_t max_nodes = 240, max_blocks_per_node = 4;
+// Where the direct solver pays by itself. Beyond these nodes, without what is bounded, and blocks the iterative one is
+// cheaper by far: of blocks, for each joint with so many nodes, as many as those times 4, or 3 times their square.
+constexpr std::ptrdiff_t max_nodes = 240;
+constexpr std::size_t max_blocks_per_node = 4, max_blocks_per_pair = 3;
 constexpr int min_chain = 8; // joints
 // What it takes where users ask for it.
 constexpr std::size_t max_blocks = std::size_t(1) << 18, max_products = std::size_t(1) << 22;
@@ -116,6 +118,8 @@ class Finder {
                 if (is_direct_drive(rule)) set_.found.push_back(node);
                 node.rows = DirectRows::friction;
                 if (is_direct_friction(rule)) set_.found.push_back(node);
+                node.rows = DirectRows::soft_limit;
+                if (is_direct_soft_limit(rule)) set_.found.push_back(node);
             }
         }
         for (const DirectNode& node : set_.found) {
@@ -153,8 +157,20 @@ class Finder {
         for (const std::uint32_t joint : set.joints)
             is_asked_for |= JointSolver(joints_.info[joint].solver) == JointSolver::direct;
         if (is_asked_for && plan(max_blocks, max_products)) return true;
-        if (set.found.size() > max_nodes || !pays(set)) return false;
-        return plan(max_blocks_per_node * set.found.size(), max_products);
+        const auto nodes = std::count_if(set.found.begin(), set.found.end(),
+                                         [](const DirectNode& node) { return !is_bounded(node.rows); });
+        if (nodes > max_nodes || !pays(set)) return false;
+        return plan(most_blocks(set), max_products);
+    }
+
+    static std::size_t most_blocks(const DirectSet& set) {
+        std::size_t most = 0;
+        for (std::size_t begin = 0, end = 0; begin < set.found.size(); begin = end) { // a joint's lie side by side
+            while (end < set.found.size() && set.found[end].joint == set.found[begin].joint) ++end;
+            const std::size_t nodes = end - begin;
+            most += std::max(max_blocks_per_node * nodes, max_blocks_per_pair * nodes * nodes);
+        }
+        return most;
     }
 
     bool pays(const DirectSet& set) {
@@ -294,6 +310,11 @@ bool is_direct_drive(const JointAxisRule& rule) {
            is_linear_enough(rule.kind);
 }
 bool is_direct_friction(const JointAxisRule& rule) { return rule.friction > 0 && is_linear_enough(rule.kind); }
+
+bool is_direct_soft_limit(const JointAxisRule& rule) {
+    return rule.has_limits && !rule.rigid_limit && (rule.limit_stiffness > 0 || rule.limit_damping > 0) &&
+           is_linear_enough(rule.kind);
+}
 
 bool is_direct_limit(const JointAxisRule& rule) { return rule.has_limits && rule.rigid_limit && !rule.is_equation; }
 

@@ -18,6 +18,7 @@ bool is_direct_axis(const JointAxisRule& rule);
 // Whether its drive does, and its friction.
 bool is_direct_drive(const JointAxisRule& rule);
 bool is_direct_friction(const JointAxisRule& rule);
+bool is_direct_soft_limit(const JointAxisRule& rule);
 // Whether the limits of an axis row do: they are rigid.
 bool is_direct_limit(const JointAxisRule& rule);
 

@@ -29,7 +29,7 @@ void seek_impulses(const SetView& v, double rate);
 void keep_given(const SetView& v);
 
 // Of the poses now: the row of a drive, and how it yields.
-void refresh_drive(const SetView& v, DirectRow& row, double h);
+void refresh_drive(const SetView& v, std::size_t node, double h);
 // The speed that the row of a drive lacks.
 double lack_of_drive(const DirectRow& row, double velocity);
 // A drive that gives more than it can is held at that bound; one that is held and would give less is set free. Returns

@@ -35,10 +35,10 @@ inline bool operator==(const DirectEnds& a, const DirectEnds& b) {
     return a.body[0] == b.body[0] && a.body[1] == b.body[1];
 }
 
-// Three rows of a joint, or one of its axis `axis`: an equation, a drive, or friction.
-enum class DirectRows : std::uint8_t { point, turn, axis, drive, friction };
+// Three rows of a joint, or one of its axis `axis`: an equation, a drive, friction, or a soft limit.
+enum class DirectRows : std::uint8_t { point, turn, axis, drive, friction, soft_limit };
 // Rows that give no more than so much.
-inline bool is_bounded(DirectRows rows) { return rows == DirectRows::drive || rows == DirectRows::friction; }
+inline bool is_bounded(DirectRows rows) { return rows >= DirectRows::drive; }
 struct DirectNode {
     std::uint32_t joint;
     DirectRows rows;

@@ -26,15 +26,17 @@ struct DirectBody {
     math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another
 };
 
-// A drive or the friction of an axis, which gives the impulse p in a substep: a damped spring has v + p / g = pull / g
-// with g = h (h k + d), so that it acts at the end of the substep; a motor and friction have v = pull.
+// A drive, friction or a soft limit of an axis, which gives the impulse p in a substep, within bounds: a damped spring
+// has v + p / g = pull / g with g = h (h k + d), so that it acts at the end of the substep; a motor and friction have
+// v = pull.
 struct DirectDrive {
     std::uint32_t lane = 0; // of the axis blocks, which have the Jacobian and the position
     double stiffness = 0, damping = 0, target_position = 0, target_velocity = 0;
-    double most = 0; // N s or N m s
+    double lower = 0, upper = 0; // of a soft limit
+    double least = 0, most = 0;  // N s or N m s
     bool is_rigid = false, is_relative = false;
     double compliance = 0, pull = 0; // 1 / g, pull / g
-    int bound = 0;                   // -1, 1: it gives all that it can, one way or the other; the row takes no part
+    int bound = 0;                   // -1, 1: it gives the least or the most that it can; the row takes no part
 };
 
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
@@ -73,7 +75,7 @@ struct DirectSolve {
     std::size_t first_limit = 0, limit_count = 0;
 };
 
-// Where the axis row of a drive or of friction lies.
+// Where the axis row of one of these lies.
 struct DriveLane {
     std::uint32_t joint, axis, lane; // of the axis blocks
 };
