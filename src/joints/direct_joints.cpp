@@ -107,61 +107,6 @@ void write_velocities(const SetView& v, BatchScratch& scratch) {
 
 // --- rows
 
-void refresh_point(const JointLocks& rules, DVec3 axis, DVec3 gap, DirectRow& r) {
-    r.linear = math::identity_block();
-    r.is_plain = rules.point == JointLock::full;
-    r.error = gap;
-    if (rules.point == JointLock::across) {
-        const DVec3 along = math::dot(axis, gap) * axis;
-        r.arm_a += along;
-        r.error = gap - along;
-        r.linear = math::across_block(axis);
-        r.impulse = r.linear * r.impulse;
-        r.angular[0] = r.linear * math::cross_block(r.arm_a);
-        r.angular[1] = -(r.linear * math::cross_block(r.arm_b));
-        return;
-    }
-    r.angular[0] = math::cross_block(r.arm_a);
-    r.angular[1] = -math::cross_block(r.arm_b);
-}
-
-void refresh_turn(const JointLocks& rules, DVec3 axis_a, DVec3 axis_b, const math::DQuat& turn, DirectRow& r) {
-    r.linear = {};
-    r.angular[1] = math::identity_block();
-    if (rules.turn == JointLock::across) {
-        r.angular[1] = math::across_block(axis_a);
-        r.error = math::cross(axis_a, axis_b);
-        r.impulse = r.angular[1] * r.impulse;
-    } else {
-        r.error = (turn.w < 0 ? -2.0 : 2.0) * turn.vector();
-    }
-    r.angular[0] = -r.angular[1];
-}
-
-void refresh_axis(const JointAxisRule& rule, DVec3 axis_a, DVec3 axis_b, DVec3 gap, DirectRow& r) {
-    DVec3 u = axis_a;
-    double position = 0;
-    if (rule.kind == AxisKind::perpendicular) {
-        const DVec3 turning = math::cross(axis_b, axis_a);
-        r.linear = {};
-        r.angular[0] = math::row_block(-turning);
-        r.angular[1] = math::row_block(turning);
-        r.error = {math::dot(axis_a, axis_b) - r.at, 0, 0};
-        return;
-    }
-    if (rule.kind == AxisKind::distance) {
-        position = math::length(gap);
-        u = position > 0 ? (1 / position) * gap : DVec3{1, 0, 0};
-    } else {
-        position = math::dot(axis_a, gap);
-        r.arm_a += gap;
-    }
-    r.linear = math::row_block(u);
-    r.angular[0] = math::row_block(-math::cross(r.arm_a, u));
-    r.angular[1] = math::row_block(math::cross(r.arm_b, u));
-    r.error = {position - r.at, 0, 0};
-}
-
 // The directions that a node leaves free have a diagonal of their own.
 Block free_directions(const DirectNode& node, const JointLocks& rules, const DirectRow& r, const Block& k) {
     const double size = k.m[0] + k.m[4] + k.m[8];
@@ -172,25 +117,6 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
     Block free = math::identity_block();
     free += -(is_point ? r.linear : r.angular[1]);
     return scale * free;
-}
-
-// Jacobian, error and own block of one node.
-void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h) {
-    const DirectNode& node = v.set.nodes[i];
-    DirectRow& r = v.rows[i];
-    const JointLocks& rules = joints.info[node.joint].rules;
-    const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
-    r.arm_a = math::rotate(a.turn, r.arm_a0), r.arm_b = math::rotate(b.turn, r.arm_b0);
-    const DVec3 gap = r.gap0 + ((b.center - a.center) + ((r.arm_b - r.arm_b0) - (r.arm_a - r.arm_a0)));
-    const DVec3 axis_a = math::rotate(a.turn, r.axis_a0), axis_b = math::rotate(b.turn, r.axis_b0);
-    if (node.rows == DirectRows::point)
-        refresh_point(rules, axis_a, gap, r);
-    else if (node.rows == DirectRows::turn)
-        refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
-    else if (node.rows == DirectRows::axis)
-        refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
-    else
-        refresh_drive(v, i, h);
 }
 
 bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
@@ -398,9 +324,8 @@ void begin_limits_of(const SetView& v, BatchScratch& scratch) {
 
 void count_impulse(const SetView& v, std::size_t i, DVec3 impulse) {
     DirectRow& r = v.rows[i];
-    const bool is_turning_axis =
-        v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
-    const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
+    const bool is_turning = r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
+    const bool turns = v.set.nodes[i].rows != DirectRows::point && is_turning;
     r.total += turns ? math::transposed_times(r.angular[1], impulse) : force_of(r, impulse);
 }
 void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h) {

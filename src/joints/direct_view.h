@@ -4,6 +4,7 @@
 #include "kernels/solve/joint_data.h"
 #include "state/direct_sets.h"
 #include "state/direct_work.h"
+#include "state/joint_state.h"
 
 namespace cairn {
 
@@ -28,7 +29,8 @@ struct SetView {
 void seek_impulses(const SetView& v, double rate);
 void keep_given(const SetView& v);
 
-// Of the poses now: the row of a drive, and how it yields.
+// Jacobian and error of a node by the poses now; of a drive, how it yields.
+void refresh_row(const Joints& joints, const SetView& v, std::size_t node, double h);
 void refresh_drive(const SetView& v, std::size_t node, double h);
 // The speed that the row of a drive lacks.
 double lack_of_drive(const DirectRow& row, double velocity);
