@@ -196,6 +196,10 @@ constexpr Invariant table[] = {
     {"chains", "ring opened beyond its rope, m", ring_opens, 0, 0.002},
     {"chains", "turn of the motor in 40 steps, rad", motor_turns, 2.666, 2.668},
     {"chains", "turn of the motor reversed in 40 steps, rad", motor_turns_back, -2.668, -2.666},
+    {"robots", "widest gap of a joint, m", widest_gap, 0, 0.01},
+    {"robots", "largest turn that a joint should lock, rad", largest_twist, 0, 0.01},
+    // Servos of 10 N m press links of 20 g together: 12 mm.
+    {"robots", "deepest overlap after 5 s, m", overlap<300>, 0, 0.02},
 };
 
 } // namespace

@@ -68,6 +68,7 @@ Scene& all_shapes();
 Scene& rounded_shapes();
 Scene& surfaces();
 Scene& all_joints();
+Scene& robots();
 Scene& chains();
 
 } // namespace cairn_test

@@ -24,6 +24,7 @@ constexpr NamedScene all_scenes[] = {
     {"surfaces", surfaces, golden::surfaces},
     {"all_joints", all_joints, golden::all_joints},
     {"chains", chains, golden::chains},
+    {"robots", robots, golden::robots},
 };
 
 } // namespace

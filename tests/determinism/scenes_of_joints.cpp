@@ -189,8 +189,57 @@ class Chains final : public Scene {
     }
 };
 
+// Arms whose joints are solved directly: servos of little and of great force, friction, soft limits, motors, and links
+// of 1 kg among others of 20 g. They fall on the ground; every 20 steps the servos get other targets.
+class Robots final : public Scene {
+    static HingeJoint hinge(int kind, int i) {
+        HingeJoint hinge;
+        if (kind == 0 || kind == 1) {
+            hinge.angle.motor.emplace().spring = JointSpring{50, 2, false};
+            hinge.angle.motor->max_force = kind == 0 ? 1.0f : 10.0f;
+        }
+        if (kind == 1 || kind == 2) hinge.angle.friction = 0.5f;
+        if (kind == 2 || kind == 3) hinge.angle.limits = JointRange{-0.3f, 0.2f, JointSpring{50, 1, false}};
+        if (kind == 3 && i == 2) hinge.angle.motor = JointMotor{3, 0, {}, 2};
+        return hinge;
+    }
+
+  public:
+    void build(World& world) override {
+        add_fixed(world, Plane{});
+        for (int kind = 0; kind < 4; ++kind) {
+            BodyId last{};
+            for (int i = 0; i < 6; ++i) {
+                BodyDef def;
+                def.position = {0.3 * i, 1.0 + 0.2 * i, 3.0 * kind};
+                def.mass = i % 2 ? 0.02f : 1.0f;
+                def.angular_velocity = {1, 0.5f * float(kind), -1};
+                const BodyId link = add(world, Box{{0.12f, 0.05f, 0.08f}}, def);
+                if (i > 0) {
+                    const Position at = def.position - Position(0.15, 0.1, 0);
+                    JointDef joint = world.joint_at(last, link, at, {0, i % 3 ? 0 : 1, 1}, hinge(kind, i));
+                    joint.solver = JointSolver::direct;
+                    joint.name = "servo";
+                    world.create_joint(joint);
+                }
+                last = link;
+            }
+        }
+    }
+    void before_step(World& world) override {
+        if (world.step_count() % 20 != 0) return;
+        const std::vector<JointId> joints = world.joints();
+        for (std::size_t i = 0; i < 10; ++i) { // of the first two
+            HingeJoint hinge = std::get<HingeJoint>(world.joint_def(joints[i]).joint);
+            hinge.angle.motor->position = (world.step_count() / 20 + i) % 2 ? 0.4f : -0.4f;
+            world.set_joint(joints[i], hinge);
+        }
+    }
+};
+
 } // namespace
 
+Scene& robots() { return make<Robots>(); }
 Scene& all_joints() { return make<AllJoints>(); }
 Scene& chains() { return make<Chains>(); }
 

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
         {"changes", changes},       {"all_shapes", all_shapes},
         {"surfaces", surfaces},     {"rounded_shapes", rounded_shapes},
         {"chains", chains},         {"all_joints", all_joints},
+        {"robots", robots},
     };
     for (const Recorded& recorded : scenes) {
         Scene& scene = recorded.make();
