@@ -34,7 +34,6 @@ STANDING = [("a1_description/urdf/a1.urdf", "a1_description/srdf/a1.srdf", "stan
             ("hyq_description/robots/hyq_no_sensors.urdf", "hyq_description/srdf/hyq.srdf", "standing", 0, 20),
             ("solo_description/robots/solo12.urdf", "solo_description/srdf/solo.srdf", "standing", 0, 20),
             ("talos_data/robots/talos_reduced.urdf", "talos_data/srdf/talos.srdf", "half_sitting", 3, 60)]
-SUBSTEPS_PER_HERTZ = 1.6  # that servos need
 POSES = 5
 STANDING_SECONDS = 60  # at 14, one that swayed more and more was taken to stand
 GRAVITY = 9.81
@@ -166,7 +165,7 @@ def hold(program, path):
             low, high = (max(low, -1.5), min(high, 1.5)) if low < high else (-1.5, 1.5)
             pose[joint.get("name")] = dice.uniform(low + 0.1 * (high - low), high - 0.1 * (high - low))
         targets = table_of([(4, pose)], list(pose))
-        options = ["--fixed-base", "--seconds", str(STANDING_SECONDS), "--from", "14", "--columns", "joints,contacts", "--substeps", "24"]
+        options = ["--fixed-base", "--seconds", str(STANDING_SECONDS), "--from", "14", "--columns", "joints,contacts"]
         row = run(program, path, targets, options)[-1]
         if row["contacts"] != "0":
             continue  # it leans on itself
@@ -197,7 +196,7 @@ def stand(program, path, poses, state, seconds, frequency):
     first = pose if seconds == 0 else dict.fromkeys(joints, 0.0)
     targets = table_of([(0, first), (seconds + 0.1, pose), (5, pose), (7, straighter), (9, pose)], sorted(joints))
     options = ["--floor", "--seconds", "14", "--columns", "position,rotation", "--every", "10", "--servo-frequency",
-               str(frequency), "--substeps", str(round(SUBSTEPS_PER_HERTZ * frequency))]
+               str(frequency)]
     rows = [row for row in run(program, path, targets, options) if row["body"] == "0"]
     heights, tilts = [], []
     for row in rows:

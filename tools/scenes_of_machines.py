@@ -174,7 +174,7 @@ def clock():
 
 def robot():
     s = Scene("Robot arm", "Six axes hold a tray level while the arm turns. Push it: the servos bring it back.",
-              (3.3, 2.7, 4.2), (0, 1.0, 0), 42, sleep=False, substeps=24)
+              (3.3, 2.7, 4.2), (0, 1.0, 0), 42, sleep=False)
     s.ground(0.6, 0.0, "#58626B")
     steel, grip = s.material(0.5, 0.0, 1000), s.material(0.8, 0.0, 400)
     s.fixed(s.cylinder(0.45, 0.2), steel, (0, 0.1, 0), None, "stand", DARK_STONE)
