@@ -31,18 +31,20 @@ void refresh_drive(const SetView& v, std::size_t node, double h) {
     DirectDrive& d = row.drive;
     const AxisBlock& b = v.axes[d.lane / 8];
     const std::size_t lane = d.lane % 8;
-    const auto block_of = [&](const float(*p)[8]) {
-        return math::row_block({double(p[0][lane]), double(p[1][lane]), double(p[2][lane])});
-    };
-    row.is_plain = false;
-    row.linear = block_of(b.linear_b);
-    row.angular[0] = block_of(b.angular_a), row.angular[1] = block_of(b.angular_b);
-    row.arm_a = row.arm_b = row.error = {};
+    if (!v.set.nodes[node].is_driven) {
+        const auto block_of = [&](const float(*p)[8]) {
+            return math::row_block({double(p[0][lane]), double(p[1][lane]), double(p[2][lane])});
+        };
+        row.is_plain = false;
+        row.linear = block_of(b.linear_b);
+        row.angular[0] = block_of(b.angular_a), row.angular[1] = block_of(b.angular_b);
+        row.arm_a = row.arm_b = row.error = {};
+    }
     d.compliance = 0, d.pull = d.target_velocity;
     if (d.is_rigid) return;
     const double position = double(b.position[lane]);
     const bool is_range = v.set.nodes[node].rows == DirectRows::soft_limit && d.lower < d.upper;
-    if (is_range) choose_limit(d, position, row.impulse.x);
+    if (is_range) choose_limit(d, position, d.impulse);
     const double missing = d.target_position - position;
     if (is_range && (d.most > 0 ? missing < 0 : missing > 0)) {
         d.pull = missing / h; // it is not reached: the position goes no farther than there
@@ -53,23 +55,27 @@ void refresh_drive(const SetView& v, std::size_t node, double h) {
     d.pull = d.compliance * h * (k * missing + c * d.target_velocity);
 }
 
-double lack_of_drive(const DirectRow& row, double velocity) {
-    return row.drive.pull - row.drive.compliance * (row.impulse.x + row.given.x) - velocity;
+void aim_driven_turn(DirectRow& row) {
+    row.angular[1] = row.drive.bound == 0 ? math::identity_block() : math::across_block(row.axis);
+    row.angular[0] = -row.angular[1];
 }
 
-bool bound_drive(DirectRow& row, double velocity, double& change) {
-    DirectDrive& d = row.drive;
-    const double all = row.impulse.x + row.given.x;
+double lack_of_drive(const DirectDrive& d, double velocity) {
+    return d.pull - d.compliance * (d.impulse + d.given) - velocity;
+}
+
+bool bound_drive(DirectDrive& d, double velocity, double& change) {
+    const double all = d.impulse + d.given;
     change = 0;
     if (d.bound != 0) {
-        if (!(d.bound * lack_of_drive(row, velocity) < -settled)) return false;
+        if (!(d.bound * lack_of_drive(d, velocity) < -settled)) return false;
         d.bound = 0;
         return true;
     }
     if (!(all > d.most || all < d.least)) return false;
     d.bound = all > d.most ? 1 : -1;
     change = (d.bound == 1 ? d.most : d.least) - all;
-    row.given.x += change;
+    d.given += change;
     return true;
 }
 

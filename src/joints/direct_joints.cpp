@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace cairn {
 
@@ -120,6 +121,8 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
 }
 
 bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
+// Whether a turn holds the axis that it leaves free, by its drive.
+bool holds_its_drive(const SetView& v, std::size_t i) { return v.set.nodes[i].is_driven && v.rows[i].drive.bound == 0; }
 // Whether it gives all that it can: then it is no row.
 bool is_bound(const SetView& v, std::size_t i) { return is_drive(v, i) && v.rows[i].drive.bound != 0; }
 
@@ -145,7 +148,10 @@ Block own_block(const Joints& joints, const SetView& v, std::size_t i) {
         return math::identity_block();
     }
     if (is_drive(v, i)) k.m[0] += r.drive.compliance;
-    k += free_directions(node, joints.info[node.joint].rules, r, k);
+    if (holds_its_drive(v, i))
+        k += r.drive.compliance * math::outer_block(r.axis);
+    else
+        k += free_directions(node, joints.info[node.joint].rules, r, k);
     r.diagonal = {k.m[0], k.m[4], k.m[8]};
     if (v.set.has_loops)
         for (int d = 0; d < 9; d += 4) k.m[d] *= 1 + loop_compliance;
@@ -233,38 +239,67 @@ DVec3 return_speed(DVec3 v) {
 void seek_impulses(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
     for (std::size_t i = 0; i < n; ++i) {
+        const DirectRow& r = v.rows[i];
         const DVec3 slip = slip_of(v, i);
-        if (!is_drive(v, i))
-            v.sought[i] = -(slip + return_speed(rate * v.rows[i].error));
-        else
-            v.sought[i] = {is_bound(v, i) ? 0 : lack_of_drive(v.rows[i], slip.x), 0, 0};
+        if (is_drive(v, i)) {
+            v.sought[i] = {is_bound(v, i) ? 0 : lack_of_drive(r.drive, slip.x), 0, 0};
+            continue;
+        }
+        v.sought[i] = -(slip + return_speed(rate * r.error));
+        if (!holds_its_drive(v, i)) continue;
+        const double along = math::dot(r.axis, slip);
+        v.sought[i] += (along + lack_of_drive(r.drive, along)) * r.axis;
     }
     substitute(v);
     for (std::size_t i = 0; i < n; ++i) {
+        DirectRow& r = v.rows[i];
         apply(v, i, v.sought[i]);
-        v.rows[i].given += v.sought[i];
+        if (is_drive(v, i)) {
+            r.drive.given += v.sought[i].x;
+            continue;
+        }
+        r.given += v.sought[i];
+        if (!holds_its_drive(v, i)) continue;
+        const double along = math::dot(r.axis, v.sought[i]);
+        r.drive.given += along;
+        r.given -= along * r.axis;
     }
 }
 
 void keep_given(const SetView& v) {
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
-        v.rows[i].impulse += v.rows[i].given;
-        v.rows[i].given = {};
+        DirectRow& r = v.rows[i];
+        r.impulse += r.given, r.drive.impulse += r.drive.given;
+        r.given = {}, r.drive.given = 0;
     }
 }
 
 namespace {
+
+double speed_along_drive(const SetView& v, std::size_t i) {
+    if (is_drive(v, i)) return slip_of(v, i).x;
+    const DirectBody &a = v.bodies[v.set.nodes[i].body[0]], &b = v.bodies[v.set.nodes[i].body[1]];
+    return math::dot(v.rows[i].axis, (b.w + b.dw) - (a.w + a.dw));
+}
+void apply_drive(const SetView& v, std::size_t i, double impulse) {
+    if (is_drive(v, i)) return apply(v, i, {impulse, 0, 0});
+    DirectBody &a = v.bodies[v.set.nodes[i].body[0]], &b = v.bodies[v.set.nodes[i].body[1]];
+    a.dw -= impulse * (a.inverse_inertia * v.rows[i].axis);
+    b.dw += impulse * (b.inverse_inertia * v.rows[i].axis);
+}
 
 // Puts drives at their bounds, or frees them. Whether any changed: then the matrix is made anew.
 bool bound_drives(const Joints& joints, const SetView& v) {
     bool any = false;
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         v.sought[i] = {};
-        if (is_drive(v, i)) any |= bound_drive(v.rows[i], slip_of(v, i).x, v.sought[i].x);
+        if (has_drive(v.set.nodes[i])) any |= bound_drive(v.rows[i].drive, speed_along_drive(v, i), v.sought[i].x);
     }
     if (!any) return false;
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i)
-        if (v.sought[i].x != 0) apply(v, i, v.sought[i]);
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        if (v.sought[i].x != 0) apply_drive(v, i, v.sought[i].x);
+        if (v.set.nodes[i].is_driven) aim_driven_turn(v.rows[i]);
+    }
     assemble(joints, v);
     factorize(v);
     return true;
@@ -291,7 +326,7 @@ void read_velocities(const SetView& v, const BatchScratch& scratch) {
         b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].given = {};
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].given = {}, v.rows[i].drive.given = 0;
 }
 
 void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h, bool first) {
@@ -302,7 +337,7 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
         stiffen_bodies(v);
         assemble(joints, v);
         factorize(v);
-        for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {};
+        for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {}, v.rows[i].drive.impulse = 0;
         forget_limits(v);
         solve_rows(joints, v, 0);
         for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].dv = v.bodies[i].dw = {};
@@ -311,7 +346,10 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     stiffen_bodies(v);
     assemble(joints, v);
     factorize(v);
-    for (std::size_t i = 0; i < n; ++i) apply(v, i, v.rows[i].impulse);
+    for (std::size_t i = 0; i < n; ++i) {
+        apply(v, i, v.rows[i].impulse);
+        if (has_drive(v.set.nodes[i])) apply_drive(v, i, v.rows[i].drive.impulse);
+    }
     write_velocities(v, scratch);
 }
 
@@ -322,12 +360,16 @@ void begin_limits_of(const SetView& v, BatchScratch& scratch) {
     write_velocities(v, scratch);
 }
 
-void count_impulse(const SetView& v, std::size_t i, DVec3 impulse) {
+// Of the rows of a node, and of its drive.
+void count_impulse(const SetView& v, std::size_t i, DVec3 impulse, double drive) {
     DirectRow& r = v.rows[i];
     const bool is_turning = r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
     const bool turns = v.set.nodes[i].rows != DirectRows::point && is_turning;
+    if (is_drive(v, i)) impulse = {drive, 0, 0};
     r.total += turns ? math::transposed_times(r.angular[1], impulse) : force_of(r, impulse);
+    if (v.set.nodes[i].is_driven) r.total += drive * r.axis;
 }
+
 void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
@@ -339,7 +381,8 @@ void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     }
     count_limits(v);
     find_stiffness(v, h);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) count_impulse(v, i, v.rows[i].impulse);
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i)
+        count_impulse(v, i, v.rows[i].impulse, v.rows[i].drive.impulse);
     write_velocities(v, scratch);
 }
 
@@ -426,8 +469,9 @@ void join_velocities(const Joints& joints, const DirectSets& direct, BatchScratc
     const SetView v = view_of(direct, scratch, place);
     join_set(joints, v, scratch, double(h));
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
-        count_impulse(v, i, v.rows[i].given);
-        if (is_drive(v, i)) v.rows[i].impulse += v.rows[i].given; // else it would give that again
+        DirectRow& r = v.rows[i];
+        count_impulse(v, i, r.given, r.drive.given);
+        r.drive.impulse += std::exchange(r.drive.given, 0); // else it would give that again
     }
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         const DirectBody& b = v.bodies[i];

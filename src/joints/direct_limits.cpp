@@ -127,7 +127,10 @@ class BoundBlock {
         const std::size_t bodies = v.set.bodies.size();
         for (std::size_t i = 0; i < bodies; ++i)
             v.bodies[i].held_dv = v.bodies[i].dv, v.bodies[i].held_dw = v.bodies[i].dw;
-        for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].held_given = v.rows[i].given;
+        for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+            DirectRow& r = v.rows[i];
+            r.held_given = r.given, r.drive.held_given = r.drive.given;
+        }
         std::array<double, block_size> before, own;
         for (std::size_t i = 0; i < count_; ++i) {
             before[i] = speed_of(v, bounds_[i]);
@@ -146,7 +149,10 @@ class BoundBlock {
             }
             for (std::size_t k = 0; k < bodies; ++k)
                 v.bodies[k].dv = v.bodies[k].held_dv, v.bodies[k].dw = v.bodies[k].held_dw;
-            for (std::size_t k = 0; k < v.set.nodes.size(); ++k) v.rows[k].given = v.rows[k].held_given;
+            for (std::size_t k = 0; k < v.set.nodes.size(); ++k) {
+                DirectRow& r = v.rows[k];
+                r.given = r.held_given, r.drive.given = r.drive.held_given;
+            }
         }
         for (std::size_t i = 0; i < kept; ++i) {
             bounds_[i] = bounds_[from[i]];

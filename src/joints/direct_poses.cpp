@@ -80,8 +80,11 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h
         refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
     else if (node.rows == DirectRows::axis)
         refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
-    else
-        refresh_drive(v, i, h);
+    if (has_drive(node)) refresh_drive(v, i, h);
+    if (node.is_driven) {
+        r.axis = axis_a;
+        aim_driven_turn(r);
+    }
 }
 
 } // namespace cairn

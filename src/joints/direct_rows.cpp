@@ -52,15 +52,7 @@ void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node
         r.at = double(joints.axes[node.joint].rules[node.axis].lower);
         r.impulse.x = double(joints.axes[node.joint].states[node.axis].lower);
         break;
-    case DirectRows::drive:
-        r.impulse.x = double(joints.axes[node.joint].states[node.axis].drive);
-        break;
-    case DirectRows::friction:
-        r.impulse.x = double(joints.axes[node.joint].states[node.axis].friction);
-        break;
-    case DirectRows::soft_limit:
-        r.impulse.x = double(joints.axes[node.joint].states[node.axis].lower) -
-                      double(joints.axes[node.joint].states[node.axis].upper);
+    default: // see fill_drive
         break;
     }
     r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
@@ -76,26 +68,31 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
     DirectDrive& d = r.drive;
     const DriveLane sought{node.joint, node.axis, 0};
     d.lane = std::lower_bound(work.drive_lanes.begin(), work.drive_lanes.end(), sought, comes_first)->lane;
+    const JointAxisState& state = joints.axes[node.joint].states[node.axis];
     const double all = std::numeric_limits<double>::infinity();
     switch (node.rows) {
+    case DirectRows::turn:
     case DirectRows::drive:
+        d.impulse = double(state.drive);
         d.stiffness = double(rule.drive_stiffness), d.damping = double(rule.drive_damping);
         d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
         d.most = double(rule.max_drive) * double(h), d.least = -d.most;
         d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
         break;
     case DirectRows::friction:
+        d.impulse = double(state.friction);
         d.is_rigid = true;
         d.most = double(rule.friction) * double(h), d.least = -d.most;
         break;
     default:
+        d.impulse = double(state.lower) - double(state.upper);
         d.stiffness = double(rule.limit_stiffness), d.damping = double(rule.limit_damping);
         d.is_relative = rule.limit_relative;
         d.lower = double(rule.lower), d.upper = double(rule.upper);
         d.target_position = d.lower;
         d.most = all, d.least = -all;
     }
-    if (node.rows != DirectRows::soft_limit) d.bound = r.impulse.x >= d.most ? 1 : r.impulse.x <= d.least ? -1 : 0;
+    if (node.rows != DirectRows::soft_limit) d.bound = d.impulse >= d.most ? 1 : d.impulse <= d.least ? -1 : 0;
 }
 
 } // namespace
@@ -167,8 +164,7 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
                 fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
-                if (is_bounded(set.nodes[i].rows))
-                    fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
+                if (has_drive(set.nodes[i])) fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < solve.limit_count; ++i) {
                 DirectLimit& limit = work.limits[solve.first_limit + i];
                 const JointAxisState& state = joints.axes[limit.joint].states[limit.axis];
@@ -187,7 +183,8 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
             JointInfo& joint = joints.info[node.joint];
             const math::Vec3 impulse = math::to_float(row.impulse), total = math::to_float(row.total);
             bool is_force = true;
-            JointAxisState* const state = is_bounded(node.rows) ? &joints.axes[node.joint].states[node.axis] : nullptr;
+            const float given = float(row.drive.impulse);
+            JointAxisState* const state = has_drive(node) ? &joints.axes[node.joint].states[node.axis] : nullptr;
             switch (node.rows) {
             case DirectRows::point:
                 joint.point_impulse = impulse;
@@ -202,15 +199,16 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
                 break;
             case DirectRows::drive:
-                state->drive = impulse.x;
+                state->drive = given;
                 break;
             case DirectRows::friction:
-                state->friction = impulse.x;
+                state->friction = given;
                 break;
             case DirectRows::soft_limit:
-                state->lower = std::max(impulse.x, 0.0f), state->upper = std::max(-impulse.x, 0.0f);
+                state->lower = std::max(given, 0.0f), state->upper = std::max(-given, 0.0f);
                 break;
             }
+            if (node.is_driven) state->drive = given;
             if (is_bounded(node.rows)) is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
             (is_force ? joint.force : joint.torque) += total;
         }

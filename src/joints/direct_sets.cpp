@@ -105,17 +105,21 @@ class Finder {
     void list_nodes() {
         for (const std::uint32_t joint : set_.joints) {
             const JointInfo& info = joints_.info[joint];
-            DirectNode node{joint, DirectRows::point, 0, {number_of(info.body_a), number_of(info.body_b)}};
+            DirectNode node{joint, DirectRows::point, 0, false, {number_of(info.body_a), number_of(info.body_b)}};
             if (info.rules.point != JointLock::none) set_.found.push_back(node);
+            const std::int32_t driven = axis_of_driven_turn(joint);
             node.rows = DirectRows::turn;
+            node.is_driven = driven != none;
+            node.axis = std::uint8_t(driven != none ? driven : 0);
             if (info.rules.turn != JointLock::none) set_.found.push_back(node);
+            node.is_driven = false;
             for (std::uint8_t i = 0; i < info.rules.axis_count; ++i) {
                 const JointAxisRule& rule = joints_.axes[joint].rules[i];
                 node.axis = i;
                 node.rows = DirectRows::axis;
                 if (is_direct_axis(rule)) set_.found.push_back(node);
                 node.rows = DirectRows::drive;
-                if (is_direct_drive(rule)) set_.found.push_back(node);
+                if (is_direct_drive(rule) && i != driven) set_.found.push_back(node);
                 node.rows = DirectRows::friction;
                 if (is_direct_friction(rule)) set_.found.push_back(node);
                 node.rows = DirectRows::soft_limit;
@@ -127,6 +131,16 @@ class Finder {
             for (int side = 0; side < 2; ++side)
                 ends.body[side] = moves_by_forces(bodies_, set_.bodies[node.body[side]]) ? node.body[side] : none;
         }
+    }
+
+    // Of the drive about the axis that a hinge leaves free: it needs no row of its own.
+    std::int32_t axis_of_driven_turn(std::uint32_t joint) const {
+        const JointLocks& rules = joints_.info[joint].rules;
+        for (std::int32_t i = 0; rules.turn == JointLock::across && i < rules.axis_count; ++i) {
+            const JointAxisRule& rule = joints_.axes[joint].rules[i];
+            if (rule.kind == AxisKind::twist && rule.column_a == rules.turn_column && is_direct_drive(rule)) return i;
+        }
+        return none;
     }
 
     // All that does not move counts as one body.

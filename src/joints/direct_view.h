@@ -33,10 +33,12 @@ void keep_given(const SetView& v);
 void refresh_row(const Joints& joints, const SetView& v, std::size_t node, double h);
 void refresh_drive(const SetView& v, std::size_t node, double h);
 // The speed that the row of a drive lacks.
-double lack_of_drive(const DirectRow& row, double velocity);
+double lack_of_drive(const DirectDrive& drive, double velocity);
 // A drive that gives more than it can is held at that bound; one that is held and would give less is set free. Returns
 // whether that changed; `change`: of its impulse.
-bool bound_drive(DirectRow& row, double velocity, double& change);
+bool bound_drive(DirectDrive& drive, double velocity, double& change);
+// Of a turn that is driven: it holds the axis that it leaves free, too, unless the drive is at its bound.
+void aim_driven_turn(DirectRow& row);
 
 // At the start of a substep: the impulses of the last one.
 void begin_limits(const SetView& v);

@@ -18,6 +18,10 @@ inline Block across_block(DVec3 a) {
     return {{1 - a.x * a.x, -(a.x * a.y), -(a.x * a.z), -(a.x * a.y), 1 - a.y * a.y, -(a.y * a.z), -(a.x * a.z),
              -(a.y * a.z), 1 - a.z * a.z}};
 }
+// a a^T.
+inline Block outer_block(DVec3 a) {
+    return {{a.x * a.x, a.x * a.y, a.x * a.z, a.x * a.y, a.y * a.y, a.y * a.z, a.x * a.z, a.y * a.z, a.z * a.z}};
+}
 // The first row alone.
 inline Block row_block(DVec3 r) { return {{r.x, r.y, r.z, 0, 0, 0, 0, 0, 0}}; }
 

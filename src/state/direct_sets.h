@@ -42,13 +42,15 @@ inline bool is_bounded(DirectRows rows) { return rows >= DirectRows::drive; }
 struct DirectNode {
     std::uint32_t joint;
     DirectRows rows;
-    std::uint8_t axis;
+    std::uint8_t axis;    // of a turn: that of the drive about the axis that it leaves free
+    bool is_driven;       // of a turn: it has one
     std::int32_t body[2]; // in DirectSet::bodies
 };
 inline bool operator==(const DirectNode& a, const DirectNode& b) {
-    return a.joint == b.joint && a.rows == b.rows && a.axis == b.axis && a.body[0] == b.body[0] &&
-           a.body[1] == b.body[1];
+    return a.joint == b.joint && a.rows == b.rows && a.axis == b.axis && a.is_driven == b.is_driven &&
+           a.body[0] == b.body[0] && a.body[1] == b.body[1];
 }
+inline bool has_drive(const DirectNode& node) { return is_bounded(node.rows) || node.is_driven; }
 
 struct DirectSet {
     std::vector<std::uint32_t> joints; // ascending

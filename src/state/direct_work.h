@@ -37,6 +37,8 @@ struct DirectDrive {
     bool is_rigid = false, is_relative = false;
     double compliance = 0, pull = 0; // 1 / g, pull / g
     int bound = 0;                   // -1, 1: it gives the least or the most that it can; the row takes no part
+    double impulse = 0;
+    double given = 0, held_given = 0; // as of DirectRow
 };
 
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
@@ -54,6 +56,7 @@ struct DirectRow {
     math::DVec3 given, held_given; // beside that, while velocities are sought, and while others are tried
     math::DVec3 total;             // N s or N m s on B, world axes, over all substeps
     DirectDrive drive;
+    math::DVec3 axis; // of a turn that is driven
 };
 
 // A rigid limit of a joint in a set. Its axis block has Jacobian and position.
