@@ -26,20 +26,25 @@ void choose_limit(DirectDrive& d, double position, double impulse) {
 
 } // namespace
 
-void refresh_drive(const SetView& v, std::size_t node, double h) {
+double refresh_from_lane(const SetView& v, std::size_t node) {
     DirectRow& row = v.rows[node];
-    DirectDrive& d = row.drive;
+    const AxisBlock& b = v.axes[row.drive.lane / 8];
+    const std::size_t lane = row.drive.lane % 8;
+    const auto block_of = [&](const float(*p)[8]) {
+        return math::row_block({double(p[0][lane]), double(p[1][lane]), double(p[2][lane])});
+    };
+    row.is_plain = false;
+    row.linear = block_of(b.linear_b);
+    row.angular[0] = block_of(b.angular_a), row.angular[1] = block_of(b.angular_b);
+    row.arm_a = row.arm_b = row.error = {};
+    return double(b.position[lane]);
+}
+
+void refresh_drive(const SetView& v, std::size_t node, double h) {
+    DirectDrive& d = v.rows[node].drive;
     const AxisBlock& b = v.axes[d.lane / 8];
     const std::size_t lane = d.lane % 8;
-    if (!v.set.nodes[node].is_driven) {
-        const auto block_of = [&](const float(*p)[8]) {
-            return math::row_block({double(p[0][lane]), double(p[1][lane]), double(p[2][lane])});
-        };
-        row.is_plain = false;
-        row.linear = block_of(b.linear_b);
-        row.angular[0] = block_of(b.angular_a), row.angular[1] = block_of(b.angular_b);
-        row.arm_a = row.arm_b = row.error = {};
-    }
+    if (!v.set.nodes[node].is_driven) refresh_from_lane(v, node);
     d.compliance = 0, d.pull = d.target_velocity;
     if (d.is_rigid) return;
     const double position = double(b.position[lane]);

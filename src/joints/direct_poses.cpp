@@ -1,4 +1,5 @@
 // Rows of joints that are solved directly, as the poses are now: Jacobians and errors, in double.
+#include "joints/direct_sets.h"
 #include "joints/direct_view.h"
 #include "math/rotation.h"
 #include "state/joint_state.h"
@@ -78,6 +79,8 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h
         refresh_point(rules, axis_a, gap, r);
     else if (node.rows == DirectRows::turn)
         refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
+    else if (node.rows == DirectRows::axis && has_direct_lane(joints.axes[node.joint].rules[node.axis].kind))
+        r.error = {refresh_from_lane(v, i) - r.at, 0, 0};
     else if (node.rows == DirectRows::axis)
         refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
     if (has_drive(node)) refresh_drive(v, i, h);

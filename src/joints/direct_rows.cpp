@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
 #include "joints/direct_joints.h"
+#include "joints/direct_sets.h"
 #include "joints/joint_placement.h"
 #include "state/state.h"
 
@@ -59,6 +60,11 @@ void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node
     r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
 }
 
+bool is_along(AxisKind kind) { return kind == AxisKind::linear || kind == AxisKind::distance; }
+bool has_lane(const Joints& joints, const DirectNode& node) {
+    return has_drive(node) ||
+           (node.rows == DirectRows::axis && has_direct_lane(joints.axes[node.joint].rules[node.axis].kind));
+}
 bool comes_first(const DriveLane& a, const DriveLane& b) {
     return a.joint != b.joint ? a.joint < b.joint : a.axis < b.axis;
 }
@@ -68,6 +74,7 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
     DirectDrive& d = r.drive;
     const DriveLane sought{node.joint, node.axis, 0};
     d.lane = std::lower_bound(work.drive_lanes.begin(), work.drive_lanes.end(), sought, comes_first)->lane;
+    if (node.rows == DirectRows::axis) return;
     const JointAxisState& state = joints.axes[node.joint].states[node.axis];
     const double all = std::numeric_limits<double>::infinity();
     switch (node.rows) {
@@ -164,7 +171,8 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
                 fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
-                if (has_drive(set.nodes[i])) fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
+                if (has_lane(joints, set.nodes[i]))
+                    fill_drive(joints, work, set.nodes[i], h, work.rows[solve.first_row + i]);
             for (std::size_t i = 0; i < solve.limit_count; ++i) {
                 DirectLimit& limit = work.limits[solve.first_limit + i];
                 const JointAxisState& state = joints.axes[limit.joint].states[limit.axis];
@@ -196,7 +204,7 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
             case DirectRows::axis:
                 joints.axes[node.joint].states[node.axis].lower = impulse.x;
                 joints.axes[node.joint].states[node.axis].upper = 0;
-                is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
+                is_force = is_along(joints.axes[node.joint].rules[node.axis].kind);
                 break;
             case DirectRows::drive:
                 state->drive = given;
@@ -209,7 +217,7 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 break;
             }
             if (node.is_driven) state->drive = given;
-            if (is_bounded(node.rows)) is_force = joints.axes[node.joint].rules[node.axis].kind == AxisKind::linear;
+            if (is_bounded(node.rows)) is_force = is_along(joints.axes[node.joint].rules[node.axis].kind);
             (is_force ? joint.force : joint.torque) += total;
         }
         for (std::size_t i = 0; i < solve.limit_count; ++i) {

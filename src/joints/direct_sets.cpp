@@ -308,15 +308,11 @@ bool is_linear_enough(AxisKind kind) {
 
 bool is_direct_axis(const JointAxisRule& rule) {
     if (!rule.has_limits || !rule.is_equation || !rule.rigid_limit || rule.has_drive || rule.friction > 0) return false;
-    switch (rule.kind) {
-    case AxisKind::perpendicular:
-    case AxisKind::linear:
-        return true;
-    case AxisKind::distance:
-        return rule.lower > 0;
-    default:
-        return false;
-    }
+    return rule.kind == AxisKind::perpendicular || is_linear_enough(rule.kind) ||
+           (rule.kind == AxisKind::distance && rule.lower > 0);
+}
+bool has_direct_lane(AxisKind kind) {
+    return kind != AxisKind::perpendicular && kind != AxisKind::linear && kind != AxisKind::distance;
 }
 
 bool is_direct_drive(const JointAxisRule& rule) {

@@ -15,6 +15,8 @@ void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& 
 
 // Whether an axis row of a joint belongs to what a direct solver holds: it is a rigid equation, and linear enough.
 bool is_direct_axis(const JointAxisRule& rule);
+// Whether its Jacobian and position are those of its axis block.
+bool has_direct_lane(AxisKind kind);
 // Whether its drive does, and its friction.
 bool is_direct_drive(const JointAxisRule& rule);
 bool is_direct_friction(const JointAxisRule& rule);

@@ -31,6 +31,8 @@ void keep_given(const SetView& v);
 
 // Jacobian and error of a node by the poses now; of a drive, how it yields.
 void refresh_row(const Joints& joints, const SetView& v, std::size_t node, double h);
+// Of one whose Jacobian is that of its axis block; returns the position.
+double refresh_from_lane(const SetView& v, std::size_t node);
 void refresh_drive(const SetView& v, std::size_t node, double h);
 // The speed that the row of a drive lacks.
 double lack_of_drive(const DirectDrive& drive, double velocity);

@@ -54,11 +54,12 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
     const bool is_direct = direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
         const JointAxisRule& rule = joints.axes[joint].rules[i];
-        if (is_direct && is_direct_axis(rule)) continue;
+        const bool is_equation = is_direct && is_direct_axis(rule);
+        if (is_equation && !has_direct_lane(rule.kind)) continue;
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
         row.is_direct_limit = is_direct && is_direct_limit(rule);
-        row.is_direct_soft_limit = is_direct && is_direct_soft_limit(rule);
+        row.is_direct_soft_limit = is_equation || (is_direct && is_direct_soft_limit(rule));
         row.has_limits = rule.has_limits != 0 && !row.is_direct_limit && !row.is_direct_soft_limit;
         row.has_soft_limits = row.has_limits && !rule.rigid_limit;
         row.is_direct_drive = is_direct && is_direct_drive(rule);

@@ -21,8 +21,8 @@ inline constexpr std::uint64_t changes = 0x3a1aff1a4f261d59;
 inline constexpr std::uint64_t all_shapes = 0x12587399e35ea85a;
 inline constexpr std::uint64_t rounded_shapes = 0x5b3b2ab406817060;
 inline constexpr std::uint64_t surfaces = 0xf3a284f66cb5e6f2;
-inline constexpr std::uint64_t all_joints = 0x609c4b0c4f6f72f1;
+inline constexpr std::uint64_t all_joints = 0x78a0df4530dc82a1;
 inline constexpr std::uint64_t chains = 0x2d2ec97445b7b9b7;
-inline constexpr std::uint64_t robots = 0xaa5f3f7c03d97bc6;
+inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 
 } // namespace cairn_test::golden

@@ -145,6 +145,19 @@ CAIRN_INLINE f32x8 counted_angle(const AxisBlock& b, f32x8 angle) {
 }
 CAIRN_INLINE f32x8 angle_between(Vec3x8 u, Vec3x8 w, Vec3x8 n) { return angle_of(dot(n, cross(u, w)), dot(u, w)); }
 
+// The part of the rotation vector r about an axis a of A. With the angle phi, that changes at the rate u.w with
+// u = a + (r x a) / 2 + c r x (r x a), c = (1 - (phi / 2) cot(phi / 2)) / phi^2. A spring that pulled along a itself
+// would turn what is free of it faster and faster.
+CAIRN_INLINE Rowx8 rotation_row(const Geometryx8& g, Quatx8 turn) {
+    const Vec3x8 r = rotation_vector(turn), across = cross(r, g.axis_a);
+    const f32x8 square = dot(r, r), sine = sqrt(dot(turn.v, turn.v));
+    const mask8 is_large = square > splat(0.01f);
+    const f32x8 half_cotangent = splat(0.5f) * sqrt(square) * abs(turn.w) / (sine + splat(tiny));
+    const f32x8 exact = (one() - half_cotangent) / select(is_large, square, one());
+    const f32x8 c = select(is_large, exact, splat(1.0f / 12) + splat(1.0f / 720) * square);
+    return {angular_jacobian(g.axis_a + splat(0.5f) * across + c * cross(r, across)), dot(r, g.axis_a)};
+}
+
 CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
     switch (b.kind) {
     case AxisKind::swing: {
@@ -182,7 +195,7 @@ CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
         return {angular_jacobian(unit(r, angle)), angle};
     }
     default: // rotation
-        return {angular_jacobian(g.axis_a), dot(rotation_vector(turn), g.axis_a)};
+        return rotation_row(g, turn);
     }
 }
 
