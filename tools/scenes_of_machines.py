@@ -58,7 +58,7 @@ def walker():
         place, spin, length = along((0, 0, z), end)
         parts.append((s.capsule(0.045, length), place, RED, spin))
     crank = s.compound(parts, frame, (begin, axle, 0), None, "crank")
-    s.joint(body, crank, joints.hinge(joints.control(velocity=-2.0), solver="direct"), (begin, axle, 0), "z",
+    s.joint(body, crank, joints.hinge(joints.control(velocity=-2.0, most=300), solver="direct"), (begin, axle, 0), "z",
             name="motor")
     for z, phase in layers:
         for side in (1, -1):
