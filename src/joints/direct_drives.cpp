@@ -1,7 +1,7 @@
 // Drives, friction and soft limits of joints that are solved directly. A drive that is a row of its own sees the two
 // bodies of its joint alone: where these are light beside what hangs on them, its impulse turns them by far too much,
-// and the joints pass that on. So drives are rows among the equations, each with the softness of its spring (see
-// solver_data of joints: AxisBlock).
+// and the joints pass that on. So drives are rows among the equations, each with the softness of its spring. Their
+// Jacobians and positions are those of the axis blocks (kernels/solve/joint_axis.cpp).
 #include "joints/direct_view.h"
 
 #include <limits>

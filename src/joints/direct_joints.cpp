@@ -120,10 +120,11 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
     return scale * free;
 }
 
+// Whether a node is nothing but a drive, friction or a soft limit.
 bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
 // Whether a turn holds the axis that it leaves free, by its drive.
 bool holds_its_drive(const SetView& v, std::size_t i) { return v.set.nodes[i].is_driven && v.rows[i].drive.bound == 0; }
-// Whether it gives all that it can: then it is no row.
+// Whether such a node gives all that it can: then it is no row.
 bool is_bound(const SetView& v, std::size_t i) { return is_drive(v, i) && v.rows[i].drive.bound != 0; }
 
 void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
