@@ -166,9 +166,8 @@ using Joint = std::variant<FixedJoint, BallJoint, HingeJoint, SliderJoint, Cylin
 
 /// How a joint is solved. Both give the same motion; they differ in cost and stiffness.
 enum class JointSolver : std::uint8_t {
-    /// Direct in chains, machines and under high mass ratios as long as it pays, and where it hangs together with
-    /// joints
-    /// that are asked to be direct; else iterative.
+    /// Direct in chains, machines, robots whose angles servos hold, and under high mass ratios as long as it pays, and
+    /// where it hangs together with joints that are asked to be direct; else iterative.
     automatic,
     iterative, ///< 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
     /// All direct joints that hang together at once, with their motors, springs, friction and limits. For chains,

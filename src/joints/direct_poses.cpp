@@ -32,7 +32,7 @@ void refresh_turn(const JointLocks& rules, DVec3 axis_a, DVec3 axis_b, const mat
     r.linear = {};
     r.angular[1] = math::identity_block();
     if (rules.turn == JointLock::across) {
-        r.angular[1] = math::across_block(axis_a);
+        r.angular[1] = math::across_block(axis_a); // of a driven one see aim_driven_turn
         r.error = math::cross(axis_a, axis_b);
         r.impulse = r.angular[1] * r.impulse;
     } else {

@@ -130,7 +130,7 @@ void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScr
     work.limits.clear(), work.drive_lanes.clear();
     if (work.sets.empty()) return;
     for (const JointRow& row : layout.rows) {
-        if (row.is_direct_drive || row.is_direct_friction || row.is_direct_soft_limit)
+        if (row.is_direct_drive || row.is_direct_friction || row.is_direct_range)
             work.drive_lanes.push_back({row.joint, row.axis, row.lane});
         if (!row.is_direct_limit || row.idle) continue;
         const std::int32_t index = direct.set_of_joint[row.joint];

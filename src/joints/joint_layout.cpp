@@ -59,14 +59,14 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
         row.is_direct_limit = is_direct && is_direct_limit(rule);
-        row.is_direct_soft_limit = is_equation || (is_direct && is_direct_soft_limit(rule));
-        row.has_limits = rule.has_limits != 0 && !row.is_direct_limit && !row.is_direct_soft_limit;
+        row.is_direct_range = is_equation || (is_direct && is_direct_soft_limit(rule));
+        row.has_limits = rule.has_limits != 0 && !row.is_direct_limit && !row.is_direct_range;
         row.has_soft_limits = row.has_limits && !rule.rigid_limit;
         row.is_direct_drive = is_direct && is_direct_drive(rule);
         row.has_drive = rule.has_drive != 0 && !row.is_direct_drive;
         row.is_direct_friction = is_direct && is_direct_friction(rule);
         row.has_friction = rule.friction > 0 && !row.is_direct_friction;
-        if (!row.is_direct_soft_limit) row.reach_by_turn = reach_by_turn(rules, joints.axes[joint], rule);
+        if (!row.is_direct_range) row.reach_by_turn = reach_by_turn(rules, joints.axes[joint], rule);
         layout.may_idle |= row.reach_by_turn != 0;
     }
     if (is_direct) return;

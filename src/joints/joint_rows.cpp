@@ -157,7 +157,7 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
     b.upper_impulse[lane] = state.upper;
     if (row.is_direct_drive) b.drive_impulse[lane] = b.max_drive[lane] = 0;
     if (row.is_direct_friction) b.friction_impulse[lane] = b.max_friction[lane] = 0;
-    if (!row.is_direct_limit && !row.is_direct_soft_limit) return;
+    if (!row.is_direct_limit && !row.is_direct_range) return;
     b.equation[lane] = 0;
     b.lower[lane] = -unlimited, b.upper[lane] = unlimited;
     b.lower_impulse[lane] = b.upper_impulse[lane] = 0;

@@ -22,13 +22,14 @@ enum {
 /// How a joint is solved. Both give the same motion; they differ in cost and stiffness.
 typedef int32_t cairn_joint_solver;
 enum {
-    /// Direct in chains, machines and under high mass ratios as long as it pays, else iterative.
+    /// Direct in chains, machines, robots whose angles servos hold, and under high mass ratios as long as it pays, and
+    /// where it hangs together with joints that are asked to be direct; else iterative.
     CAIRN_JOINT_SOLVER_AUTOMATIC = 0,
     /// 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
     CAIRN_JOINT_SOLVER_ITERATIVE = 1,
-    /// All direct joints that hang together at once. For chains, machines, and what must not give at all. Soft limits,
-    /// motors, friction, springs, gears, racks and pulleys stay iterative; so do all of a net of thousands of joints,
-    /// whose factorization would not end.
+    /// All direct joints that hang together at once. With their motors, springs, friction and limits. For chains,
+    /// machines, robots, and what must not give at all. Gears, racks, pulleys, and motors and springs of distances stay
+    /// iterative; so do all of a net of thousands of joints, whose factorization would not end.
     CAIRN_JOINT_SOLVER_DIRECT = 2
 };
 
