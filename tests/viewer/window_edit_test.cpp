@@ -20,6 +20,8 @@ void test_inspector(Driver& driver) {
         return s.contains("inspected") && s.at("inspected").at("name") == "crate" &&
                s.at("inspected").at("mass") == 500.0 && s.at("places").contains("inspector.name");
     });
+    driver.check("which is at the right, off the middle of the picture",
+                 [](const Json& s) { return s.at("places").at("inspector.name").at(0).get<double>() > 600.0; });
     driver.click_on("inspector.name");
     driver.chord("ctrl", "a");
     driver.type("anvil");
