@@ -55,6 +55,7 @@ Vec3 joint_ramp(float fraction) { return ramp(joint_stops, fraction); }
 Vec3 joint_error_color() { return linear_color(0xff2a2a); }
 
 Vec3 drag_color() { return linear_color(0xffd040); }
+Vec3 selection_color() { return linear_color(0xfff4d0); }
 
 float mass_fraction(float mass, float least, float greatest) {
     if (!std::isfinite(mass)) return 1.0f;

@@ -35,6 +35,8 @@ Vec3 joint_ramp(float fraction);
 Vec3 joint_error_color();
 /// Of the line from a dragged body to the cursor.
 Vec3 drag_color();
+/// Of the marks around the selected body.
+Vec3 selection_color();
 
 Vec3 static_color();
 Vec3 sleeping_color();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -118,6 +119,46 @@ bool is_highlighted(BodyId body, const FrameOptions& options) {
            std::binary_search(options.selection.begin(), options.selection.end(), body);
 }
 
+Transform pose_of(const ShapeLayout& shape, const Transform& body) {
+    return {body.position + Position(body.rotation * shape.position), glm::normalize(body.rotation * shape.rotation)};
+}
+
+// The corners of a box around the selected body, which are seen on bodies of any color: in the frame of its shape, if
+// it has only one. Around many bodies they would hide them, and a drag has its own marks. What is infinite has none.
+void add_selection_marks(RenderFrame& frame, const WorldLayout& layout, std::span<const Transform> transforms,
+                         const FrameOptions& options) {
+    if (!options.selected || options.selection.size() > 1 || options.drag) return;
+    std::vector<const ShapeLayout*> shapes;
+    for (const ShapeLayout& shape : layout.shapes)
+        if (shape.bound_radius > 0.0f && layout.bodies[shape.body].id == options.selected) shapes.push_back(&shape);
+    if (shapes.empty()) return;
+    const bool is_alone = shapes.size() == 1;
+    const Transform& body = transforms[shapes.front()->body];
+    const Transform pose = is_alone ? pose_of(*shapes.front(), body) : body;
+    Vec3 low(std::numeric_limits<float>::infinity()), high = -low;
+    for (const ShapeLayout* shape : shapes) {
+        const glm::mat3 turn = is_alone ? glm::mat3(1.0f) : glm::mat3_cast(shape->rotation);
+        const Vec3 center = turn * shape->bound_center + (is_alone ? Vec3(0.0f) : shape->position);
+        Vec3 extent(0.0f);
+        for (int axis = 0; axis < 3; ++axis) extent += glm::abs(turn[axis]) * shape->bound_extent[axis];
+        low = glm::min(low, center - extent);
+        high = glm::max(high, center + extent);
+    }
+    constexpr float reach = 0.2f; // of an edge, from each of its ends
+    constexpr float width = 1.6f; // pixels
+    const Vec3 origin(pose.position - frame.origin);
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto is_high = [corner](int axis) { return (corner >> axis & 1) != 0; };
+        const Vec3 at(is_high(0) ? high.x : low.x, is_high(1) ? high.y : low.y, is_high(2) ? high.z : low.z);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 end = at;
+            end[axis] += (is_high(axis) ? -reach : reach) * (high[axis] - low[axis]);
+            frame.strokes.push_back(
+                {origin + pose.rotation * at, origin + pose.rotation * end, selection_color(), width});
+        }
+    }
+}
+
 void add_rigid(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
                const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
     Transform pose = visual.local;
@@ -188,10 +229,6 @@ void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout&
 bool is_any_shown(const VisualLayout& visual, const std::vector<char>& is_shown) {
     const auto shown = [&](const VisualLayout::Part& part) { return part.body && is_shown[*part.body]; };
     return visual.body ? is_shown[*visual.body] != 0 : std::any_of(visual.parts.begin(), visual.parts.end(), shown);
-}
-
-Transform pose_of(const ShapeLayout& shape, const Transform& body) {
-    return {body.position + Position(body.rotation * shape.position), glm::normalize(body.rotation * shape.rotation)};
 }
 
 void add_solid(ShapeInstances& all, const Position& origin, const ShapeLayout& shape, const Transform& pose,
@@ -309,6 +346,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     if (current.joints) add_strings(frame, current, transforms);
     if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
     if (current.solver) draw_solver(frame, *current.solver);
+    add_selection_marks(frame, layout, transforms, options);
     if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
 }

@@ -101,6 +101,38 @@ std::shared_ptr<const ShapeMesh> some_visual() {
     return std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(points, {}, triangle), MeshLook::visual));
 }
 
+// A body of the color of highlights is told from its neighbors, too.
+TEST(RenderFrame, CornersAreDrawnAroundTheSelectedBody) {
+    LoadedScene scene = test::boxes_on_plane(3);
+    const auto corners = [&](const FrameOptions& options) {
+        const RenderFrame frame = make_frame(scene.world, scene.appearances, scene.camera, options);
+        std::vector<Position> places;
+        for (const Stroke& stroke : frame.strokes) places.push_back(Position(stroke.from) + frame.origin);
+        return places;
+    };
+    FrameOptions options;
+    EXPECT_TRUE(corners(options).empty());
+    options.selected = scene.world.bodies()[0]; // the ground, which has no end
+    EXPECT_TRUE(corners(options).empty());
+    options.selected = scene.world.bodies()[2];
+    const std::vector<Position> one = corners(options);
+    ASSERT_EQ(one.size(), 24u); // three edges begin at each of eight corners
+    for (const Position& place : one) {
+        const Position away = glm::abs(place - Position(2.0, 0.5, 0.0));
+        EXPECT_LT(glm::distance(away, Position(0.5)), 1e-4);
+    }
+    options.selection = {scene.world.bodies()[2], scene.world.bodies()[3]};
+    EXPECT_TRUE(corners(options).empty()) << "many would hide what they are around";
+    // A second shape, above the first: one box holds both.
+    ShapeDef above;
+    above.position = {0.0f, 1.0f, 0.0f};
+    scene.world.add_shape(scene.world.bodies()[2], Sphere{0.25f}, above);
+    options.selection.clear();
+    const std::vector<Position> both = corners(options);
+    ASSERT_EQ(both.size(), 24u);
+    for (const Position& place : both) EXPECT_NEAR(std::abs(place.y - 0.875), 0.875, 1e-4) << "from 0 to 1.75 m";
+}
+
 TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
     LoadedScene scene = test::boxes_on_plane(2);
     const BodyId body = scene.world.bodies()[2];
