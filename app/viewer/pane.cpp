@@ -20,10 +20,11 @@ constexpr std::size_t most_keyframes = 64;      // then every second one goes
 
 } // namespace
 
-std::string describe(const PaneSettings& settings) {
+std::string describe(const PaneSettings& settings, bool may_be_more) {
     char text[128];
-    std::snprintf(text, sizeof text, "step 1/%g s, %d %s, %s", double(std::round(1.0f / settings.step_length)),
-                  settings.substeps, settings.substeps == 1 ? "substep" : "substeps", name_of(settings.integrator));
+    std::snprintf(text, sizeof text, "step 1/%g s, %d %s%s, %s", double(std::round(1.0f / settings.step_length)),
+                  settings.substeps, settings.substeps == 1 ? "substep" : "substeps", may_be_more ? " or more" : "",
+                  name_of(settings.integrator));
     std::string line = text;
     if (settings.friction) {
         std::snprintf(text, sizeof text, ", friction %.2g", double(*settings.friction));

@@ -24,7 +24,8 @@ struct PaneSettings {
     friend bool operator==(const PaneSettings&, const PaneSettings&) = default;
 };
 inline constexpr std::size_t most_panes = 4; ///< The first included, which is the run that commands change.
-std::string describe(const PaneSettings& settings);
+/// `may_be_more`: of substeps, where they are needed.
+std::string describe(const PaneSettings& settings, bool may_be_more = false);
 
 /// What there is to see of a pane.
 struct PaneState {

@@ -95,7 +95,7 @@ bool PaneWindow::draw_settings(Controller& controller) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(3.5f * ImGui::GetFontSize());
         changed |= ImGui::SliderInt("substeps", &pane.substeps, 1, 32, "%d", ImGuiSliderFlags_AlwaysClamp);
-        ImGui::SetNextItemWidth(9.0f * ImGui::GetFontSize());
+        ImGui::SetNextItemWidth(11.5f * ImGui::GetFontSize());
         if (ImGui::BeginCombo("##integrator", name_of(pane.integrator))) {
             for (const Integrator integrator : integrators)
                 if (ImGui::Selectable(name_of(integrator), pane.integrator == integrator)) {
@@ -144,8 +144,8 @@ void PaneWindow::draw_captions(const StageState& state, const WindowFacts& facts
         char line[96];
         if (i == 0) {
             text =
-                "this run: " + describe({float(state.time_step), state.usual_substeps, state.settings.integrator, {}});
-            if (state.settings.adaptive_substeps) text += ", more where needed";
+                "this run: " + describe({float(state.time_step), state.usual_substeps, state.settings.integrator, {}},
+                                        state.settings.adaptive_substeps);
             text += "\nenergy " + short_energy(state.energy);
         } else {
             const PaneState& pane = state.panes[i - 1];

@@ -126,6 +126,11 @@ TEST(Pane, StartsAnewWithTheSceneAndEndsWhenNobodyLooks) {
     EXPECT_TRUE(stage.state().panes.empty());
 }
 
+TEST(PaneSettings, WordsTellWhichNumberIsTheLeast) {
+    EXPECT_EQ(describe({}), "step 1/60 s, 6 substeps, semi-implicit Euler");
+    EXPECT_EQ(describe({}, true), "step 1/60 s, 6 substeps or more, semi-implicit Euler");
+}
+
 TEST(PaneLayout, PanesFillTheAreaWithoutOverlaps) {
     const PaneRect area{300.0f, 0.0f, 980.0f, 680.0f};
     for (std::size_t count = 1; count <= most_panes; ++count) {
