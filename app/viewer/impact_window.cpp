@@ -18,7 +18,8 @@ std::string number_text(double value) {
     return text;
 }
 
-std::string triple_text(const Vec3& v) {
+std::string triple_text(const Vec3& vector) {
+    const Vec3 v = vector + 0.0f; // no negative zeros
     char text[64];
     std::snprintf(text, sizeof text, "(%.3g, %.3g, %.3g)", double(v.x), double(v.y), double(v.z));
     return text;
@@ -129,7 +130,6 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
     const float margin = 12.0f * scale;
     const float below_other = state.other ? 116.0f * scale : 0.0f; // the window of two runs is above
     ImGui::SetNextWindowPos(ImVec2(column + margin, margin + below_other), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowBgAlpha(0.93f);
     const bool is_open = ImGui::Begin("Impact (F7)", &controller.impacts, ImGuiWindowFlags_AlwaysAutoResize);
     keep_in_picture(column, bottom);
     if (is_open) {

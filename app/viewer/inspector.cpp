@@ -23,6 +23,21 @@ void fact(const char* name, const char* format, double value) {
     ImGui::Text(format, value);
 }
 
+// A number for each axis. What would be shown as a negative zero is shown as zero, and stays what it was unless that
+// number is changed.
+template <class Vector> bool drag_axes(const char* name, Vector& value, float speed) {
+    float shown[3], before[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        shown[axis] = float(value[axis]);
+        if (std::abs(shown[axis]) < 5e-4f) shown[axis] = 0.0f;
+        before[axis] = shown[axis];
+    }
+    if (!ImGui::DragFloat3(name, shown, speed, 0.0f, 0.0f, "%.3f")) return false;
+    for (int axis = 0; axis < 3; ++axis)
+        if (shown[axis] != before[axis]) value[axis] = shown[axis];
+    return true;
+}
+
 } // namespace
 
 void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
@@ -51,16 +66,15 @@ void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
 }
 
 void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
-    float place[] = {float(edited_.position.x), float(edited_.position.y), float(edited_.position.z)};
-    if (ImGui::DragFloat3("position", place, 0.01f, 0.0f, 0.0f, "%.3f"))
-        controller.post(
-            command::EditBody{facts.id, edit::Place{edited_.position = Position(place[0], place[1], place[2])}});
+    if (drag_axes("position", edited_.position, 0.01f))
+        controller.post(command::EditBody{facts.id, edit::Place{edited_.position}});
     note_place(controller, "inspector.position");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("m, of its frame; drag to change, double-click to type");
     if (facts.type == BodyType::static_) return;
-    if (ImGui::DragFloat3("velocity", &edited_.velocity.x, 0.02f, 0.0f, 0.0f, "%.3f"))
+    if (drag_axes("velocity", edited_.velocity, 0.02f))
         controller.post(command::EditBody{facts.id, edit::Velocity{edited_.velocity}});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s; drag to change, double-click to type");
-    if (ImGui::DragFloat3("turning", &edited_.turning.x, 0.02f, 0.0f, 0.0f, "%.3f"))
+    if (drag_axes("angular velocity", edited_.turning, 0.02f))
         controller.post(command::EditBody{facts.id, edit::Turning{edited_.turning}});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("rad/s, about the axes of the world");
     fact("speed", "%.4g m/s", double(glm::length(facts.velocity)));
@@ -96,7 +110,7 @@ void Inspector::draw_surface(const BodyFacts& facts, Controller& controller) {
     changed |= ImGui::SliderFloat("static friction", &material.static_friction, 0.0f, 1.5f, "%.2f", clamped);
     changed |= ImGui::SliderFloat("sliding friction", &material.dynamic_friction, 0.0f, 1.5f, "%.2f", clamped);
     changed |= ImGui::SliderFloat("restitution", &material.restitution, 0.0f, 1.0f, "%.2f", clamped);
-    changed |= ImGui::SliderFloat("rolling", &material.rolling_friction, 0.0f, 0.1f, "%.4f m", clamped);
+    changed |= ImGui::SliderFloat("rolling friction", &material.rolling_friction, 0.0f, 0.1f, "%.4f m", clamped);
     if (changed) controller.post(command::EditBody{facts.id, edit::Surface{material, also_touched}});
     std::string shapes;
     for (const ShapeFacts& shape : facts.shapes)
@@ -208,7 +222,7 @@ std::string Inspector::follow(const StageState& state, Controller& controller) {
 
 void Inspector::draw_content(const StageState& state, Controller& controller, float width) {
     const BodyFacts& facts = *state.inspected;
-    ImGui::PushItemWidth(0.56f * width);
+    ImGui::PushItemWidth(0.52f * width);
     if (state.selection.size() < 2) {
         draw_identity(facts, controller);
         draw_buttons(controller);
@@ -232,7 +246,6 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
                                         ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
-    ImGui::SetNextWindowBgAlpha(0.93f);
     bool is_open = true;
     ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     keep_in_picture(display.x - room, bottom);
@@ -247,7 +260,6 @@ void Inspector::draw_in_column(const StageState& state, Controller& controller, 
     const std::string title = follow(state, controller) + "###body in the column";
     ImGui::SetNextWindowPos(ImVec2(0.0f, ImGui::GetIO().DisplaySize.y - height));
     ImGui::SetNextWindowSize(ImVec2(width, height));
-    ImGui::SetNextWindowBgAlpha(1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     bool is_open = true;
     ImGui::Begin(title.c_str(), &is_open,

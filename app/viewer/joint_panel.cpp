@@ -100,6 +100,7 @@ bool edit_limits(std::optional<JointRange>& limits, bool is_angle, float now) {
     if (changed) limits = is_on ? std::optional(JointRange{now - room, now + room, {}}) : std::nullopt;
     if (!limits) return changed;
     ImGui::PushID("limits");
+    const float beside = ImGui::GetCursorPosX() + 5.0f * ImGui::GetFontSize(); // of a box with the longer word
     for (const auto& [check, name, bound, free] :
          {std::tuple("from", "##from", &limits->lower, -infinity), {"to", "##to", &limits->upper, infinity}}) {
         bool is_bounded = std::isfinite(*bound);
@@ -110,7 +111,7 @@ bool edit_limits(std::optional<JointRange>& limits, bool is_angle, float now) {
             changed = true;
         }
         if (!is_bounded) continue;
-        ImGui::SameLine(5.5f * ImGui::GetFontSize());
+        ImGui::SameLine(beside);
         if (!place_slider(name, *bound, is_angle)) continue;
         if (bound == &limits->lower)
             limits->upper = std::max(limits->lower, limits->upper);
@@ -362,7 +363,6 @@ void JointPanel::draw_selected(const StageState& state, Controller& controller, 
     const ImGuiIO& io = ImGui::GetIO();
     const float width = window_width * scale, margin = 12.0f * scale;
     const bool fits = state.panes.empty() && room > 2.0f * (width + 2.0f * margin);
-    if (!fits) ImGui::SetNextWindowBgAlpha(1.0f); // what it covers must not shine through
     const float height = fits ? io.DisplaySize.y - top - bottom - margin : 0.5f * io.DisplaySize.y;
     ImGui::SetNextWindowPos(fits ? ImVec2(io.DisplaySize.x - margin, top) : ImVec2(0.0f, io.DisplaySize.y),
                             fits ? ImGuiCond_Appearing : ImGuiCond_Always,
