@@ -120,6 +120,16 @@ unsigned int chart_ink(std::uint32_t rgb, int alpha) {
     return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, alpha);
 }
 
+unsigned int word_ink(std::uint32_t rgb) {
+    const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    const auto mixed = [](std::uint32_t part, float word) {
+        constexpr float share = 0.6f; // of the color
+        return share * float(part & 255) / 255.0f + (1.0f - share) * word;
+    };
+    return ImGui::ColorConvertFloat4ToU32(
+        ImVec4(mixed(rgb >> 16, text.x), mixed(rgb >> 8, text.y), mixed(rgb, text.z), 1.0f));
+}
+
 std::optional<double> draw_chart(const char* id, const Chart& chart, float width, float height,
                                  std::optional<double> cursor) {
     const float line = ImGui::GetTextLineHeight();

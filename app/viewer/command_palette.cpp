@@ -19,7 +19,6 @@ void CommandPalette::draw(Controller& controller, float scale, float column, flo
     ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, 0.14f * ImGui::GetIO().DisplaySize.y), ImGuiCond_Always,
                             ImVec2(0.5f, 0.0f));
     ImGui::SetNextWindowSize(ImVec2(width, 13.0f * line + ImGui::GetFrameHeightWithSpacing()));
-    ImGui::SetNextWindowBgAlpha(0.98f);
     if (opens) ImGui::SetNextWindowFocus();
     ImGui::Begin("##palette", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

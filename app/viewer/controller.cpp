@@ -123,7 +123,9 @@ void Controller::perform_on_body(Action action) {
         post_(command::RemoveSelected{});
         break;
     case Action::select_nothing:
-        if (help)
+        if (palette)
+            palette = false;
+        else if (help)
             help = false;
         else if (drag_ == Drag::frame)
             drag_ = Drag::none;

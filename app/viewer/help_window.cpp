@@ -47,8 +47,8 @@ void draw_help_column(Controller& controller, std::span<const KeyHelp> lines, fl
 
 } // namespace
 
-// In two columns, parted at the heading with which the longer one is shortest, and in smaller letters where the window
-// has no room for them.
+// All over the picture and the panel, so that no rest of them frames it, in two columns, parted at the heading with
+// which the longer one is shortest, and in smaller letters where the window has no room for them.
 void draw_help(Controller& controller, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     const std::span<const KeyHelp> lines = key_help();
@@ -58,12 +58,13 @@ void draw_help(Controller& controller, float scale) {
             parting = i;
     const auto left = lines.first(parting), right = lines.subspan(parting);
     const float gap = 16.0f * scale, between = 24.0f * scale;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always,
-                            ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowBgAlpha(0.94f);
-    ImGui::Begin("Keys and mouse", nullptr,
-                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoMove);
+    ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
+    ImGui::SetNextWindowSize(io.DisplaySize);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::Begin("Keys and mouse (F1 or Escape closes this)", &controller.help,
+                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar();
     ImGui::SetWindowFontScale(1.0f);
     const HelpWidths a = help_widths(left), b = help_widths(right);
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -71,7 +72,11 @@ void draw_help(Controller& controller, float scale) {
     const float height = float(std::max(left.size(), right.size())) * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 room(io.DisplaySize.x - 4.0f * style.WindowPadding.x - 2.0f * gap - between,
                       io.DisplaySize.y - 2.0f * style.WindowPadding.y - ImGui::GetFrameHeight());
-    ImGui::SetWindowFontScale(std::min({1.0f, room.x / width, room.y / height}));
+    const float letters = std::min({1.0f, room.x / width, room.y / height});
+    ImGui::SetWindowFontScale(letters);
+    const ImVec2 left_over(room.x - letters * width, room.y - letters * height);
+    ImGui::SetCursorPos(ImVec2(ImGui::GetCursorPosX() + 0.5f * std::max(left_over.x, 0.0f),
+                               ImGui::GetCursorPosY() + 0.4f * std::max(left_over.y, 0.0f)));
     draw_help_column(controller, left, gap, "help.left");
     ImGui::SameLine(0.0f, between);
     draw_help_column(controller, right, gap, "help.right");

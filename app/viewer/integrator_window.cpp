@@ -94,10 +94,10 @@ void IntegratorWindow::draw_motion(float width, float height) const {
             const float y =
                 lanes > 1 ? place.y + 0.3f * dot : corner.y + height - (2.0f + 1.2f * float(i)) * ImGui::GetFontSize();
             list->AddText(ImVec2(corner.x + width - 0.5f * dot - ImGui::CalcTextSize(words.c_str()).x, y),
-                          chart_ink(rgb), words.c_str());
+                          word_ink(rgb), words.c_str());
         }
         if (lanes > 1)
-            list->AddText(ImVec2(corner.x + 0.5f * dot, place.y - 1.6f * ImGui::GetFontSize()), chart_ink(rgb),
+            list->AddText(ImVec2(corner.x + 0.5f * dot, place.y - 1.6f * ImGui::GetFontSize()), word_ink(rgb),
                           name_of(lab_integrators[i]));
     }
     if (system_ == LabSystem::orbit) list->AddCircleFilled(middle, 1.3f * dot, IM_COL32(255, 214, 102, 255));
@@ -112,9 +112,7 @@ void IntegratorWindow::draw_verdict() const {
         const std::vector<LabState>& path = paths_[i];
         const std::size_t now = std::min(std::size_t(time_ * double(rate_)), path.size() - 1);
         const double change = (energy_of(system_, path[now]) - start) / std::abs(start) * 100.0;
-        const std::uint32_t rgb = color_of(lab_integrators[i]);
-        const ImVec4 color(float(rgb >> 16 & 255) / 255.0f, float(rgb >> 8 & 255) / 255.0f, float(rgb & 255) / 255.0f,
-                           1.0f);
+        const ImVec4 color = ImGui::ColorConvertU32ToFloat4(word_ink(color_of(lab_integrators[i])));
         ImGui::TextColored(color, "%s", name_of(lab_integrators[i]));
         ImGui::SameLine(12.0f * ImGui::GetFontSize());
         ImGui::Text(std::abs(change) < 100.0 ? "energy %+.3g %%" : "energy %+.0f %%",
@@ -130,7 +128,6 @@ void IntegratorWindow::draw(Controller& controller, float scale, float column, f
     const ImVec2 size(std::min(room - 2.0f * margin, 940.0f * scale), display.y - bottom - 2.0f * margin);
     ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_FirstUseEver, ImVec2(0.5f, 0.0f));
     ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowBgAlpha(0.97f);
     const bool is_open = ImGui::Begin("Integrators side by side (F4)", &controller.integrators);
     keep_in_picture(column, bottom);
     if (is_open) {

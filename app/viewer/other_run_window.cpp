@@ -16,7 +16,6 @@ void draw_other_run(const StageState& state, Controller& controller, float scale
     const OtherRun& other = *state.other;
     const float margin = 12.0f * scale;
     ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Two runs", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
     keep_in_picture(column, bottom);

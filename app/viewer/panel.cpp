@@ -19,7 +19,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float panel_width = 300.0f;
-constexpr float min_scene_lines = 7.5f; // half a line shows that there are more
+constexpr float min_scene_lines = 5.5f; // half a line shows that there are more
 
 // A bar of the ramp with a label at both ends.
 void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
@@ -88,9 +88,10 @@ void draw_notice(const std::string& text, const ImVec2& place, float room) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
     const ImVec2 corner(std::round(place.x - 0.5f * size.x), std::round(place.y - padding.y - size.y));
     ImDrawList* list = ImGui::GetForegroundDrawList();
-    list->AddRectFilled(ImVec2(corner.x - padding.x, corner.y - padding.y),
-                        ImVec2(corner.x + size.x + padding.x, place.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
-                        ImGui::GetStyle().WindowRounding);
+    const ImVec2 low(corner.x - padding.x, corner.y - padding.y), high(corner.x + size.x + padding.x, place.y);
+    const float rounding = ImGui::GetStyle().WindowRounding;
+    list->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg), rounding);
+    list->AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border), rounding);
     list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(),
                   nullptr, widest);
 }
@@ -128,25 +129,32 @@ void apply_style(float scale, bool is_light) {
     style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
     style.WindowPadding = ImVec2(12.0f, 10.0f);
     style.ItemSpacing = ImVec2(8.0f, 5.0f);
-    style.WindowBorderSize = 0.0f;
-    const ImVec4 accent(0.24f, 0.50f, 0.72f, 1.0f), strong(0.33f, 0.62f, 0.86f, 1.0f);
+    style.WindowBorderSize = 1.0f; // parts windows of the same color
+    // Windows may cover each other: nothing shines through. Words lie on what is hovered and on the grabs of sliders,
+    // so these are dark where words are light.
+    ImVec4 hovered(0.17f, 0.36f, 0.52f, 1.0f), grab(0.24f, 0.47f, 0.67f, 1.0f), strong(0.33f, 0.62f, 0.86f, 1.0f);
     if (!is_light) {
-        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 0.88f);
-        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 0.95f);
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 1.0f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 1.0f);
         style.Colors[ImGuiCol_FrameBg] = ImVec4(0.20f, 0.23f, 0.27f, 1.0f);
         style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.32f, 1.0f);
         style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.30f, 0.38f, 1.0f);
+        style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.64f, 0.68f, 0.72f, 1.0f);
     } else {
-        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.96f, 0.97f, 0.98f, 0.92f);
-        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.86f, 0.89f, 0.92f, 0.97f);
+        hovered = ImVec4(0.66f, 0.79f, 0.91f, 1.0f);
+        grab = ImVec4(0.52f, 0.72f, 0.90f, 1.0f);
+        strong = ImVec4(0.14f, 0.42f, 0.66f, 1.0f);
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.96f, 0.97f, 0.98f, 1.0f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.86f, 0.89f, 0.92f, 1.0f);
         style.Colors[ImGuiCol_FrameBg] = ImVec4(0.84f, 0.87f, 0.90f, 1.0f);
         style.Colors[ImGuiCol_Header] = ImVec4(0.80f, 0.86f, 0.92f, 1.0f);
         style.Colors[ImGuiCol_Button] = ImVec4(0.76f, 0.84f, 0.92f, 1.0f);
         style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.36f, 0.39f, 0.43f, 1.0f);
     }
-    style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = accent;
-    style.Colors[ImGuiCol_SliderGrab] = style.Colors[ImGuiCol_CheckMark] = strong;
-    style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_ButtonActive] = strong;
+    style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = hovered;
+    style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_ButtonActive] = grab; // pressed, or on
+    style.Colors[ImGuiCol_SliderGrab] = grab;
+    style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_CheckMark] = strong;
     style.ScaleAllSizes(scale);
     ImGui::GetStyle() = style;
 }
@@ -255,7 +263,8 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
         draw_swatch(sleeping_color(), "asleep");
         ImGui::TextUnformatted("awake: a color for each island");
         break;
-    case ColorMode::shape:
+    case ColorMode::shape: {
+        bool is_left = true; // of two columns
         for (const auto& [type, name] : {std::pair(ShapeType::sphere, "sphere"),
                                          {ShapeType::box, "box"},
                                          {ShapeType::capsule, "capsule"},
@@ -263,9 +272,13 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
                                          {ShapeType::hull, "hull"},
                                          {ShapeType::mesh, "mesh"},
                                          {ShapeType::height_field, "height field"},
-                                         {ShapeType::plane, "plane"}})
+                                         {ShapeType::plane, "plane"}}) {
+            if (!is_left) ImGui::SameLine(0.5f * ImGui::GetWindowWidth());
+            is_left = !is_left;
             draw_swatch(shape_color(type), name);
+        }
         break;
+    }
     case ColorMode::scene:
         break;
     }
@@ -309,7 +322,7 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     row("step", "%.2f ms", state.step_milliseconds);
     row("fps", "%.0f", facts.frames_per_second);
     row("time", "%.1f s", s.time);
-    row("speed", "%.2f x", state.real_time_factor); // as reached, whatever was asked for
+    row("real time", "%.2f x", state.real_time_factor); // as reached, whatever was asked for
     ImGui::EndTable();
     if (!ImGui::TreeNode("stages of the step")) return;
     if (ImGui::BeginTable("stages", 2)) {
@@ -340,7 +353,6 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         if (!ImGui::IsAnyItemActive()) settings_ = state.settings;
         ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
         ImGui::SetNextWindowSize(ImVec2(panel_width * scale, io.DisplaySize.y - below));
-        if (column > 0.0f) ImGui::SetNextWindowBgAlpha(1.0f);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
         ImGui::Begin("Cairn (F2 hides this)", nullptr,
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |

@@ -70,7 +70,6 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
     const ImVec2 size(std::min(room - 2.0f * margin, 500.0f * scale), std::min(330.0f * scale, 0.6f * display));
     ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowBgAlpha(0.93f);
     const bool is_open = ImGui::Begin("Plots (F3)", &controller.plots);
     keep_in_picture(column, bottom);
     if (is_open) {

@@ -12,10 +12,20 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr ImU32 track_color = IM_COL32(52, 60, 70, 255), past_color = IM_COL32(66, 104, 140, 255);
-constexpr ImU32 impact_color = IM_COL32(240, 170, 70, 255), break_color = IM_COL32(240, 90, 80, 255);
-constexpr ImU32 change_color = IM_COL32(120, 200, 255, 255), head_color = IM_COL32(245, 248, 250, 255);
-constexpr ImU32 parting_color = IM_COL32(170, 205, 255, 255);
+// Marks lie on the track and stand out of it: they are seen on both, and on the bar.
+struct BarColors {
+    ImU32 track, past, impact, breaking, change, head, parting, same, different;
+};
+constexpr BarColors dark_colors{
+    IM_COL32(52, 60, 70, 255),    IM_COL32(66, 104, 140, 255),  IM_COL32(240, 170, 70, 255),
+    IM_COL32(240, 90, 80, 255),   IM_COL32(120, 200, 255, 255), IM_COL32(245, 248, 250, 255),
+    IM_COL32(170, 205, 255, 255), IM_COL32(115, 217, 140, 255), IM_COL32(255, 102, 89, 255)};
+constexpr BarColors light_colors{
+    IM_COL32(206, 213, 220, 255), IM_COL32(150, 186, 216, 255), IM_COL32(176, 84, 0, 255),
+    IM_COL32(200, 30, 30, 255),   IM_COL32(0, 86, 160, 255),    IM_COL32(20, 26, 32, 255),
+    IM_COL32(60, 60, 170, 255),   IM_COL32(0, 110, 50, 255),    IM_COL32(190, 20, 20, 255)};
+const BarColors& colors_of(const Controller& controller) { return controller.light_theme ? light_colors : dark_colors; }
+
 constexpr float snap = 4.0f;            // unscaled units: this near a mark the mouse means it
 constexpr float violent_impact = 20.0f; // m/s: fills the height of the track
 
@@ -123,16 +133,17 @@ void TimelineBar::draw_buttons(const StageState& state, Controller& controller) 
     note_place(controller, "timeline.branch");
 }
 
-void TimelineBar::draw_marks(const TimelineState& timeline, float top, float bottom, float scale) {
+void TimelineBar::draw_marks(const TimelineState& timeline, bool is_light, float top, float bottom, float scale) {
+    const BarColors& colors = is_light ? light_colors : dark_colors;
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (const Mark& mark : *timeline.marks) {
         const float x = place_of(timeline, mark.step);
         if (mark.kind == Mark::Kind::impact) {
             const float height = std::clamp(mark.strength / violent_impact, 0.15f, 1.0f) * (bottom - top);
-            list->AddLine(ImVec2(x, bottom - height), ImVec2(x, bottom), impact_color, scale);
+            list->AddLine(ImVec2(x, bottom - height), ImVec2(x, bottom), colors.impact, scale);
         } else {
             const float r = 4.0f * scale;
-            const ImU32 color = mark.kind == Mark::Kind::break_ ? break_color : change_color;
+            const ImU32 color = mark.kind == Mark::Kind::break_ ? colors.breaking : colors.change;
             list->AddTriangleFilled(ImVec2(x - r, top - 1.2f * r), ImVec2(x + r, top - 1.2f * r),
                                     ImVec2(x, top + 0.6f * r), color);
         }
@@ -154,17 +165,18 @@ void TimelineBar::draw_track(const StageState& state, Controller& controller, fl
         controller.post(command::SeekTo{step});
     }
     const float top = corner.y + 0.28f * height, bottom = corner.y + 0.86f * height;
+    const BarColors& colors = colors_of(controller);
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float head = place_of(timeline, timeline.now);
-    list->AddRectFilled(ImVec2(left_, top), ImVec2(right_, bottom), track_color, 3.0f * scale);
-    list->AddRectFilled(ImVec2(left_, top), ImVec2(head, bottom), past_color, 3.0f * scale);
-    draw_marks(timeline, top, bottom, scale);
+    list->AddRectFilled(ImVec2(left_, top), ImVec2(right_, bottom), colors.track, 3.0f * scale);
+    list->AddRectFilled(ImVec2(left_, top), ImVec2(head, bottom), colors.past, 3.0f * scale);
+    draw_marks(timeline, controller.light_theme, top, bottom, scale);
     if (state.other) {
         const float x = place_of(timeline, state.other->parted_at);
-        list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + height), parting_color, 2.0f * scale);
+        list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + height), colors.parting, 2.0f * scale);
     }
     list->AddRectFilled(ImVec2(head - 1.5f * scale, corner.y), ImVec2(head + 1.5f * scale, corner.y + height),
-                        head_color, 1.5f * scale);
+                        colors.head, 1.5f * scale);
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
     char text[64];
     std::snprintf(text, sizeof text, "%.2f s", (double(step) - double(timeline.first)) * state.time_step);
@@ -212,7 +224,8 @@ float TimelineBar::draw(const StageState& state, Controller& controller, float s
     if (badge[0]) {
         ImGui::SameLine();
         const bool differs = timeline.verdict.first_different.has_value();
-        ImGui::TextColored(differs ? ImVec4(1.0f, 0.4f, 0.35f, 1.0f) : ImVec4(0.45f, 0.85f, 0.55f, 1.0f), "%s", badge);
+        const ImU32 color = differs ? colors_of(controller).different : colors_of(controller).same;
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", badge);
         if (ImGui::IsItemHovered() && differs)
             ImGui::SetTooltip("What was done again led to another state at step %llu.",
                               static_cast<unsigned long long>(*timeline.verdict.first_different));

@@ -22,7 +22,7 @@ class TimelineBar {
   private:
     void draw_buttons(const StageState& state, Controller& controller);
     void draw_track(const StageState& state, Controller& controller, float width, float scale);
-    void draw_marks(const TimelineState& timeline, float top, float bottom, float scale);
+    void draw_marks(const TimelineState& timeline, bool is_light, float top, float bottom, float scale);
     float place_of(const TimelineState& timeline, std::uint64_t step) const;
     std::uint64_t step_at(const TimelineState& timeline, float x, float scale) const;
 
