@@ -30,7 +30,7 @@ struct Spawn {
     SpawnSettings settings;
     Position position{0.0, 3.0, 0.0};
 };
-/// Adds a body in front of the camera that flies along the ray.
+/// Adds a body in front of the camera that flies to where the ray meets something; else along the ray.
 struct Shoot {
     SpawnSettings settings;
     Ray ray;

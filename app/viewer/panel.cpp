@@ -302,7 +302,7 @@ void Panel::draw_spawn_tool(Controller& controller) {
     ImGui::SliderFloat("density", &tool.density, 1.0f, 20000.0f, "%.0f kg/m3", clamped | ImGuiSliderFlags_Logarithmic);
     ImGui::SliderFloat("friction", &tool.friction, 0.0f, 1.5f, "%.2f", clamped);
     ImGui::SliderFloat("bounce", &tool.restitution, 0.0f, 1.0f, "%.2f", clamped);
-    ImGui::SliderFloat("shot speed", &tool.speed, 0.0f, 60.0f, "%.0f m/s", clamped);
+    ImGui::SliderFloat("shot speed", &tool.speed, 0.0f, greatest_shot_speed, "%.0f m/s", clamped);
     if (ImGui::Button("Drop one")) {
         const Position above = controller.camera.target() + Position(0.0, 0.3 * controller.camera.distance(), 0.0);
         controller.post(command::Spawn{tool, above});

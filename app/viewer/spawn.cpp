@@ -97,6 +97,19 @@ SpawnSettings preset_of(Kind kind) {
     return settings;
 }
 
+// After the time t the way is v t + g t^2 / 2. With |v| given that is a quadratic equation for t^2; the least speed is
+// the one at which its two solutions are the same.
+Vec3 velocity_to_reach(const Vec3& way, float speed, const Vec3& gravity) {
+    const glm::dvec3 w(way), g(gravity);
+    const double distance = glm::length(w), pull = glm::length(g);
+    const double square = std::max(double(speed) * double(speed), pull * distance - glm::dot(w, g));
+    const double middle = square + glm::dot(w, g);
+    const double root = std::sqrt(std::max(middle * middle - pull * pull * distance * distance, 0.0));
+    if (middle + root <= 0.0) return Vec3(0.0f); // no speed, and nothing that pulls, or nowhere to go
+    const double time = std::sqrt(2.0 * distance * distance / (middle + root));
+    return Vec3(w / time - 0.5 * time * g);
+}
+
 const Hull& Spawner::hull_of(Kind kind, float size) {
     if (!(size > 0.0f))
         throw Error(ErrorCode::invalid_value, "SpawnSettings.size", std::to_string(size), "must be > 0");

@@ -32,10 +32,11 @@ struct SpawnSettings {
     float density = 1000.0f;  ///< kg/m^3, > 0.
     float friction = 0.6f;    ///< Static and dynamic, >= 0.
     float restitution = 0.2f; ///< 0 to 1.
-    float speed = 12.0f;      ///< m/s, of what is shot along the cursor's ray.
+    float speed = 20.0f;      ///< m/s, of what is shot at the cursor; more if it would fall short.
 
     bool operator==(const SpawnSettings&) const = default;
 };
+inline constexpr float greatest_shot_speed = 60.0f; // m/s, of the slider: what is farther off is not reached
 inline constexpr int spawn_kind_count = 10;
 const char* name_of(SpawnSettings::Kind kind);
 
@@ -50,6 +51,10 @@ SpawnSettings large_sphere_preset();
 SpawnSettings small_sphere_preset();
 /// Those of the other keys: of that kind, in the default size.
 SpawnSettings preset_of(SpawnSettings::Kind kind);
+
+/// The velocity with which something that flies freely goes `way`: on the lower one of its two paths, or, if it is too
+/// slow for that, with the least speed that reaches so far.
+Vec3 velocity_to_reach(const Vec3& way, float speed, const Vec3& gravity);
 
 /// Makes bodies. Polyhedra of one kind and size share their data.
 class Spawner {

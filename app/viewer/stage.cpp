@@ -209,8 +209,16 @@ void Stage::operator()(const command::Spawn& spawn) {
 }
 
 void Stage::operator()(const command::Shoot& shoot) {
-    const Position start = shoot.ray.origin + Position(shoot.ray.direction) * double(2.0f * shoot.settings.size);
-    add_body(shoot.settings, start, shoot.ray.direction * shoot.settings.speed);
+    const Ray& ray = shoot.ray;
+    const double ahead = double(2.0f * shoot.settings.size); // off the eye
+    Vec3 velocity = ray.direction * shoot.settings.speed;
+    const auto hit = scene_.world.cast_ray(ray.origin, ray.direction, pick_distance);
+    if (const double far = hit ? double(hit->distance) - ahead : 0.0; far > 0.0) {
+        const Vec3 aimed =
+            velocity_to_reach(ray.direction * float(far), shoot.settings.speed, scene_.world.settings().gravity);
+        if (glm::length(aimed) <= std::max(shoot.settings.speed, greatest_shot_speed)) velocity = aimed;
+    }
+    add_body(shoot.settings, ray.origin + Position(ray.direction) * ahead, velocity);
 }
 
 void Stage::add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity) {

@@ -31,7 +31,9 @@ struct Shot {
 
     Shot() {
         stage.apply(command::SetPaused{true});
-        stage.apply(command::Shoot{box_preset(), {{-6.0, 0.6, 0.0}, {1.0f, 0.0f, 0.0f}}});
+        SpawnSettings box = box_preset();
+        box.speed = 12.0f; // hits the first box after a third of a second, and pushes it not as far as the second
+        stage.apply(command::Shoot{box, {{-6.0, 0.6, 0.0}, {1.0f, 0.0f, 0.0f}}});
         places.push_back(here());
         while (stage.timeline().now().step < end) {
             stage.step();

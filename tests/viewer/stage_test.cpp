@@ -131,6 +131,36 @@ TEST(Stage, ShotBodiesFlyAlongTheRay) {
     EXPECT_GT(position_of(stage, 1).x, 0.5);
 }
 
+// From afar, too: a straight shot would have fallen to the ground on the way.
+TEST(Stage, ShotBodiesHitWhatIsAimedAt) {
+    for (const float speed : {60.0f, 20.0f, 4.0f}) {
+        Stage stage(test::load_boxes, "1");
+        const Position target(0.0, 0.9, 0.45), from(0.0, 8.0, 30.0);
+        SpawnSettings ball = small_sphere_preset();
+        ball.speed = speed;
+        stage.apply(command::Shoot{ball, {from, Vec3(glm::normalize(target - from))}});
+        double nearest = 1e9;
+        for (int i = 0; i < 300; ++i) {
+            stage.step();
+            nearest = std::min(nearest, glm::distance(position_of(stage, 2), target));
+        }
+        EXPECT_LT(nearest, 0.5) << speed << " m/s";
+    }
+}
+
+TEST(Spawn, TheVelocityToReachAPlaceLeadsThere) {
+    const Vec3 gravity(0.0f, -9.81f, 0.0f);
+    for (const Vec3 way : {Vec3(20.0f, 0.0f, 0.0f), Vec3(-5.0f, 8.0f, 3.0f), Vec3(1.0f, -30.0f, 0.0f)}) {
+        const Vec3 velocity = velocity_to_reach(way, 20.0f, gravity);
+        EXPECT_NEAR(glm::length(velocity), 20.0f, 1e-3f);
+        const float time = glm::length(Vec3(way.x, 0.0f, way.z)) / glm::length(Vec3(velocity.x, 0.0f, velocity.z));
+        EXPECT_NEAR(velocity.y * time - 0.5f * 9.81f * time * time, way.y, 1e-3f);
+    }
+    EXPECT_EQ(velocity_to_reach({0.0f, 0.0f, -6.0f}, 3.0f, Vec3(0.0f)), Vec3(0.0f, 0.0f, -3.0f)) << "without gravity";
+    const float least = glm::length(velocity_to_reach({40.0f, 0.0f, 0.0f}, 3.0f, gravity));
+    EXPECT_NEAR(least, std::sqrt(40.0f * 9.81f), 1e-3f) << "the least that flies 40 m";
+}
+
 TEST(Stage, ResetBringsTheSceneBack) {
     Stage stage(test::load_boxes, "2");
     const Position before = position_of(stage, 1);
