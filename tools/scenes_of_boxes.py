@@ -108,7 +108,7 @@ def varied_masses():
 
 def slopes():
     s = Scene("Slopes", "Friction from 0.1 to 0.9 on a slope of 25 degrees: those below tan 25 = 0.47 slide.",
-              (7.5, 6.5, 13), (0, 1.2, 1))
+              (7, 6.6, 13.4), (-0.8, 0.9, 1.3))
     s.ground(0.6)
     angle, length, width = 25, 9, 11
     tilt = turn("x", angle)

@@ -358,7 +358,7 @@ def conveyor_loop():
 
 def rolling_race():
     s = Scene("Rolling race", "Not size nor mass but shape decides who wins. Press Delete to watch again.",
-              (6.6, 5.4, 11.6), (-0.1, 0.9, 0.6), 40)
+              (6.4, 5.9, 13.6), (-0.7, 0.3, 1.7), 40)
     s.ground(0.6, 0.0, "#6F7B73")
     angle, length, lanes = 14, 11, 6
     tilt = turn("x", angle)
