@@ -41,6 +41,16 @@ ChartAxis fit(const Chart& chart, bool along_x) {
     return axis;
 }
 
+// Powers of ten without signs and zeros that say nothing: 1e6, 1e-9.
+std::string tick_label(double value, int digits) {
+    std::string text = number(value, digits);
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) return text;
+    if (text[e + 1] == '+') text.erase(e + 1, 1);
+    for (const std::size_t first = e + (text[e + 1] == '-' ? 2 : 1); text[first] == '0';) text.erase(first, 1);
+    return text;
+}
+
 } // namespace
 
 double ChartAxis::share(double value) const { return ((is_log ? std::log10(value) : value) - low) / (high - low); }
@@ -59,7 +69,7 @@ std::vector<ChartTick> ticks_of(const ChartAxis& axis, int wanted) {
         const int every = std::max(1, int(std::ceil((axis.high - axis.low) / (wanted + 1))));
         for (int power = int(std::ceil(axis.low)); power <= int(std::floor(axis.high)); ++power) {
             const double value = std::pow(10.0, power);
-            ticks.push_back({value, power % every == 0 ? number(value, 3) : std::string()});
+            ticks.push_back({value, power % every == 0 ? tick_label(value, 3) : std::string()});
         }
         if (ticks.size() >= 2) return ticks;
         ticks.clear(); // less than a decade: at round values, as on any axis
@@ -67,7 +77,7 @@ std::vector<ChartTick> ticks_of(const ChartAxis& axis, int wanted) {
             const double value = axis.value(share);
             const double unit = std::pow(10.0, std::floor(std::log10(value)));
             const double round = std::max(std::round(value / unit), 1.0) * unit;
-            if (axis.share(round) >= 0.0 && axis.share(round) <= 1.0) ticks.push_back({round, number(round, 2)});
+            if (axis.share(round) >= 0.0 && axis.share(round) <= 1.0) ticks.push_back({round, tick_label(round, 2)});
         }
         return ticks;
     }
@@ -76,7 +86,7 @@ std::vector<ChartTick> ticks_of(const ChartAxis& axis, int wanted) {
     for (const double factor : {5.0, 2.0, 1.0})
         if (factor * decade >= raw * (1.0 - 1e-9)) step = factor * decade;
     for (double k = std::ceil(axis.low / step - 1e-9); k * step <= axis.high + 1e-9 * step; ++k)
-        ticks.push_back({k * step, number(k == 0.0 ? 0.0 : k * step, 6)});
+        ticks.push_back({k * step, tick_label(k == 0.0 ? 0.0 : k * step, 6)});
     return ticks;
 }
 

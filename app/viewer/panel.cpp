@@ -151,6 +151,7 @@ void apply_style(float scale, bool is_light) {
         style.Colors[ImGuiCol_Button] = ImVec4(0.76f, 0.84f, 0.92f, 1.0f);
         style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.36f, 0.39f, 0.43f, 1.0f);
     }
+    style.Colors[ImGuiCol_PopupBg].w = 1.0f;
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = hovered;
     style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_ButtonActive] = grab; // pressed, or on
     style.Colors[ImGuiCol_SliderGrab] = grab;

@@ -28,7 +28,7 @@ std::string name_of_selected(const StageState& state) {
 
 void PlotWindow::draw_choice(const StageState& state, Controller& controller) {
     const auto groups = plot_groups();
-    ImGui::SetNextItemWidth(12.5f * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(18.0f * ImGui::GetFontSize()); // the longest name
     if (ImGui::BeginCombo("##group", groups[std::size_t(group_)].name)) {
         for (int i = 0; i < int(groups.size()); ++i) {
             if (ImGui::Selectable(groups[std::size_t(i)].name, i == group_)) group_ = i;
@@ -67,7 +67,7 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
     if (!controller.plots) return;
     const float margin = 12.0f * scale;
     const float display = ImGui::GetIO().DisplaySize.y;
-    const ImVec2 size(std::min(room - 2.0f * margin, 500.0f * scale), std::min(330.0f * scale, 0.6f * display));
+    const ImVec2 size(std::min(room - 2.0f * margin, 568.0f * scale), std::min(330.0f * scale, 0.6f * display));
     ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     const bool is_open = ImGui::Begin("Plots (F3)", &controller.plots);

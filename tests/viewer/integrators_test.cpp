@@ -116,7 +116,8 @@ TEST(Charts, AxesHoldWhatIsShownAndTicksAreRound) {
     chart.log_y = true;
     chart.curves[0].y = {1e-7, 1e-3, 0.0};
     const ChartAxis log = y_axis(chart);
-    EXPECT_EQ(ticks_of(log, 5).front().label, "1e-07");
+    EXPECT_EQ(ticks_of(log, 5).front().label, "1e-7");
+    EXPECT_EQ(ticks_of(ChartAxis{false, 0.5e6, 2.5e6}, 2).front().label, "1e6");
 }
 
 } // namespace
