@@ -256,8 +256,8 @@ class World {
 
     // --- snapshots
     Snapshot save() const;
-    /// Makes this world the one that was saved. Handles from then are valid again. Throws on a damaged snapshot,
-    /// leaving the world as it was.
+    /// Makes this world the one that was saved. Handles from then are valid again; those of what was made since are
+    /// stale, until the same ones name what is made next. Throws on a damaged snapshot, leaving the world as it was.
     void restore(const Snapshot& snapshot);
 
     // --- commands (commands.h)

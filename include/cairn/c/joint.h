@@ -88,7 +88,8 @@ typedef struct cairn_ball_joint {
 } cairn_ball_joint;
 CAIRN_C_API cairn_ball_joint cairn_default_ball_joint(void);
 
-/// B turns about the x axis of A. Angles are counted on beyond a full turn.
+/// B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
+/// it; without any it is between -pi and pi.
 typedef struct cairn_hinge_joint {
     cairn_joint_control angle; ///< About the x axis of A.
 } cairn_hinge_joint;
