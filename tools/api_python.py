@@ -213,7 +213,8 @@ def glue_types_source(table, group):
             for member in struct.fields:
                 text += f"    read(o.attr(\"{member.name}\"), x.{member.name}, {{\"{struct.name}\", \"{member.name}\"}});\n"
             text += "}\n"
-        values = ", ".join(f"write(x.{m.name})" for m in struct.fields)
+        values = ", ".join(f"write_list(std::span(x.{m.name}).first(std::size_t(x.{m.count})))" if m.count else f"write(x.{m.name})"
+                           for m in struct.fields)
         text += f"py::object write({unused}const {struct.name}& x) {{\n    return make(\"{struct.name}\", py::make_tuple({values}));\n}}\n\n"
     for variant in table.variants.values():
         if variant.group != group:

@@ -54,6 +54,7 @@ class Field:
     doc: str = ""
     default: str = ""
     cpp: str = ""
+    count: str = ""  # of `T[3]`: the member that tells how many of the three there are
 
 
 @dataclass

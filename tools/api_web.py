@@ -50,8 +50,8 @@ def put(table, kind, at, value, where):
     return f"put{name}({at}, {value}, {where});"
 
 
-def get(table, kind, at):
-    """An expression that reads a value."""
+def get(table, kind, at, count=None):
+    """An expression that reads a value; `count`: of how many there are, where an array has room for more."""
     if kind in table.enums:
         return f"{constant_name(kind)}[getInt({at})]"
     if kind in table.structs or kind in table.variants:
@@ -61,7 +61,7 @@ def get(table, kind, at):
     many = re.match(r"(.*)\[(\d+)\]$", kind)
     if many:
         size = Layout(table).size(many[1])[0]
-        return f"getMany({at}, {many[2]}, {size}, (at) => {get(table, many[1], 'at')})"
+        return f"getMany({at}, {count or many[2]}, {size}, (at) => {get(table, many[1], 'at')})"
     name = {"u32": "U32", "u64": "U64"}.get(kind, kind[0].upper() + kind[1:])
     return f"get{name}({at})"
 
@@ -101,6 +101,8 @@ def member_get(table, layout, struct, member):
     if kind.endswith("[]"):
         size = layout.size(kind[:-2])[0]
         return f"getList({at}, {plus('p', place.count)}, {size}, (at) => {get(table, kind[:-2], 'at')})"
+    if member.count:
+        return get(table, kind, at, f"getInt({plus('p', layout.of(struct.name)[member.count].offset)})")
     return get(table, kind, at)
 
 

@@ -37,8 +37,9 @@ struct ContactHit {
     float time;
 };
 
-/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. Handles of
-/// what was removed are stale.
+/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. It is seen at
+/// the beginning of each step: what comes in is told after the next one, and what passes through within a step is not
+/// told. Handles of what was removed are stale.
 struct TriggerEvent {
     ShapeId trigger, other;
     BodyId trigger_body, other_body;

@@ -1,6 +1,7 @@
 /// \file handle.h
 /// Versioned handles. A handle names one object of one world; once that object is destroyed the handle is
-/// stale for ever: it is detected, never mistaken for a newer object in the same slot.
+/// stale for ever: it is detected, never mistaken for a newer object in the same slot. Only `World::restore` gives
+/// handles again: those of what was made after its snapshot.
 #pragma once
 
 #include <cstdint>

@@ -65,7 +65,8 @@ struct BallJoint {
     float friction = 0.0f;             ///< N m about each axis, >= 0.
 };
 
-/// B turns about the x axis of A. Angles are counted on beyond a full turn.
+/// B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
+/// it; without any it is between -pi and pi.
 struct HingeJoint {
     JointControl angle{};
 };

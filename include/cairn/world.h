@@ -167,7 +167,8 @@ class World {
     /// Joins two bodies, or a body and the world. Wakes them.
     JointId create_joint(const JointDef& def);
     /// The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world
-    /// space), as the bodies stand now.
+    /// space), and y and z as the shortest turn from those of the world has them: -x and z if `axis` points up. As the
+    /// bodies stand now.
     JointDef joint_at(BodyId body_a, BodyId body_b, const Position& anchor, const Vec3& axis, const Joint& joint) const;
     void destroy_joint(JointId joint);
     bool is_valid(JointId joint) const noexcept;
@@ -256,8 +257,8 @@ class World {
 
     // --- snapshots
     Snapshot save() const;
-    /// Makes this world the one that was saved. Handles from then are valid again. Throws on a damaged snapshot,
-    /// leaving the world as it was.
+    /// Makes this world the one that was saved. Handles from then are valid again; those of what was made since are
+    /// stale, until the same ones name what is made next. Throws on a damaged snapshot, leaving the world as it was.
     void restore(const Snapshot& snapshot);
 
     // --- commands (commands.h)

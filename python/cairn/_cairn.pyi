@@ -331,7 +331,8 @@ class World:
         """Joins two bodies, or a body and the world. Wakes them. Raises: invalid_value, wrong_state."""
     def joint_at(self, body_a: BodyId | Body, body_b: BodyId | Body, anchor: Vector, axis: Vector, joint: Joint) -> JointDef:
         """The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world
-        space), as the bodies stand now. Raises: invalid_handle, invalid_value, wrong_state.
+        space), and y and z as the shortest turn from those of the world has them: -x and z if `axis` points up. As the
+        bodies stand now. Raises: invalid_handle, invalid_value, wrong_state.
         """
     def destroy_joint(self, joint: JointId) -> None:
         """Takes a joint out of the world and wakes its bodies. Raises: invalid_handle, wrong_state."""

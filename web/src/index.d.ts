@@ -434,7 +434,10 @@ export interface BallJoint {
     friction?: number;
 }
 
-/** B turns about the x axis of A. Angles are counted on beyond a full turn. */
+/**
+ * B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
+ * it; without any it is between -pi and pi.
+ */
 export interface HingeJoint {
     /** About the x axis of A. */
     angle?: JointControl;
@@ -765,8 +768,9 @@ export interface ContactHit {
 }
 
 /**
- * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). One of the two bodies is dynamic. Handles of what
- * was removed are stale.
+ * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). One of the two bodies is dynamic. It is seen at
+ * the beginning of each step: what comes in is told after the next one, and what passes through within a step is not
+ * told. Handles of what was removed are stale.
  */
 export interface TriggerEvent {
     trigger: ShapeId;

@@ -47,8 +47,9 @@ typedef struct cairn_contact_hit {
     float time;
 } cairn_contact_hit;
 
-/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. Handles of
-/// what was removed are stale.
+/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. It is seen at
+/// the beginning of each step: what comes in is told after the next one, and what passes through within a step is not
+/// told. Handles of what was removed are stale.
 typedef struct cairn_trigger_event {
     cairn_shape_id trigger;
     cairn_shape_id other;

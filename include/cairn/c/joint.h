@@ -88,7 +88,8 @@ typedef struct cairn_ball_joint {
 } cairn_ball_joint;
 CAIRN_C_API cairn_ball_joint cairn_default_ball_joint(void);
 
-/// B turns about the x axis of A. Angles are counted on beyond a full turn.
+/// B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
+/// it; without any it is between -pi and pi.
 typedef struct cairn_hinge_joint {
     cairn_joint_control angle; ///< About the x axis of A.
 } cairn_hinge_joint;
@@ -282,7 +283,8 @@ CAIRN_C_API cairn_result cairn_world_create_joint(cairn_world* world, const cair
                                                   cairn_joint_id* result);
 
 /// The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world space),
-/// as the bodies stand now. Errors: invalid_handle, invalid_value, wrong_state.
+/// and y and z as the shortest turn from those of the world has them: -x and z if `axis` points up. As the bodies stand
+/// now. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_joint_at(const cairn_world* world, cairn_body_id body_a, cairn_body_id body_b,
                                               cairn_position anchor, cairn_vec3 axis, const cairn_joint* joint,
                                               cairn_joint_def* result);

@@ -216,8 +216,8 @@ CAIRN_C_API cairn_result cairn_world_read_bodies(const cairn_world* world, const
 /// when it is no longer needed. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_save(const cairn_world* world, cairn_snapshot** snapshot);
 
-/// Makes this world the one that was saved. Handles from then are valid again. Errors: invalid_file, invalid_value,
-/// wrong_state.
+/// Makes this world the one that was saved. Handles from then are valid again; those of what was made since are stale,
+/// until the same ones name what is made next. Errors: invalid_file, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_restore(cairn_world* world, const cairn_snapshot* snapshot);
 
 /// What the bytes of a snapshot are for. Errors: invalid_value.

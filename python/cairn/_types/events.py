@@ -62,8 +62,9 @@ class ContactHit:
 @lists_members
 @dataclass(slots=True, eq=False)
 class TriggerEvent:
-    """A shape began or ceased to overlap a trigger (ShapeDef.is_trigger). One of the two bodies is dynamic. Handles of
-    what was removed are stale.
+    """A shape began or ceased to overlap a trigger (ShapeDef.is_trigger). One of the two bodies is dynamic. It is seen
+    at the beginning of each step: what comes in is told after the next one, and what passes through within a step is
+    not told. Handles of what was removed are stale.
     """
 
     trigger: ShapeId = ShapeId()

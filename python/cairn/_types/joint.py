@@ -123,7 +123,9 @@ class BallJoint:
 @lists_members
 @dataclass(slots=True, eq=False)
 class HingeJoint:
-    """B turns about the x axis of A. Angles are counted on beyond a full turn."""
+    """B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts
+    on it; without any it is between -pi and pi.
+    """
 
     angle: JointControl = field(default_factory=JointControl)
     """About the x axis of A."""

@@ -37,7 +37,8 @@ py::object write(const ContactPoint& x) {
 
 py::object write(const Contact& x) {
     return make("Contact", py::make_tuple(write(x.shape_a), write(x.shape_b), write(x.body_a), write(x.body_b),
-        write(x.normal), write(x.friction_impulse), write(x.point_count), write(x.points)));
+        write(x.normal), write(x.friction_impulse), write(x.point_count),
+        write_list(std::span(x.points).first(std::size_t(x.point_count)))));
 }
 
 } // namespace cairn::python

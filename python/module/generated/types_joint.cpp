@@ -226,8 +226,9 @@ py::object write(const JointDef& x) {
 }
 
 py::object write(const JointState& x) {
-    return make("JointState", py::make_tuple(write(x.force), write(x.torque), write(x.positions),
-        write(x.position_count), write(x.linear_error), write(x.angular_error)));
+    return make("JointState", py::make_tuple(write(x.force), write(x.torque),
+        write_list(std::span(x.positions).first(std::size_t(x.position_count))), write(x.position_count),
+        write(x.linear_error), write(x.angular_error)));
 }
 
 void read(py::handle o, Joint& x, const Where& where) {

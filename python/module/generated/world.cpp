@@ -100,7 +100,8 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
     }, py::arg("body_a"), py::arg("body_b"), py::arg("anchor"), py::arg("axis"), py::arg("joint"), "joint_at(body_a: "
         "BodyId | Body, body_b: BodyId | Body, anchor: Vector, axis: Vector, joint: Joint) -> JointDef\n\nThe "
             "definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world "
-                "space), as the bodies stand now.");
+                "space), and y and z as the shortest turn from those of the world has them: -x and z if `axis` points "
+                    "up. As the bodies stand now.");
     c.def("destroy_joint", [](PyWorld& w, py::object o_joint) {
         const auto joint = take<JointId>(o_joint, "joint");
         w.use("World.destroy_joint").destroy_joint(joint);

@@ -870,7 +870,7 @@ export function getJointState(p) {
     return {
         force: getVec3(p),
         torque: getVec3(p + 12),
-        positions: getMany(p + 24, 8, 4, (at) => getFloat(at)),
+        positions: getMany(p + 24, getInt(p + 56), 4, (at) => getFloat(at)),
         positionCount: getInt(p + 56),
         linearError: getFloat(p + 60),
         angularError: getFloat(p + 64),
@@ -1036,7 +1036,7 @@ export function getContact(p) {
         normal: getVec3(p + 32),
         frictionImpulse: getVec3(p + 44),
         pointCount: getInt(p + 56),
-        points: getMany(p + 64, 4, 32, (at) => getContactPoint(at)),
+        points: getMany(p + 64, getInt(p + 56), 32, (at) => getContactPoint(at)),
     };
 }
 
