@@ -25,8 +25,8 @@ class Reducer {
   public:
     Reducer(std::span<FlatPoint> points, double extent) : points_(points), extent_(extent) {
         for (const FlatPoint& p : points) lowest_ = std::min(lowest_, p.separation);
-        const double flat = flat_contact_part * extent;
-        for (FlatPoint& p : points) p.nearness = p.separation - lowest_ > flat ? flat / (p.separation - lowest_) : 1;
+        const double touching = std::max(lowest_, 0.0), flat = flat_contact_part * extent;
+        for (FlatPoint& p : points) p.nearness = p.separation - touching > flat ? flat / (p.separation - touching) : 1;
     }
 
     Chosen choose() {

@@ -94,5 +94,40 @@ TEST(DroppedStack, ThatIsMadeAtOnceDoesNotSpringBack) {
         }
 }
 
+// Cylinders, half of them with rounded edges, that are let go one above the other with a little air between them. All
+// of the four points of a contact are where they hold the most, not where it is deepest.
+TEST(DroppedStack, OfCylindersStands) {
+    RandomStart random(2411);
+    for (int i = 0; i < 40; ++i) {
+        World world(without_sleep());
+        add_ground(world, surface(0.6f));
+        const int count = 3 + i % 4;
+        const double radius = random.uniform(0.1, 0.4), height = radius * random.uniform(1, 2.5),
+                     gap = random.uniform(0.01, 0.06), rounding = i % 2 == 0 ? 0 : 0.05 * radius;
+        std::vector<BodyId> ids;
+        for (int k = 0; k < count; ++k) {
+            BodyDef def;
+            const auto beside = [&] { return radius * random.uniform(-0.02, 0.02); };
+            def.position = {beside(), 0.5 * height + gap + (height + gap) * k, beside()};
+            def.rotation = glm::angleAxis(float(random.uniform(0, 6)), Vec3(0, 1, 0));
+            const Cylinder shape{.half_height = float(0.5 * height - rounding),
+                                 .radius = float(radius - rounding),
+                                 .rounding = float(rounding)};
+            ids.push_back(add_body(world, shape, def, surface(0.6f)));
+        }
+        double least = 1e30, rise = 0;
+        for (int step = 0; step < 300; ++step) {
+            world.step(1.0f / 60);
+            const double energy = world.kinetic_energy() + world.potential_energy();
+            if (step > 60) least = std::min(least, energy), rise = std::max(rise, energy - least);
+        }
+        const double mass = world.body(ids.front()).mass();
+        EXPECT_LT(rise, 1e-3 * mass * 9.80665 * height) << i << ": " << count;
+        const Position top = world.body(ids.back()).position();
+        EXPECT_NEAR(top.y, height * (count - 0.5), 0.01 * height) << i << ": " << count;
+        EXPECT_LT(std::hypot(top.x, top.z), 0.2 * radius) << i << ": " << count;
+    }
+}
+
 } // namespace
 } // namespace cairn_test
