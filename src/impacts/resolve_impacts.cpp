@@ -8,6 +8,7 @@
 #include "impacts/impact_law.h"
 #include "impacts/meeting_points.h"
 #include "impacts/movers.h"
+#include "impacts/passed_triggers.h"
 #include "impacts/rebounds.h"
 #include "impacts/swept_pairs.h"
 #include "islands/islands.h"
@@ -71,6 +72,7 @@ class ImpactQueue {
             else if (m.time == pairs_[m.pair].time) // else it was asked again
                 meet(m.pair, m.time);
         }
+        report_passed_triggers(s.bodies, s.shapes, movers_, step.solver.sweep, scratch_, s.events);
         s.statistics.stopped_bodies += movers_.put_back();
         std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has been told
             return movers_.is_put_back(s.shapes.links[e.shape].body);
@@ -98,7 +100,13 @@ class ImpactQueue {
         ask_again(i, time); // its way has been looked at up to the end
     }
 
+    // Before it goes another way.
+    void end_path(std::int32_t i, double time) {
+        step.solver.sweep.pieces.push_back({i, movers_[i].path, std::min(time, movers_[i].until)});
+    }
+
     void go_to_next_part(std::int32_t i, double time) {
+        end_path(i, time);
         if (movers_[i].is_led)
             movers_.lead_on(i, time);
         else
@@ -137,6 +145,7 @@ class ImpactQueue {
     void carry(std::int32_t k, double time) {
         const std::int32_t i = pairs_[k].first;
         if (movers_[i].has_stopped()) return;
+        end_path(i, time);
         movers_.carry(i, time, s.shapes.links[pairs_[k].other].body, pairs_[k].axis);
         pairs_[k].was_carried = true;
         expect_renewal(i);
@@ -355,6 +364,7 @@ class ImpactQueue {
     }
     void push(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
         if (i == none || movers_[i].has_stopped()) return;
+        end_path(i, time);
         movers_.push_way(i, time, dv, dw, and_velocity);
         ++movers_[i].impacts;
         note_changed(i);
@@ -385,6 +395,7 @@ class ImpactQueue {
             s.bodies.links[body].quiet_time = 0;
             return;
         }
+        end_path(mover, time);
         movers_.redirect(mover, time, now);
         if (is_of_the_two) ++movers_[mover].impacts;
         note_changed(mover);

@@ -1,6 +1,7 @@
 #include "impacts/swept_pairs.h"
 
 #include "bodies/motion_budget.h"
+#include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "state/joint_links.h"
 
@@ -47,11 +48,20 @@ SweptPairs::~SweptPairs() {
     for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(in.shapes.links[pair.other].body)] = none;
 }
 
-bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
+// That one of them is a trigger is noted, and nothing collides with it.
+bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) {
     const std::int32_t body_a = in.shapes.links[a].body, body_b = in.shapes.links[b].body;
     const ShapeTraits &ta = in.shapes.traits[a], &tb = in.shapes.traits[b];
-    return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
-           !joint_forbids_contact(in.bodies, in.joints, body_a, body_b);
+    if (body_a == body_b || !may_meet(ta.filter, tb.filter)) return false;
+    if (joint_forbids_contact(in.bodies, in.joints, body_a, body_b)) return false;
+    if (ta.is_trigger != tb.is_trigger) note_trigger(a, b);
+    return !ta.is_trigger && !tb.is_trigger;
+}
+void SweptPairs::note_trigger(std::uint32_t a, std::uint32_t b) {
+    bool swapped = false;
+    if (!pair_kind(in.shapes.geometry[a], in.shapes.geometry[b], swapped)) return;
+    const bool a_is_trigger = in.shapes.traits[a].is_trigger != 0;
+    scratch_.near_triggers.push_back({a_is_trigger ? a : b, a_is_trigger ? b : a, never});
 }
 
 // Joints keep the bodies of an assembly from meeting, or bring them together, and act in the solver alone.
@@ -185,6 +195,10 @@ void SweptPairs::find() {
     if (in.fast.empty()) return ask_for_axes();
     list_passing();
     for (const PassingPair& pair : scratch_.passing) {
+        if (in.contacts.info[pair.contact].is_trigger) {
+            note_trigger(pair.shape, pair.other);
+            continue;
+        }
         if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
         if (!is_listed(pair.mover, pair.shape, pair.other))
             add(pair.mover, pair.shape, pair.other, std::int32_t(pair.contact));
@@ -205,7 +219,7 @@ void SweptPairs::list_passing() {
             const ContactInfo& c = in.contacts.info[id];
             const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
             const std::int32_t mover = a_is_fast ? a : b;
-            if (!c.is_trigger && may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]))
+            if (may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]))
                 *next++ = {mover, shape, other, id};
         }
         return next;

@@ -97,6 +97,19 @@ struct PassingPair {
     std::uint32_t shape, other, contact;
 };
 
+// A trigger and a shape of another body that may fly through it; when that comes in.
+struct NearTrigger {
+    std::uint32_t trigger, other;
+    double time;
+};
+
+// A path that a mover took up to a time, as it went another way from then on.
+struct PathPiece {
+    std::int32_t mover;
+    RigidPath path;
+    double until;
+};
+
 struct SweepScratch {
     std::vector<std::int32_t> bodies; // that become movers
     std::vector<PassingPair> passing;
@@ -127,6 +140,8 @@ struct SweepScratch {
     std::vector<ImpactBody> struck_motions;
     std::vector<ImpactPair> touching;
     ImpactBuffer impact;
+    std::vector<NearTrigger> near_triggers;
+    std::vector<PathPiece> pieces;
     std::vector<std::int32_t> changed; // movers
 };
 

@@ -1,0 +1,140 @@
+#include "impacts/passed_triggers.h"
+
+#include "impacts/meeting_points.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+// The way of a body through the step, of pieces that follow each other.
+class Way {
+  public:
+    Way(const Movers& movers, std::span<const PathPiece> pieces, std::int32_t body)
+        : mover_(movers.of_body(body)), rest_(movers.path_of(body)) {
+        const auto [first, last] =
+            std::equal_range(pieces.begin(), pieces.end(), PathPiece{mover_, {}, 0},
+                             [](const PathPiece& a, const PathPiece& b) { return a.mover < b.mover; });
+        if (mover_ != none) pieces_ = {first, last};
+    }
+    std::span<const PathPiece> pieces() const { return pieces_; }
+    // At a time, on the piece that goes on up to another one.
+    RigidPath::Pose at(double time, double up_to) const {
+        if (mover_ == none) return rest_.at(time);
+        for (const PathPiece& piece : pieces_)
+            if (up_to <= piece.until) return piece.path.at(time);
+        return pieces_.back().path.at(pieces_.back().until); // it has stopped
+    }
+    // From one time to another, as a path of its own that leads from 0 to 1. No piece ends between them.
+    RigidPath between(double from, double to, DVec3 origin) const {
+        const RigidPath::Pose first = at(from, to), last = at(to, to);
+        return RigidPath::between(first.x - origin, first.q, last.x - origin, last.q);
+    }
+
+  private:
+    std::int32_t mover_;
+    RigidPath rest_;
+    std::span<const PathPiece> pieces_;
+};
+
+class PassedTriggers {
+  public:
+    PassedTriggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
+                   NarrowBatch& narrow)
+        : bodies_(bodies), shapes_(shapes), movers_(movers), scratch_(scratch), narrow_(narrow) {}
+
+    void report(StepEvents& events) {
+        std::vector<NearTrigger>& near = scratch_.near_triggers;
+        const auto shapes_of = [](const NearTrigger& t) { return std::tie(t.trigger, t.other); };
+        std::sort(near.begin(), near.end(),
+                  [&](const NearTrigger& a, const NearTrigger& b) { return shapes_of(a) < shapes_of(b); });
+        near.erase(
+            std::unique(near.begin(), near.end(),
+                        [&](const NearTrigger& a, const NearTrigger& b) { return shapes_of(a) == shapes_of(b); }),
+            near.end());
+        complete_pieces();
+        for (NearTrigger& t : near) t.time = time_of_passage(t);
+        std::erase_if(near, [](const NearTrigger& t) { return !(t.time < 1); });
+        std::stable_sort(near.begin(), near.end(),
+                         [](const NearTrigger& a, const NearTrigger& b) { return a.time < b.time; });
+        for (const NearTrigger& t : near)
+            for (const bool inside : {true, false})
+                events.triggers.next.push_back({shapes_.slots.id(t.trigger), shapes_.slots.id(t.other),
+                                                bodies_.id(body_of(t.trigger)), bodies_.id(body_of(t.other)), inside});
+    }
+
+  private:
+    std::int32_t body_of(std::uint32_t shape) const { return shapes_.links[shape].body; }
+
+    // With the last one of each mover that is asked for, side by side.
+    void complete_pieces() {
+        std::vector<std::int32_t>& asked = scratch_.asked;
+        asked.clear();
+        for (const NearTrigger& t : scratch_.near_triggers)
+            for (const std::uint32_t shape : {t.trigger, t.other})
+                if (const std::int32_t i = movers_.of_body(body_of(shape)); i != none) asked.push_back(i);
+        std::sort(asked.begin(), asked.end());
+        asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+        for (const std::int32_t i : asked)
+            scratch_.pieces.push_back({i, movers_[i].path, std::min(movers_[i].until, movers_[i].path.until)});
+        std::stable_sort(scratch_.pieces.begin(), scratch_.pieces.end(),
+                         [](const PathPiece& a, const PathPiece& b) { return a.mover < b.mover; });
+    }
+
+    SweptShape swept(std::uint32_t shape, const RigidPath& path) const {
+        const Geometry& g = shapes_.geometry[shape];
+        return {g, shapes_.data[shape], math::to_double(g.position - bodies_.mass[body_of(shape)].center), path};
+    }
+    // When the two overlap between two times; more than 1: they do not.
+    double time_of_overlap(const NearTrigger& t, const Way& way, const Way& other, double from, double to) const {
+        const DVec3 origin = way.between(from, to, {}).start;
+        const RigidPath path = way.between(from, to, origin), path_of_other = other.between(from, to, origin);
+        const bool is_first = !is_surface(shapes_.geometry[t.trigger].type); // the first is no surface
+        const SweptShape trigger = swept(t.trigger, path), body = swept(t.other, path_of_other);
+        const Nearness found = is_first ? nearness_of(trigger, body, 0, {}) : nearness_of(body, trigger, 0, {});
+        return found.distance > 0 ? never : from + found.time * (to - from);
+    }
+    // As the narrow phase tests it.
+    bool is_inside(const NearTrigger& t, const RigidPath::Pose& at, const RigidPath::Pose& other) const {
+        std::vector<ImpactPoint>& points = scratch_.points;
+        points.clear();
+        find_meeting_points(bodies_, shapes_, t.trigger, {at.x, at.q, {}, {}}, t.other, {other.x, other.q, {}, {}},
+                            other.x - at.x, narrow_, points);
+        return std::any_of(points.begin(), points.end(), [](const ImpactPoint& p) { return p.depth >= 0; });
+    }
+    // When it comes in; more than 1 if it does not, or if it is inside at one of the ends of the step: the narrow phase
+    // sees that.
+    double time_of_passage(const NearTrigger& t) const {
+        const Way way(movers_, scratch_.pieces, body_of(t.trigger)), other(movers_, scratch_.pieces, body_of(t.other));
+        std::vector<double> times{0, 1};
+        for (const Way* w : {&way, &other})
+            for (const PathPiece& piece : w->pieces()) times.push_back(std::min(piece.until, 1.0));
+        std::sort(times.begin(), times.end());
+        times.erase(std::unique(times.begin(), times.end()), times.end());
+        if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return never;
+        for (std::size_t i = 1; i < times.size(); ++i)
+            if (const double time = time_of_overlap(t, way, other, times[i - 1], times[i]); time <= 1) return time;
+        return never;
+    }
+
+    const Bodies& bodies_;
+    const Shapes& shapes_;
+    const Movers& movers_;
+    SweepScratch& scratch_;
+    NarrowBatch& narrow_; // that of a test
+};
+
+} // namespace
+
+void report_passed_triggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
+                            NarrowBatch& narrow, StepEvents& events) {
+    if (!scratch.near_triggers.empty()) PassedTriggers(bodies, shapes, movers, scratch, narrow).report(events);
+    scratch.near_triggers.clear(), scratch.pieces.clear();
+}
+
+} // namespace cairn
