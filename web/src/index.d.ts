@@ -769,8 +769,9 @@ export interface ContactHit {
 
 /**
  * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). One of the two bodies is dynamic. It is seen at
- * the beginning of each step: what comes in is told after the next one, and what passes through within a step is not
- * told. Handles of what was removed are stale.
+ * the beginning of each step: what comes in is told after the next one. What passes through within a step has both
+ * events in that one, behind those of the beginning, in the order in which it came in. Handles of what was removed are
+ * stale.
  */
 export interface TriggerEvent {
     trigger: ShapeId;

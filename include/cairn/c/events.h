@@ -48,8 +48,9 @@ typedef struct cairn_contact_hit {
 } cairn_contact_hit;
 
 /// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. It is seen at
-/// the beginning of each step: what comes in is told after the next one, and what passes through within a step is not
-/// told. Handles of what was removed are stale.
+/// the beginning of each step: what comes in is told after the next one. What passes through within a step has both
+/// events in that one, behind those of the beginning, in the order in which it came in. Handles of what was removed are
+/// stale.
 typedef struct cairn_trigger_event {
     cairn_shape_id trigger;
     cairn_shape_id other;

@@ -63,8 +63,9 @@ class ContactHit:
 @dataclass(slots=True, eq=False)
 class TriggerEvent:
     """A shape began or ceased to overlap a trigger (ShapeDef.is_trigger). One of the two bodies is dynamic. It is seen
-    at the beginning of each step: what comes in is told after the next one, and what passes through within a step is
-    not told. Handles of what was removed are stale.
+    at the beginning of each step: what comes in is told after the next one. What passes through within a step has both
+    events in that one, behind those of the beginning, in the order in which it came in. Handles of what was removed are
+    stale.
     """
 
     trigger: ShapeId = ShapeId()
