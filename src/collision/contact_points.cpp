@@ -19,14 +19,15 @@ constexpr double tie = 1 + 2e-4, thinnest = 1e-3;
 // Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
 // largest triangle; where one side is empty, the point farthest outside the triangle of the other three. All of them
 // weighed by nearness: a box that lies on three peaks of a mesh must not lose one of them to others that are farther
-// out and do not touch, or it falls to and fro. Between planes it changes nothing: there, what is twice as far out is
-// at most twice as far apart.
+// out and do not touch, or it falls to and fro. But what overlaps counts alike: where a cylinder is pressed in on one
+// side, its points must not all be there, or nothing holds the other side. Between planes it changes nothing: there,
+// what is twice as far out is at most twice as far apart.
 class Reducer {
   public:
     Reducer(std::span<FlatPoint> points, double extent) : points_(points), extent_(extent) {
         for (const FlatPoint& p : points) lowest_ = std::min(lowest_, p.separation);
-        const double touching = std::max(lowest_, 0.0), flat = flat_contact_part * extent;
-        for (FlatPoint& p : points) p.nearness = p.separation - touching > flat ? flat / (p.separation - touching) : 1;
+        const double alike = std::max(flat_contact_part * extent, -lowest_);
+        for (FlatPoint& p : points) p.nearness = p.separation - lowest_ > alike ? alike / (p.separation - lowest_) : 1;
     }
 
     Chosen choose() {
