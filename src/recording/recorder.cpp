@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 14, chunk_bytes = std::size_t{1} << 18;
 constexpr std::uint64_t batch_steps = 60, chunk_steps = 300;
-constexpr double keyframe_share = 0.17; // of the work of the steps
+constexpr double keyframe_share = 0.25; // of the work of the steps
 
 } // namespace
 

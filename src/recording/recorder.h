@@ -37,8 +37,8 @@ struct RecorderOptions {
     bool compress = true; ///< By zstd.
     /// A keyframe is the whole state, to go to any moment without beginning from the start. From one to the next are
     /// steps that take about so long, s of a processor, > 0; more of them where keeping a state would take more than
-    /// a sixth of that. It goes by counts of bodies and pairs, not by a clock.
-    double keyframe_work = 0.17;
+    /// a quarter of that. It goes by counts of bodies and pairs, not by a clock.
+    double keyframe_work = 0.12;
     /// Bytes in the file for all of them; 0: none. Where it is spent, every other one goes, and later ones come half as
     /// often. A file that is not closed still has them, and one that is no regular file.
     std::size_t keyframe_budget = std::size_t{384'000'000};

@@ -380,11 +380,10 @@ TEST(HeadlessRenderer, APassOverThePictureSmoothsEdgesAsSamplesDo) {
 
 // With OpenGL on the processor this is what a window has to do thirty times a second. At 1280 x 720 it took a third of
 // a second of processor time.
-TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
-    if (cairn_test::is_sanitized) GTEST_SKIP() << "sanitizers take longer";
-    if (opengl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "the processor does not draw";
+// ms of processor time, the least of some frames with so many bodies.
+double time_of_frame(int bodies) {
     LoadedScene scene = test::boxes_on_plane(0);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < bodies; ++i) {
         const BodyId body = scene.world.create_body(
             test::body_at({0.6 * (i % 10) - 3.0, 0.3 + 0.55 * double(i / 100), 0.6 * (i / 10 % 10) - 3.0}));
         if (i % 2)
@@ -399,10 +398,19 @@ TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
     for (int i = 0; i < 5; ++i) {
         const std::clock_t before = std::clock(); // of all threads
         renderer.draw(frame, Smoothing::edges);
-        least = std::min(least, double(std::clock() - before) / CLOCKS_PER_SEC);
+        least = std::min(least, 1e3 * double(std::clock() - before) / CLOCKS_PER_SEC);
     }
-    std::printf("%.0f ms of processor time\n", 1e3 * least);
-    EXPECT_LT(least, 0.33);
+    return least;
+}
+
+// Beside ten bodies, as the same machine takes half as long again at times.
+TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
+    if (cairn_test::is_sanitized) GTEST_SKIP() << "sanitizers take longer";
+    if (opengl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "the processor does not draw";
+    const double ten = time_of_frame(10), thousand = time_of_frame(1000);
+    std::printf("%.0f ms of processor time, %.0f with ten bodies\n", thousand, ten);
+    EXPECT_LT(thousand, 3 * ten);
+    EXPECT_LT(thousand, 1000);
 }
 
 TEST(HeadlessRenderer, HalfOfThePixelsGiveThePictureInLessTime) {
