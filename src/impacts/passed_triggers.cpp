@@ -58,8 +58,9 @@ class PassedTriggers {
                         [&](const NearTrigger& a, const NearTrigger& b) { return shapes_of(a) == shapes_of(b); }),
             near.end());
         complete_pieces();
-        for (NearTrigger& t : near) t.time = time_of_passage(t);
-        std::erase_if(near, [](const NearTrigger& t) { return !(t.time < 1); });
+        const std::size_t count = near.size();
+        for (std::size_t i = 0; i < count; ++i) list_passages(near[i]);
+        near.erase(near.begin(), near.begin() + std::ptrdiff_t(count));
         std::stable_sort(near.begin(), near.end(),
                          [](const NearTrigger& a, const NearTrigger& b) { return a.time < b.time; });
         for (const NearTrigger& t : near)
@@ -107,19 +108,23 @@ class PassedTriggers {
                             other.x - at.x, narrow_, points);
         return std::any_of(points.begin(), points.end(), [](const ImpactPoint& p) { return p.depth >= 0; });
     }
-    // When it comes in; more than 1 if it does not, or if it is inside at one of the ends of the step: the narrow phase
-    // sees that.
-    double time_of_passage(const NearTrigger& t) const {
+    // Each time that it comes in and leaves; none if it is inside at one of the ends of the step: the narrow phase sees
+    // that.
+    void list_passages(NearTrigger t) {
         const Way way(movers_, scratch_.pieces, body_of(t.trigger)), other(movers_, scratch_.pieces, body_of(t.other));
+        if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return;
         std::vector<double> times{0, 1};
         for (const Way* w : {&way, &other})
             for (const PathPiece& piece : w->pieces()) times.push_back(std::min(piece.until, 1.0));
         std::sort(times.begin(), times.end());
         times.erase(std::unique(times.begin(), times.end()), times.end());
-        if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return never;
-        for (std::size_t i = 1; i < times.size(); ++i)
-            if (const double time = time_of_overlap(t, way, other, times[i - 1], times[i]); time <= 1) return time;
-        return never;
+        bool was_inside = false; // as the piece before ended
+        for (std::size_t i = 1; i < times.size(); ++i) {
+            const double end = times[i];
+            t.time = time_of_overlap(t, way, other, times[i - 1], end);
+            if (t.time <= 1 && !was_inside) scratch_.near_triggers.push_back(t);
+            was_inside = t.time <= 1 && is_inside(t, way.at(end, end), other.at(end, end));
+        }
     }
 
     const Bodies& bodies_;

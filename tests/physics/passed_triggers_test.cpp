@@ -137,7 +137,7 @@ TEST(PassedTriggers, SeeEveryPassOfWhatBounces) {
         for (int step = 0; step < 60; ++step) world.step(1.0f / 60), visits.note(world);
         const double passes = speed / 0.9; // in a second: from wall to wall it is 0.9 m
         EXPECT_TRUE(visits.alternate) << speed;
-        EXPECT_NEAR(visits.in, passes, speed < 50 ? 1.5 : 0.6 * passes) << speed;
+        EXPECT_NEAR(visits.in, passes, speed < 50 ? 1.5 : 0.1 * passes) << speed; // some begin or end a step inside
     }
 }
 

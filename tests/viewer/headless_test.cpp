@@ -378,8 +378,6 @@ TEST(HeadlessRenderer, APassOverThePictureSmoothsEdgesAsSamplesDo) {
     EXPECT_LT(edges, 1.85 * samples) << edges << " and " << samples; // 2.16 times without the pass, 1.67 with it
 }
 
-// With OpenGL on the processor this is what a window has to do thirty times a second. At 1280 x 720 it took a third of
-// a second of processor time.
 // ms of processor time, the least of some frames with so many bodies.
 double time_of_frame(int bodies) {
     LoadedScene scene = test::boxes_on_plane(0);
@@ -403,7 +401,8 @@ double time_of_frame(int bodies) {
     return least;
 }
 
-// Beside ten bodies, as the same machine takes half as long again at times.
+// With OpenGL on the processor this is what a window has to do thirty times a second. Beside ten bodies, as the same
+// machine takes half as long again at times.
 TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
     if (cairn_test::is_sanitized) GTEST_SKIP() << "sanitizers take longer";
     if (opengl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "the processor does not draw";
