@@ -11,7 +11,7 @@ namespace cairn::bench {
 struct RollbackOptions {
     int rollbacks = 1000;
     int stride = 37; // of the bodies that are pushed one after another
-    int frames = 8; // that each goes back
+    int frames = 8;  // that each goes back
     int threads = 1;
 };
 

@@ -55,7 +55,7 @@ void refresh_drive(const SetView& v, std::size_t node, double h) {
         d.pull = missing / h; // it is not reached: the position goes no farther than there
         return;
     }
-    const double unit = d.is_relative ? double(b.mass[lane]) : 1, k = unit * d.stiffness, c = unit * d.damping;
+    const double unit = d.is_relative ? double(b.moved_mass[lane]) : 1, k = unit * d.stiffness, c = unit * d.damping;
     d.compliance = 1 / (h * (h * k + c));
     d.pull = d.compliance * h * (k * missing + c * d.target_velocity);
 }

@@ -26,6 +26,10 @@ std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t for
     return (rank * phases + phase) * forms + form;
 }
 bool stands_alone(std::uint32_t key) { return key < keys_per_color; }
+// Points of joints that have a turn are solved with it.
+std::uint32_t point_form(const JointLocks& rules) {
+    return std::uint32_t(rules.point) | (rules.turn != JointLock::none ? form_with_turn : 0);
+}
 JointRowType type_of(std::uint32_t key) {
     const std::uint32_t phase = key / forms % phases;
     return phase == point_phase ? JointRowType::point : phase == turn_phase ? JointRowType::turn : JointRowType::axis;
@@ -58,6 +62,8 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
         if (is_equation && !has_direct_lane(rule.kind)) continue;
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        row.has_point = rules.point != JointLock::none, row.has_turn = rules.turn != JointLock::none;
+        row.is_direct = is_direct;
         row.is_direct_limit = is_direct && is_direct_limit(rule);
         row.is_direct_range = is_equation || (is_direct && is_direct_soft_limit(rule));
         row.has_limits = rule.has_limits != 0 && !row.is_direct_limit && !row.is_direct_range;
@@ -71,7 +77,7 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
-    if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
+    if (rules.point != JointLock::none) add(point_phase, point_form(rules), JointRowType::point, 0);
 }
 
 void collect_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, JointLayout& layout) {

@@ -15,6 +15,8 @@ inline bool opens_blocks(const JointRun& run) { return run.first_lane == 0; }
 
 // Of the key of a row or run: the form of its rows, and whether they may have ends that do not move by forces.
 std::uint32_t joint_form_of(std::uint32_t key);
+// In the form of a point: its joint has a turn as well.
+inline constexpr std::uint32_t form_with_turn = 4;
 bool may_be_fixed(std::uint32_t key);
 
 } // namespace cairn

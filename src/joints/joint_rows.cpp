@@ -86,7 +86,8 @@ void fill_ends(const PlacedJoint<Placement>& joint, Block& b, std::size_t lane, 
 
 bool needs_frames(const Joints& joints, const JointRow& row) {
     if (row.type != JointRowType::point) return !row.idle;
-    return joints.info[row.joint].rules.point == JointLock::across;
+    const JointLocks& rules = joints.info[row.joint].rules;
+    return rules.point == JointLock::across || rules.turn == JointLock::across;
 }
 
 void fill_lane(const Bodies&, const Joints&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b,
@@ -95,11 +96,18 @@ void fill_lane(const Bodies&, const Joints&, const JointRow&, const PlacedJoint<
     set_lane(b.arm_b0, lane, math::to_float(joint.p.arm_b));
     set_lane(b.gap0, lane, math::to_float(joint.p.gap));
     set_lane(b.impulse, lane, joint.info.point_impulse);
+    if (b.has_turn) set_lane(b.turn_axis0, lane, math::Vec3{});
+}
+// The axis that a joint's point or turn leaves free; zero: none.
+math::Vec3 free_axis(const JointPlacement& p, JointLock lock, std::uint8_t column) {
+    return lock == JointLock::across ? frame_axis(p.frame_a, column) : math::Vec3{};
 }
 void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
                const PlacedJoint<FramedPlacement>& joint, PointBlock& b, std::size_t lane, float h) {
     fill_lane(bodies, joints, row, PlacedJoint<JointAnchors>{joint.info, joint.a, joint.b, joint.p}, b, lane, h);
-    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
+    const JointLocks& rules = joint.info.rules;
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, rules.point_column));
+    if (b.has_turn) set_lane(b.turn_axis0, lane, free_axis(joint.p, rules.turn, rules.turn_column));
 }
 
 void fill_lane(const Bodies&, const Joints&, const JointRow&, const PlacedJoint<FramedPlacement>& joint, TurnBlock& b,
@@ -150,6 +158,9 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
              is_pulley ? pulley_reach(bodies, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
     set_lane(b.axis_b0, lane,
              is_pulley ? pulley_reach(bodies, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
+    const JointLocks& locks = joint.info.rules;
+    set_lane(b.point_axis0, lane, free_axis(p, locks.point, locks.point_column));
+    set_lane(b.turn_axis0, lane, free_axis(p, locks.turn, locks.turn_column));
     b.position[lane] = b.position0[lane] = state.position;
     b.drive_impulse[lane] = state.drive;
     b.friction_impulse[lane] = state.friction;
@@ -188,20 +199,26 @@ void fill_rows_of(const Bodies& bodies, const Joints& joints, BatchScratch& scra
 // Before their lanes are filled: what a block says of all of its lanes, and for lanes that stay empty, what fill_lane
 // fills in. All else is set before it is read.
 template <class... Members> void clear(Members&... members) { (std::memset(members, 0, sizeof(members)), ...); }
-void clear_lanes(PointBlock& b) { clear(b.arm_a0, b.arm_b0, b.gap0, b.impulse, b.axis0); }
+void clear_lanes(PointBlock& b) { clear(b.arm_a0, b.arm_b0, b.gap0, b.impulse, b.axis0, b.turn_axis0); }
 void clear_lanes(TurnBlock& b) { clear(b.turn0, b.impulse, b.axis_a0, b.axis_b0); }
 void clear_lanes(AxisBlock& b) {
     clear(b.lower, b.upper, b.equation, b.rigid_limit, b.limit_stiffness, b.limit_damping, b.limit_relative);
     clear(b.lower_impulse, b.upper_impulse, b.drive_impulse, b.max_friction, b.friction_impulse);
     clear(b.drive_stiffness, b.drive_damping, b.target_position, b.target_velocity, b.rigid_drive, b.drive_relative,
           b.max_drive);
-    clear(b.arm_a0, b.arm_b0, b.gap0, b.turn0, b.axis_a0, b.axis_b0, b.ratio_a, b.ratio_b, b.position, b.position0);
+    clear(b.arm_a0, b.arm_b0, b.gap0, b.turn0, b.axis_a0, b.axis_b0, b.ratio_a, b.ratio_b, b.position, b.position0,
+          b.point_axis0, b.turn_axis0);
 }
-void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
+void open_block(PointBlock& b, std::uint32_t form) {
+    b.free_axis = JointLock(form & ~form_with_turn) == JointLock::across;
+    b.has_turn = (form & form_with_turn) != 0;
+}
 void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
 void open_block(AxisBlock& b, std::uint32_t form) {
     b.kind = AxisKind(form);
     b.has_limits = b.has_soft_limits = b.has_drive = b.has_friction = 0;
+    b.points = b.turns = b.direct = 0;
+    b.plain_locks = 1;
 }
 template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
     if (!opens_blocks(run)) {
@@ -224,7 +241,7 @@ template <class Block> void extend(std::vector<Block>& blocks, std::size_t count
     if (blocks.size() < count) blocks.resize(count);
 }
 
-void open_blocks(BatchScratch& scratch) {
+void open_blocks(const Joints& joints, BatchScratch& scratch) {
     extend(scratch.point_blocks, scratch.joint_layout->blocks[0]);
     extend(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
     extend(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
@@ -240,6 +257,11 @@ void open_blocks(BatchScratch& scratch) {
         b.has_soft_limits |= row.has_soft_limits;
         b.has_drive |= row.has_drive;
         b.has_friction |= row.has_friction;
+        const std::uint8_t lane = std::uint8_t(1u << row.lane % 8);
+        if (row.has_point) b.points |= lane;
+        if (row.has_turn) b.turns |= lane;
+        if (row.is_direct) b.direct |= lane;
+        b.plain_locks &= !row.has_turn && joints.info[row.joint].rules.point != JointLock::across;
     }
 }
 
@@ -295,7 +317,10 @@ void begin_joint(Joints& joints, std::uint32_t index, float h) {
 void take_lane(Joints& joints, const JointRow& row, const PointBlock& b, std::size_t lane) {
     JointInfo& joint = joints.info[row.joint];
     joint.point_impulse = get_lane(b.impulse, lane);
-    joint.force += get_lane(b.total, lane);
+    const math::Vec3 total = get_lane(b.total, lane);
+    joint.force += total;
+    if (!b.has_turn) return;
+    for (int i = 0; i < 3; ++i) joint.torque[i] -= math::dot(get_lane(b.by_turn + 3 * i, lane), total);
 }
 void take_lane(Joints& joints, const JointRow& row, const TurnBlock& b, std::size_t lane) {
     JointInfo& joint = joints.info[row.joint];
@@ -370,7 +395,7 @@ void end_joint(Joints& joints, const WorldDef& settings, BatchScratch& scratch, 
 
 void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                        ThreadPool* thread_pool, float h) {
-    open_blocks(scratch);
+    open_blocks(joints, scratch);
     const JointLayout& layout = *scratch.joint_layout;
     const auto discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.

@@ -55,6 +55,13 @@ CAIRN_INLINE void store6(float (*p)[8], const Sym3x8& m) {
     store(p[5], m.zz);
 }
 
+CAIRN_INLINE Mat3x8 load9(const float (*p)[8]) { return {load3(p), load3(p + 3), load3(p + 6)}; }
+CAIRN_INLINE void store9(float (*p)[8], const Mat3x8& m) {
+    store3(p, m.c0);
+    store3(p + 3, m.c1);
+    store3(p + 6, m.c2);
+}
+
 // Of a unit quaternion, what its rotation adds to a vector, R(q) - 1, without what cancels; and R(q).
 CAIRN_INLINE Mat3x8 turn_of(Quatx8 q) {
     const f32x8 x2 = q.v.x + q.v.x, y2 = q.v.y + q.v.y, z2 = q.v.z + q.v.z;
@@ -71,6 +78,7 @@ CAIRN_INLINE Mat3x8 to_matrix(Quatx8 q) {
 CAIRN_INLINE Mat3x8 operator+(const Mat3x8& a, const Mat3x8& b) { return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2}; }
 CAIRN_INLINE Mat3x8 operator*(f32x8 s, const Mat3x8& m) { return {s * m.c0, s * m.c1, s * m.c2}; }
 CAIRN_INLINE Vec3x8 operator*(const Mat3x8& m, Vec3x8 b) { return b.x * m.c0 + (b.y * m.c1 + b.z * m.c2); }
+CAIRN_INLINE Vec3x8 transposed_times(const Mat3x8& m, Vec3x8 v) { return {dot(m.c0, v), dot(m.c1, v), dot(m.c2, v)}; }
 // R(q) v and R(q)^T v.
 CAIRN_INLINE Vec3x8 rotate(Quatx8 q, Vec3x8 v) {
     const Vec3x8 t = splat(2.0f) * cross(q.v, v);

@@ -12,9 +12,11 @@ namespace cairn {
 namespace {
 
 // Lanes of blocks of one form may lie in one block. What is not in it is the same in the whole run.
-std::uint8_t form_of(const PointBlock& b) { return b.isotropic; }
+std::uint8_t form_of(const PointBlock& b) { return std::uint8_t(b.isotropic | b.has_turn << 1); }
 std::uint8_t form_of(const TurnBlock& b) { return b.isotropic; }
-std::uint8_t form_of(const AxisBlock& b) { return std::uint8_t(b.isotropic | b.has_limits << 1); }
+std::uint8_t form_of(const AxisBlock& b) {
+    return std::uint8_t(b.isotropic | b.has_limits << 1 | int(b.points != 0) << 2);
+}
 template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.isotropic; }
 
 // Where a body's velocity goes that does not move by forces: none of its own business, but that of the block.
@@ -42,7 +44,7 @@ template <class Block> struct NotStruck { static constexpr std::tuple<> list{}; 
 template <> struct NotStruck<PointBlock> {
     using B = PointBlock;
     static constexpr auto list = std::tuple(&B::gap, &B::impulse, &B::left_a, &B::left_b, &B::arm_a0, &B::arm_b0,
-                                            &B::gap0, &B::left_linear, &B::axis0);
+                                            &B::gap0, &B::left_linear, &B::axis0, &B::turn_axis0);
 };
 template <> struct NotStruck<TurnBlock> {
     using B = TurnBlock;
@@ -56,7 +58,8 @@ template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and
                    &B::upper_impulse, &B::drive_stiffness, &B::drive_damping, &B::target_position, &B::target_velocity,
                    &B::rigid_drive, &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull,
                    &B::max_friction, &B::friction_impulse, &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0,
-                   &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0);
+                   &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0, &B::moved_mass, &B::point_axis0,
+                   &B::turn_axis0, &B::turns, &B::plain_locks, &B::direct);
 };
 template <int N> struct NotStruck<PointRows<N>> {
     using B = PointRows<N>;

@@ -21,8 +21,8 @@ inline constexpr std::uint64_t changes = 0x59430ca44e03fbee;
 inline constexpr std::uint64_t all_shapes = 0xdd741fe5a4441f3d;
 inline constexpr std::uint64_t rounded_shapes = 0x1a854e88529e570b;
 inline constexpr std::uint64_t surfaces = 0x2af40d88a462886b;
-inline constexpr std::uint64_t all_joints = 0x78a0df4530dc82a1;
-inline constexpr std::uint64_t chains = 0x2d2ec97445b7b9b7;
+inline constexpr std::uint64_t all_joints = 0x2a162d68e362af14;
+inline constexpr std::uint64_t chains = 0x1c5ad0cd91003f3d;
 inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 
 } // namespace cairn_test::golden

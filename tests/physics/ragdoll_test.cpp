@@ -218,7 +218,7 @@ TEST(KnownLimits, RagdollFliesBackOtherwiseWhileAnotherHitsTheWall) {
         greatest = std::max(greatest, difference);
     }
     EXPECT_GT(changed, 8);
-    EXPECT_GT(greatest, 0.5f); // m/s
+    EXPECT_GT(greatest, 0.3f); // m/s
     EXPECT_LT(greatest, 4.1f);
 }
 

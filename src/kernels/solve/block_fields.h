@@ -32,9 +32,10 @@ CAIRN_BLOCK_IS_LISTED(0, JointEndsRest);
 template <> struct BlockFields<PointBlock> {
     using B = PointBlock;
     using Base = JointEnds;
-    static constexpr auto list = std::tuple(
-        &B::arm_a, &B::arm_b, &B::gap, &B::impulse, &B::response, &B::left_a, &B::left_b, &B::free_axis, &B::isotropic,
-        &B::redirects, &B::leaves, &B::arm_a0, &B::arm_b0, &B::gap0, &B::total, &B::rest, &B::left_linear, &B::axis0);
+    static constexpr auto list =
+        std::tuple(&B::arm_a, &B::arm_b, &B::gap, &B::impulse, &B::response, &B::left_a, &B::left_b, &B::free_axis,
+                   &B::isotropic, &B::redirects, &B::leaves, &B::has_turn, &B::by_turn, &B::arm_a0, &B::arm_b0,
+                   &B::gap0, &B::total, &B::rest, &B::left_linear, &B::axis0, &B::turn_axis0);
 };
 CAIRN_BLOCK_IS_LISTED(1, PointBlock);
 
@@ -51,13 +52,14 @@ template <> struct BlockFields<AxisBlock> {
     using B = AxisBlock;
     using Base = JointEnds;
     static constexpr auto list = std::tuple(
-        &B::linear_a, &B::linear_b, &B::angular_a, &B::angular_b, &B::left, &B::mass, &B::position, &B::before,
-        &B::lower, &B::upper, &B::equation, &B::rigid_limit, &B::limit_stiffness, &B::limit_damping, &B::limit_relative,
-        &B::lower_impulse, &B::upper_impulse, &B::drive_stiffness, &B::drive_damping, &B::target_position,
-        &B::target_velocity, &B::rigid_drive, &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull,
-        &B::max_friction, &B::friction_impulse, &B::total, &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0,
-        &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0, &B::kind, &B::isotropic, &B::redirects, &B::leaves,
-        &B::has_limits, &B::has_soft_limits, &B::has_drive, &B::has_friction, &B::rest);
+        &B::linear_a, &B::linear_b, &B::angular_a, &B::angular_b, &B::left, &B::mass, &B::moved_mass, &B::position,
+        &B::before, &B::lower, &B::upper, &B::equation, &B::rigid_limit, &B::limit_stiffness, &B::limit_damping,
+        &B::limit_relative, &B::lower_impulse, &B::upper_impulse, &B::drive_stiffness, &B::drive_damping,
+        &B::target_position, &B::target_velocity, &B::rigid_drive, &B::drive_relative, &B::max_drive, &B::drive_impulse,
+        &B::drive_pull, &B::max_friction, &B::friction_impulse, &B::total, &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0,
+        &B::axis_a0, &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0, &B::point_axis0, &B::turn_axis0, &B::points,
+        &B::turns, &B::plain_locks, &B::direct, &B::kind, &B::isotropic, &B::redirects, &B::leaves, &B::has_limits,
+        &B::has_soft_limits, &B::has_drive, &B::has_friction, &B::rest);
 };
 CAIRN_BLOCK_IS_LISTED(1, AxisBlock);
 

@@ -142,9 +142,21 @@ CAIRN_INLINE Sym3x8 inverse(const Sym3x8& m) {
             s * (m.xx * m.yy - m.xy * m.xy)};
 }
 
+// The same by L D L^T. Where one direction gives much more than the others, cofactors cancel; this is off by no more
+// than rounding of the greatest.
+CAIRN_INLINE Sym3x8 inverse_by_pivots(const Sym3x8& m) {
+    const f32x8 p = guarded_inverse(m.xx, m.xx > zero()), lyx = m.xy * p, lzx = m.xz * p;
+    const f32x8 yy = m.yy - lyx * m.xy, yz = m.yz - lyx * m.xz;
+    const f32x8 q = guarded_inverse(yy, yy > zero()), lzy = yz * q;
+    const f32x8 zz = (m.zz - lzx * m.xz) - lzy * yz, r = guarded_inverse(zz, zz > zero());
+    // The inverse of L has -lyx, -lzy and `low` below its diagonal.
+    const f32x8 low = lyx * lzy - lzx, lr = low * r, lq = lyx * q, yr = lzy * r;
+    return {p + (lq * lyx + lr * low), -(lq + lr * lzy), lr, q + yr * lzy, -yr, r};
+}
+
 // With P = 1 - a a^T: the inverse of P m P on the plane across the unit vector a, zero along it. With u = m a and
 // t = a.u, the matrix Q = m - a u^T - u a^T + 2 t a a^T is P m P + t a a^T, and its inverse less a a^T / t is wanted.
-CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a) {
+template <class Inverse> CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a, Inverse&& inverse_of) {
     const Vec3x8 u = m * a;
     const f32x8 t = dot(a, u), t2 = t + t;
     const Sym3x8 q = {m.xx + a.x * (t2 * a.x - (u.x + u.x)),
@@ -153,11 +165,15 @@ CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a) {
                       m.yy + a.y * (t2 * a.y - (u.y + u.y)),
                       m.yz + (t2 * a.y * a.z - (a.y * u.z + u.y * a.z)),
                       m.zz + a.z * (t2 * a.z - (u.z + u.z))};
-    Sym3x8 r = inverse(q);
+    Sym3x8 r = inverse_of(q);
     const f32x8 s = guarded_inverse(t, t > zero());
     const Vec3x8 sa = s * a;
     return {r.xx - sa.x * a.x, r.xy - sa.x * a.y, r.xz - sa.x * a.z,
             r.yy - sa.y * a.y, r.yz - sa.y * a.z, r.zz - sa.z * a.z};
+}
+
+CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a) {
+    return inverse_across(m, a, [](const Sym3x8& q) { return inverse(q); });
 }
 
 CAIRN_INLINE Vec3x8 across(Vec3x8 a, Vec3x8 v) { return v - dot(a, v) * a; }

@@ -1,6 +1,6 @@
 // Axis rows: one direction of motion, with limits, a drive and friction, which share one velocity scalar. Each kind
 // says what the position is and how it changes with the velocities: J = (linear_a, angular_a, linear_b, angular_b).
-#include "kernels/solve/joint.h"
+#include "kernels/solve/joint_locks.h"
 
 #include <initializer_list>
 #include <type_traits>
@@ -40,9 +40,7 @@ struct Jacobianx8 {
 CAIRN_INLINE Jacobianx8 load_jacobian(const AxisBlock& b) {
     return {load3(b.linear_a), load3(b.angular_a), load3(b.linear_b), load3(b.angular_b)};
 }
-// Most rows turn their bodies and do not move them: of these, linear velocities are neither read nor written. The bits
-// are those of a Jacobian whose linear part is zero.
-CAIRN_INLINE bool turns_only(AxisKind kind) {
+CAIRN_INLINE bool is_turning(AxisKind kind) {
     switch (kind) {
     case AxisKind::linear:
     case AxisKind::radial:
@@ -54,9 +52,10 @@ CAIRN_INLINE bool turns_only(AxisKind kind) {
         return true;
     }
 }
-// Calls f with whether the block's rows turn only, as a constant.
+// Rows about an axis of joints without a point turn their bodies and do not move them: of these, linear velocities are
+// neither read nor written. The bits are those of a Jacobian whose linear part is zero.
 template <class F> CAIRN_INLINE void for_kind(const AxisBlock& b, F&& f) {
-    turns_only(b.kind) ? f(std::true_type{}) : f(std::false_type{});
+    is_turning(b.kind) && b.points == 0 ? f(std::true_type{}) : f(std::false_type{});
 }
 
 template <bool Turns> CAIRN_INLINE void apply(const AxisBlock& b, const Jacobianx8& j, f32x8 p, Ends8& e) {
@@ -222,27 +221,74 @@ CAIRN_INLINE Rowx8 moving_row(const AxisBlock& b, const Geometryx8& g) {
     }
 }
 
+// J M^-1 J^T.
+CAIRN_INLINE f32x8 response_of(const AxisBlock& b, const Jacobianx8& j) {
+    const f32x8 k = dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b));
+    return (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) + k;
+}
+
+// The row along with the impulses of the joint's point and turn that keep these as they are: J - c^T J_p - d^T J_t,
+// with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T.
+// Plain: none of the block's joints has a turn, and their points are held in all directions.
+template <bool Plain>
+CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, const Jacobianx8& j) {
+    const Massesx8 m = load_masses(b);
+    const auto axis_now = [&](const float(*p)[8]) {
+        const Vec3x8 axis0 = load3(p);
+        return axis0 + turned_difference(g.poses.dq_a, axis0);
+    };
+    const Vec3x8 point_axis = Plain ? zero3() : axis_now(b.point_axis0);
+    const Arms8 arm{Plain ? g.arm_a : g.arm_a + dot(point_axis, g.gap) * point_axis, g.arm_b};
+    const Vec3x8 turned_a = m.inertia_a * j.angular_a, turned_b = m.inertia_b * j.angular_b;
+    const Vec3x8 slip =
+        (m.mass_b * j.linear_b - m.mass_a * j.linear_a) + (cross(turned_b, arm.b) - cross(turned_a, arm.a));
+    const mask8 points = mask_from_bits(b.points);
+    Vec3x8 c, d = zero3();
+    if constexpr (Plain) {
+        c = select(points, inverse_by_pivots(slip_by_push(m, arm)) * slip, zero3());
+    } else {
+        const Sym3x8 turn = select(mask_from_bits(b.turns), response_of_turn(m, axis_now(b.turn_axis0)), zero6());
+        const HeldTurn held = hold_turn(m, arm, turn);
+        const Vec3x8 turning = turned_b - turned_a;
+        c = select(points, response_of(held, point_axis) * (slip - held.d * turning), zero3());
+        d = turn * turning - transposed_times(held.d, c);
+    }
+    return {j.linear_a + c, j.angular_a + (cross(arm.a, c) + d), j.linear_b - c, j.angular_b - (cross(arm.b, c) + d)};
+}
+CAIRN_INLINE Jacobianx8 select(mask8 m, const Jacobianx8& a, const Jacobianx8& b) {
+    return {select(m, a.linear_a, b.linear_a), select(m, a.angular_a, b.angular_a), select(m, a.linear_b, b.linear_b),
+            select(m, a.angular_b, b.angular_b)};
+}
+
 // Jacobian, mass and position of the poses now.
 template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& poses) {
     const Geometryx8 geometry = geometry_of<Turns>(b, poses);
-    const Rowx8 row = Turns ? turning_row(b, geometry) : moving_row(b, geometry);
-    const Jacobianx8& j = row.jacobian;
+    const Rowx8 row = is_turning(b.kind) ? turning_row(b, geometry) : moving_row(b, geometry);
+    Jacobianx8 j = row.jacobian;
+    f32x8 k = response_of(b, j);
+    f32x8 moved = k;
+    if (b.points | b.turns) {
+        const Jacobianx8 held =
+            b.plain_locks ? held_by_locks<true>(b, geometry, j) : held_by_locks<false>(b, geometry, j);
+        const f32x8 left = response_of(b, held);
+        const mask8 is_known = left > splat(rounding) * k; // else the locks hold all of it, or it is taken alone
+        moved = select(is_known, left, k);
+        const mask8 is_held = and_not(is_known, mask_from_bits(b.direct));
+        j = select(is_held, held, j);
+        k = select(is_held, left, k);
+    }
     store3(b.angular_a, j.angular_a);
     store3(b.angular_b, j.angular_b);
+    if constexpr (!Turns) store3(b.linear_a, j.linear_a), store3(b.linear_b, j.linear_b);
     store(b.position, row.position);
-    f32x8 k = dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b));
-    if constexpr (!Turns) {
-        store3(b.linear_a, j.linear_a);
-        store3(b.linear_b, j.linear_b);
-        k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) + k;
-    }
     store(b.mass, guarded_inverse(k, k > splat(tiny)));
+    store(b.moved_mass, guarded_inverse(moved, moved > splat(tiny)));
 }
 
 // The pull of the drive's spring on the position now.
 template <class Lanes> CAIRN_INLINE void refresh_drive(AxisBlock& b, Lanes lanes, f32x8 h) {
     if (!b.has_drive) return;
-    const f32x8 unit_of = select(load(b.drive_relative) > zero(), load(b.mass), one());
+    const f32x8 unit_of = select(load(b.drive_relative) > zero(), load(b.moved_mass), one());
     const f32x8 k = load(b.drive_stiffness) * unit_of, d = load(b.drive_damping) * unit_of;
     const f32x8 pull = h * (k * (load(b.target_position) - load(b.position)) + d * load(b.target_velocity));
     store(b.drive_pull, among(lanes, pull, load(b.drive_pull)));
@@ -256,7 +302,8 @@ CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f
 
 template <class Lanes> CAIRN_INLINE f32x8 drive(AxisBlock& b, Lanes lanes, f32x8 k, f32x8 v, f32x8 h) {
     const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.max_drive);
-    const f32x8 g = spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), mass, h);
+    const f32x8 g =
+        spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), load(b.moved_mass), h);
     const mask8 rigid = load(b.rigid_drive) > zero();
     const f32x8 yields = one() / (k * g + one());
     const f32x8 gain = select(rigid, mass, g * yields), ease = select(rigid, zero(), yields);
@@ -271,7 +318,7 @@ struct LimitSoftness {
 };
 template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& b, f32x8 k, const JointSoftness& s) {
     if (!b.has_soft_limits) return {splat(Soft ? s.scale : 1.0f), splat(Soft ? s.rate : 0.0f)};
-    const f32x8 h = splat(s.h), relative = load(b.limit_relative), mass = load(b.mass);
+    const f32x8 h = splat(s.h), relative = load(b.limit_relative), mass = load(b.moved_mass);
     const f32x8 stiffness = load(b.limit_stiffness), damping = load(b.limit_damping);
     const f32x8 g = spring_gain(stiffness, damping, relative, mass, h), kg = k * g;
     const mask8 rigid = load(b.rigid_limit) > zero();

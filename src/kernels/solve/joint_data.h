@@ -38,14 +38,17 @@ struct alignas(64) PointBlock : JointEnds {
     float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
     float left_a[3][8], left_b[3][8]; // angular velocity left for the next solve
     std::uint8_t free_axis, isotropic, redirects;
-    std::uint8_t leaves; // whether left_* hold anything
+    std::uint8_t leaves;   // whether left_* hold anything
+    std::uint8_t has_turn; // whether the joints have a turn as well
     // Used by relax only.
     alignas(64) float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
     float total[3][8]; // impulse of all substeps
     // Used where tensors are anisotropic, or an axis is left free.
     JointEndsRest rest;
+    float by_turn[9][8];     // has_turn: D of joint_locks.h
     float left_linear[3][8]; // free_axis: left for the next solve, change of the impulse
     float axis0[3][8];       // free_axis: the direction that is left free, turns with A
+    float turn_axis0[3][8];  // has_turn: the axis about which the joint may turn, turns with A; 0: none
 };
 
 struct alignas(64) TurnBlock : JointEnds {
@@ -85,6 +88,7 @@ struct alignas(64) AxisBlock : JointEnds {
     float linear_a[3][8], linear_b[3][8], angular_a[3][8], angular_b[3][8];
     float left[4][3][8]; // of v_A, w_A, v_B, w_B, for the next solve
     float mass[8];       // 1 / (J M^-1 J^T); 0 where nothing gives
+    float moved_mass[8]; // the mass that the joint moves along the row, with what it holds
     float position[8];
     float before[8]; // the position before the poses of this substep
 
@@ -105,6 +109,10 @@ struct alignas(64) AxisBlock : JointEnds {
 
     float arm_a0[3][8], arm_b0[3][8], gap0[3][8], turn0[4][8], axis_a0[3][8], axis_b0[3][8];
     float ratio_a[8], ratio_b[8], position0[8];
+    float point_axis0[3][8], turn_axis0[3][8]; // the axes that the joint's point and turn leave free; 0: none
+    std::uint8_t points, turns;                // lanes, as bits: whose joints have a point, a turn
+    std::uint8_t plain_locks;                  // whether none of them has a turn, and none of their points a free axis
+    std::uint8_t direct;                       // lanes of joints that are solved directly: J is that of the row alone
     AxisKind kind;
     std::uint8_t isotropic, redirects, leaves, has_limits, has_soft_limits, has_drive, has_friction;
     JointEndsRest rest;

@@ -1,7 +1,8 @@
 // Points: the anchors of two bodies are kept together, in all directions or across an axis of A. With p the impulse on
 // B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B].
-// Where an axis is left free, r_A reaches to the anchor of B along it, and both c and p are taken across it.
-#include "kernels/solve/joint.h"
+// Where an axis is left free, r_A reaches to the anchor of B along it, and both c and p are taken across it. Where the
+// joint has a turn, p comes with what keeps that as it is (joint_locks.h): the moments are r x p - D^T p.
+#include "kernels/solve/joint_locks.h"
 
 #include <type_traits>
 
@@ -9,46 +10,32 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// -[r] m [r], for a symmetric m.
-CAIRN_INLINE Sym3x8 squared_arm(const Sym3x8& m, Vec3x8 r) {
-    // The columns of m [r]: m (r x e_i) negated, and again crossed with r.
-    const Vec3x8 x = m * Vec3x8{zero(), r.z, -r.y}, y = m * Vec3x8{-r.z, zero(), r.x},
-                 z = m * Vec3x8{r.y, -r.x, zero()};
-    // e_i . (r x ...) with signs so that the result is positive.
-    return {r.z * x.y - r.y * x.z, r.z * y.y - r.y * y.z, r.z * z.y - r.y * z.z,
-            r.x * y.z - r.z * y.x, r.x * z.z - r.z * z.x, r.y * z.x - r.x * z.y};
-}
-CAIRN_INLINE Sym3x8 even_squared_arm(f32x8 i, Vec3x8 r) {
-    const Vec3x8 s = i * r;
-    const f32x8 xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
-    return {yy + zz, -(s.x * r.y), -(s.x * r.z), xx + zz, -(s.y * r.z), xx + yy};
-}
-CAIRN_INLINE Sym3x8 difference(const Sym3x8& a, const Sym3x8& b) {
-    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
-}
-CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
-    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
-}
-
 template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& b, Vec3x8 u) {
     return Isotropic ? load(b.isotropic_a) * u : load6(b.rest.inertia_a) * u;
 }
 template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
     return Isotropic ? load(b.isotropic_b) * u : load6(b.rest.inertia_b) * u;
 }
-template <bool Isotropic> CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
+// The moment of an impulse at that arm.
+template <bool Turns> CAIRN_INLINE Vec3x8 moment_of(const PointBlock& b, Vec3x8 arm, Vec3x8 p) {
+    if constexpr (Turns) return cross(arm, p) - transposed_times(load9(b.by_turn), p);
+    return cross(arm, p);
+}
+template <bool Isotropic, bool Turns>
+CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
     e.a.v = e.a.v - load(b.mass_a) * p;
     e.b.v = e.b.v + load(b.mass_b) * p;
-    e.a.w = e.a.w - times_inertia_a<Isotropic>(b, cross(arm_a, p));
-    e.b.w = e.b.w + times_inertia_b<Isotropic>(b, cross(arm_b, p));
+    e.a.w = e.a.w - times_inertia_a<Isotropic>(b, moment_of<Turns>(b, arm_a, p));
+    e.b.w = e.b.w + times_inertia_b<Isotropic>(b, moment_of<Turns>(b, arm_b, p));
 }
 CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
     return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));
 }
 
-// A block as it lies between two loads and stores: arms, gap and the axis that is left free, of the poses now.
+// A block as it lies between two loads and stores: arms, gap, the axis that is left free, and that about which the
+// joint may turn, of the poses now.
 struct Pointx8 {
-    Vec3x8 arm_a, arm_b, gap, axis;
+    Vec3x8 arm_a, arm_b, gap, axis, turn_axis;
 };
 template <bool FreeAxis> CAIRN_INLINE void reach_along_axis(Pointx8& point) {
     if constexpr (FreeAxis) {
@@ -57,19 +44,24 @@ template <bool FreeAxis> CAIRN_INLINE void reach_along_axis(Pointx8& point) {
         point.gap = point.gap - along;
     }
 }
-template <bool FreeAxis> CAIRN_INLINE Pointx8 point_at_start(const PointBlock& b) {
-    Pointx8 point{load3(b.arm_a0), load3(b.arm_b0), load3(b.gap0), FreeAxis ? load3(b.axis0) : zero3()};
+template <bool FreeAxis, bool Turns> CAIRN_INLINE Pointx8 point_at_start(const PointBlock& b) {
+    Pointx8 point{load3(b.arm_a0), load3(b.arm_b0), load3(b.gap0), FreeAxis ? load3(b.axis0) : zero3(),
+                  Turns ? load3(b.turn_axis0) : zero3()};
     reach_along_axis<FreeAxis>(point);
     return point;
 }
-template <bool FreeAxis> CAIRN_INLINE Pointx8 point_now(const PointBlock& b, const Posesx8& poses) {
+template <bool FreeAxis, bool Turns> CAIRN_INLINE Pointx8 point_now(const PointBlock& b, const Posesx8& poses) {
     const Vec3x8 arm_a0 = load3(b.arm_a0), arm_b0 = load3(b.arm_b0);
     const Vec3x8 change_a = turned_difference(poses.dq_a, arm_a0), change_b = turned_difference(poses.dq_b, arm_b0);
     Pointx8 point{arm_a0 + change_a, arm_b0 + change_b,
-                  load3(b.gap0) + ((poses.dx_b - poses.dx_a) + (change_b - change_a)), zero3()};
+                  load3(b.gap0) + ((poses.dx_b - poses.dx_a) + (change_b - change_a)), zero3(), zero3()};
     if constexpr (FreeAxis) {
         const Vec3x8 axis0 = load3(b.axis0);
         point.axis = axis0 + turned_difference(poses.dq_a, axis0);
+    }
+    if constexpr (Turns) {
+        const Vec3x8 axis0 = load3(b.turn_axis0);
+        point.turn_axis = axis0 + turned_difference(poses.dq_a, axis0);
     }
     reach_along_axis<FreeAxis>(point);
     return point;
@@ -89,48 +81,60 @@ template <bool FreeAxis, bool Isotropic> CAIRN_INLINE Sym3x8 response_of(const P
     else
         return inverse(k);
 }
-CAIRN_INLINE void keep(PointBlock& b, const Pointx8& point, const Sym3x8& response) {
+template <bool FreeAxis, bool Isotropic, bool Turns> CAIRN_INLINE void keep(PointBlock& b, const Pointx8& point) {
     store3(b.arm_a, point.arm_a);
     store3(b.arm_b, point.arm_b);
     store3(b.gap, point.gap);
-    store6(b.response, response);
+    if constexpr (Turns) {
+        const Massesx8 masses = load_masses(b);
+        const HeldTurn held = hold_turn(masses, {point.arm_a, point.arm_b}, response_of_turn(masses, point.turn_axis));
+        store9(b.by_turn, held.d);
+        store6(b.response, response_of(held, point.axis));
+    } else {
+        store6(b.response, response_of<FreeAxis, Isotropic>(b, point));
+    }
 }
 
-// Calls f with whether an axis is left free, and whether tensors are isotropic, as constants.
+// Calls f with a condition, as a constant.
+template <class F> CAIRN_INLINE void as_constant(bool condition, F&& f) {
+    condition ? f(std::true_type{}) : f(std::false_type{});
+}
+// Calls f with whether an axis is left free, whether tensors are isotropic, and whether the joint has a turn.
 template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
-    using Yes = std::true_type;
-    using No = std::false_type;
-    if (b.free_axis)
-        b.isotropic ? f(Yes{}, Yes{}) : f(Yes{}, No{});
-    else
-        b.isotropic ? f(No{}, Yes{}) : f(No{}, No{});
+    as_constant(b.free_axis != 0, [&](auto free_axis) {
+        as_constant(b.isotropic != 0, [&](auto isotropic) {
+            as_constant(b.has_turn != 0, [&](auto turns) { f(free_axis, isotropic, turns); });
+        });
+    });
 }
 
 // Poses are those of the start of the step.
-template <bool FreeAxis, bool Isotropic> void begin_block(PointBlock& b) {
-    const Pointx8 point = point_at_start<FreeAxis>(b);
-    keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
+template <bool FreeAxis, bool Isotropic, bool Turns> void begin_block(PointBlock& b) {
+    const Pointx8 point = point_at_start<FreeAxis, Turns>(b);
+    keep<FreeAxis, Isotropic, Turns>(b, point);
     if constexpr (FreeAxis) store3(b.impulse, across(point.axis, load3(b.impulse)));
     b.leaves = 0;
     store3(b.total, zero3());
 }
 
-template <bool FreeAxis, bool Isotropic, class Lanes>
+template <bool FreeAxis, bool Isotropic, bool Turns, class Lanes>
 CAIRN_INLINE void warm_start_block(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
-    if (lanes.come_first) begin_block<FreeAxis, Isotropic>(b);
+    if (lanes.come_first) begin_block<FreeAxis, Isotropic, Turns>(b);
     Ends8 e = gather_ends(bodies.velocity, b);
-    apply<Isotropic>(b, load3(b.arm_a), load3(b.arm_b), among(lanes, load3(b.impulse), zero3()), e);
+    apply<Isotropic, Turns>(b, load3(b.arm_a), load3(b.arm_b), among(lanes, load3(b.impulse), zero3()), e);
     scatter_ends(bodies.velocity, lanes, e);
 }
 
 void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
         if (lanes.come_first) first_masses(b, bodies.inertia);
-        for_form(b, [&](auto free_axis, auto isotropic) { warm_start_block<free_axis, isotropic>(b, lanes, bodies); });
+        for_form(b, [&](auto free_axis, auto isotropic, auto turns) {
+            warm_start_block<free_axis, isotropic, turns>(b, lanes, bodies);
+        });
     });
 }
 
-template <bool FreeAxis, bool Isotropic, class Lanes>
+template <bool FreeAxis, bool Isotropic, bool Turns, class Lanes>
 CAIRN_INLINE void solve_block(PointBlock& b, Lanes lanes, SolverVelocity* velocity, f32x8 rate, f32x8 scale,
                               f32x8 rest) {
     Ends8 e = gather_ends(velocity, b);
@@ -146,15 +150,15 @@ CAIRN_INLINE void solve_block(PointBlock& b, Lanes lanes, SolverVelocity* veloci
     const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
     const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
     store3(b.impulse, among(lanes, p + d, p));
-    apply<Isotropic>(b, arm_a, arm_b, d, e);
+    apply<Isotropic, Turns>(b, arm_a, arm_b, d, e);
     scatter_ends(velocity, lanes, e);
 }
 
 void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness) {
     const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
     for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
-        for_form(b, [&](auto free_axis, auto isotropic) {
-            solve_block<free_axis, isotropic>(b, lanes, velocity, rate, scale, rest);
+        for_form(b, [&](auto free_axis, auto isotropic, auto turns) {
+            solve_block<free_axis, isotropic, turns>(b, lanes, velocity, rate, scale, rest);
         });
     });
 }
@@ -194,32 +198,50 @@ CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Ve
     if constexpr (FreeAxis) store3(b.left_linear, p - old);
 }
 
+// Likewise, where the joint has a turn: D is another one then, too.
+template <bool FreeAxis, bool Isotropic>
+CAIRN_INLINE void leave_change_of_both(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
+                                       const SolverInertia* inertia) {
+    b.leaves = 1;
+    const Vec3x8 before_a = times_inertia_a<Isotropic>(b, moment_of<true>(b, load3(b.arm_a), old)),
+                 before_b = times_inertia_b<Isotropic>(b, moment_of<true>(b, load3(b.arm_b), old));
+    if constexpr (!Isotropic) renew_masses(b, inertia);
+    keep<FreeAxis, Isotropic, true>(b, point);
+    store3(b.left_a, before_a - times_inertia_a<Isotropic>(b, moment_of<true>(b, point.arm_a, p)));
+    store3(b.left_b, times_inertia_b<Isotropic>(b, moment_of<true>(b, point.arm_b, p)) - before_b);
+    if constexpr (FreeAxis) store3(b.left_linear, p - old);
+}
+
 // The impulse without softness that stops what slips.
-template <bool Isotropic, class Lanes>
+template <bool Isotropic, bool Turns, class Lanes>
 CAIRN_INLINE void stop_slip(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
     const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), carried = load3(b.impulse), total = load3(b.total);
     Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(load6(b.response) * slip_at(e, arm_a, arm_b)), p = carried + d;
     store3(b.impulse, among(lanes, p, carried));
     store3(b.total, among(lanes, total + p, total));
-    apply<Isotropic>(b, arm_a, arm_b, d, e);
+    apply<Isotropic, Turns>(b, arm_a, arm_b, d, e);
     scatter_ends(bodies.velocity, lanes, e);
 }
 
-template <bool FreeAxis, bool Isotropic> void follow_poses(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic, bool Turns> void follow_poses(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
-    const Pointx8 point = point_now<FreeAxis>(b, poses);
+    const Pointx8 point = point_now<FreeAxis, Turns>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
-    leave_change<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
-    keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
+    if constexpr (Turns) {
+        leave_change_of_both<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
+    } else {
+        leave_change<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
+        keep<FreeAxis, Isotropic, false>(b, point);
+    }
     if constexpr (FreeAxis) store3(b.impulse, carried);
 }
 
 void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
-        for_form(b, [&](auto free_axis, auto isotropic) {
-            if (lanes.come_first) follow_poses<free_axis, isotropic>(b, bodies);
-            stop_slip<isotropic>(b, lanes, bodies);
+        for_form(b, [&](auto free_axis, auto isotropic, auto turns) {
+            if (lanes.come_first) follow_poses<free_axis, isotropic, turns>(b, bodies);
+            stop_slip<isotropic, turns>(b, lanes, bodies);
         });
     });
 }
@@ -231,10 +253,14 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         PointBlock& b = all[k];
         const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b);
         Ends8 e = gather_ends(velocity, b);
-        const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip_at(e, arm_a, arm_b));
-        const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
-        store3(b.total, load3(b.total) + d);
-        b.isotropic ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
+        for_form(b, [&](auto, auto isotropic, auto turns) {
+            Vec3x8 slip = slip_at(e, arm_a, arm_b);
+            if constexpr (turns) slip = slip - load9(b.by_turn) * (e.b.w - e.a.w); // what is left when the turn stops
+            const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip);
+            const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
+            store3(b.total, load3(b.total) + d);
+            apply<isotropic, turns>(b, arm_a, arm_b, d, e);
+        });
         scatter_ends(velocity, all_of(b), e);
     }
 }

@@ -1,0 +1,90 @@
+// What the rows of one joint are to each other. Solved one after the other as if each were alone, they undo each
+// other's work: of a small ball at the end of an arm, a limit turns the ball about its own center, and the point that
+// holds the arm pulls that back, so that a thousandth of what the limit should give is left. So each row of a joint
+// acts along with the impulses of the rows after it that keep those as they are, and a joint alone is solved at once.
+// With the rows in the order axes, turn, point, that is the block elimination of J M^-1 J^T; of two bodies it is exact.
+#pragma once
+
+#include "kernels/solve/joint.h"
+
+namespace cairn::CAIRN_ISA {
+
+// -[r] m [r], for a symmetric m.
+CAIRN_INLINE Sym3x8 squared_arm(const Sym3x8& m, Vec3x8 r) {
+    // The columns of m [r]: m (r x e_i) negated, and again crossed with r.
+    const Vec3x8 x = m * Vec3x8{zero(), r.z, -r.y}, y = m * Vec3x8{-r.z, zero(), r.x},
+                 z = m * Vec3x8{r.y, -r.x, zero()};
+    // e_i . (r x ...) with signs so that the result is positive.
+    return {r.z * x.y - r.y * x.z, r.z * y.y - r.y * y.z, r.z * z.y - r.y * z.z,
+            r.x * y.z - r.z * y.x, r.x * z.z - r.z * z.x, r.y * z.x - r.x * z.y};
+}
+CAIRN_INLINE Sym3x8 even_squared_arm(f32x8 i, Vec3x8 r) {
+    const Vec3x8 s = i * r;
+    const f32x8 xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
+    return {yy + zz, -(s.x * r.y), -(s.x * r.z), xx + zz, -(s.y * r.z), xx + yy};
+}
+CAIRN_INLINE Sym3x8 difference(const Sym3x8& a, const Sym3x8& b) {
+    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+}
+CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
+    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
+    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
+            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
+}
+CAIRN_INLINE Sym3x8 zero6() { return {zero(), zero(), zero(), zero(), zero(), zero()}; }
+
+// Of 32-bit floats, with the operations that are between: what is smaller beside what it is subtracted from is not
+// known.
+constexpr float rounding = 1e-6f;
+
+// The arms from the centers of mass to the point at which a joint holds its bodies.
+struct Arms8 {
+    Vec3x8 a, b;
+};
+// K_pp: the slip at the point, by an impulse there.
+CAIRN_INLINE Sym3x8 slip_by_push(const Massesx8& m, const Arms8& arm) {
+    const f32x8 both = m.mass_a + m.mass_b;
+    const Sym3x8 linear = {both, zero(), zero(), both, zero(), both};
+    return sum(linear, sum(squared_arm(m.inertia_a, arm.a), squared_arm(m.inertia_b, arm.b)));
+}
+// K_pt and its transpose: the slip by an angular impulse, and the turning by one at the point.
+CAIRN_INLINE Vec3x8 slip_by_turn(const Massesx8& m, const Arms8& arm, Vec3x8 p) {
+    return cross(m.inertia_b * p, arm.b) + cross(m.inertia_a * p, arm.a);
+}
+CAIRN_INLINE Vec3x8 turn_by_push(const Massesx8& m, const Arms8& arm, Vec3x8 p) {
+    return m.inertia_b * cross(arm.b, p) + m.inertia_a * cross(arm.a, p);
+}
+
+// How the point of a joint goes with its turn: an impulse p at the point comes with the angular impulse -D^T p, which
+// keeps the turn as it was. `slip` is what is then left of K_pp.
+struct HeldTurn {
+    Mat3x8 d;    // D = K_pt K_tt^-1
+    Sym3x8 slip; // K_pp - D K_tp
+};
+// `turn`: K_tt^-1, zero about an axis that is left free. Where the arms are so long beside the bodies that nothing
+// would be left of `slip` but rounding, the point is taken alone.
+CAIRN_INLINE HeldTurn hold_turn(const Massesx8& m, const Arms8& arm, const Sym3x8& turn) {
+    const Sym3x8 k = slip_by_push(m, arm);
+    const Mat3x8 by_turn = {slip_by_turn(m, arm, {turn.xx, turn.xy, turn.xz}),
+                            slip_by_turn(m, arm, {turn.xy, turn.yy, turn.yz}),
+                            slip_by_turn(m, arm, {turn.xz, turn.yz, turn.zz})};
+    const Vec3x8 x = by_turn * turn_by_push(m, arm, {one(), zero(), zero()}),
+                 y = by_turn * turn_by_push(m, arm, {zero(), one(), zero()}),
+                 z = by_turn * turn_by_push(m, arm, {zero(), zero(), one()});
+    const mask8 is_known = splat(rounding) * (k.xx + (k.yy + k.zz)) < m.mass_a + m.mass_b;
+    const Sym3x8 left = {k.xx - x.x, k.xy - y.x, k.xz - z.x, k.yy - y.y, k.yz - z.y, k.zz - z.z};
+    return {{select(is_known, by_turn.c0, zero3()), select(is_known, by_turn.c1, zero3()),
+             select(is_known, by_turn.c2, zero3())},
+            select(is_known, left, k)};
+}
+// The impulses at the point by slip, zero along an axis that is left free.
+CAIRN_INLINE Sym3x8 response_of(const HeldTurn& held, Vec3x8 free_axis) {
+    return inverse_across(held.slip, free_axis, [](const Sym3x8& q) { return inverse_by_pivots(q); });
+}
+CAIRN_INLINE Sym3x8 response_of_turn(const Massesx8& m, Vec3x8 free_axis) {
+    return inverse_across(sum(m.inertia_a, m.inertia_b), free_axis);
+}
+
+} // namespace cairn::CAIRN_ISA
