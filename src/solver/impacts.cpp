@@ -18,6 +18,8 @@ namespace {
 constexpr int max_passes = 48; // in a round of an impact, and rounds
 // m/s, rad/s: a group whose bodies change by less in a pass has settled.
 constexpr SettledChange settled = {0.01f, 0.04f};
+// Likewise where something bounces: its speed is known, and must not be lost from bounce to bounce.
+constexpr SettledChange bounced = {0.0002f, 0.0008f};
 
 // --- passes
 
@@ -36,7 +38,10 @@ void strike_run(BatchScratch& scratch, int type, std::size_t first, int count, f
             rows[std::size_t(type)]->strike(blocks, impacts, count, velocity, 1 / h);
         } else {
             const SolverKernels& k = kernels().solver;
-            (type == four_points_type ? k.four_points : k.one_point).strike(blocks, impacts, count, velocity, 1 / h);
+            const std::size_t points = type == four_points_type ? 4 : 1;
+            const float* const leave = struck.leave.empty() ? nullptr : struck.leave[points * first].lanes;
+            (type == four_points_type ? k.four_points : k.one_point)
+                .strike(blocks, impacts, leave, count, velocity, 1 / h);
         }
     });
 }
@@ -47,6 +52,17 @@ void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
                    [&](int begin, int end, int) {
                        strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
                    });
+}
+
+void aim_all(BatchScratch& scratch, const BounceSettings& bounce) {
+    const auto aim = [&](const SolverKernels::ForPoints& k, auto& struck, std::size_t points) {
+        if (struck.blocks.empty()) return;
+        struck.leave.resize(points * struck.blocks.size());
+        k.aim(struck.blocks.data(), struck.impacts.data(), struck.leave[0].lanes, int(struck.blocks.size()),
+              velocities(scratch), bounce);
+    };
+    aim(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks), 1);
+    aim(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks), 4);
 }
 
 // Joints that are solved directly are one row of a pass: all of what hangs together has velocities that they allow.
@@ -74,7 +90,7 @@ void retire_lanes(BatchScratch& scratch) {
 }
 
 // Groups that have settled leave. Whether any is left.
-bool settle_groups(BatchScratch& scratch) {
+bool settle_groups(BatchScratch& scratch, const SettledChange& settled) {
     ImpactWork& work = scratch.impact;
     bool any_left = false, any_settled = false;
     for (ImpactWork::Group& group : work.groups) {
@@ -111,11 +127,11 @@ void add_to_references(BatchScratch& scratch) {
 
 } // namespace
 
-void solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                    ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
-                   std::atomic<int>& struck_contacts) {
+                   const BounceSettings* bounce, std::atomic<int>& struck_contacts) {
     const auto struck = std::uint64_t(struck_contacts.exchange(0));
-    if ((scratch.border ? ranks->sum(struck) : struck) == 0) return;
+    if ((scratch.border ? ranks->sum(struck) : struck) == 0) return false;
     begin_impact_lists(bodies, joints, direct, scratch, ranks, softness);
     for (int round = 0; round < max_passes; ++round) {
         list_impact(scratch, softness.h);
@@ -124,17 +140,19 @@ void solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
             share_impact(scratch, *ranks);
             retire_lanes(scratch); // of groups without any body of this rank
         }
+        if (bounce) aim_all(scratch, *bounce);
         for (int pass = 0; pass < max_passes; ++pass) {
             strike_all(scratch, thread_pool, softness.h);
             join_sets(joints, direct, scratch, softness.h);
-            if (!settle_groups(scratch)) break;
+            if (!settle_groups(scratch, bounce ? bounced : settled)) break;
         }
         if (scratch.border) return_shared_velocities(scratch);
         add_to_references(scratch);
         add_totals(scratch);
-        if (!spread_impact(scratch, ranks, softness)) break;
+        if (bounce || !spread_impact(scratch, ranks, softness)) break;
     }
     end_impact_lists(scratch.impact);
+    return true;
 }
 
 } // namespace cairn

@@ -72,14 +72,17 @@ void sweep_colors(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* 
     });
 }
 
+// `struck`: becomes the number of blocks in which something hits what joints hold.
 void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, const SolverBodies& bodies,
-                const BounceSettings& settings) {
+                const BounceSettings& settings, std::atomic<int>& struck) {
     void* const changed[] = {bodies.velocity, bodies.reference, bodies.velocity_correction};
     for (int pass = 0; pass < max_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
+        struck = 0;
         sweep_colors(scratch, thread_pool, ranks, changed, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
-            const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
-            if (count > 0) bounced += count;
+            const BounceCount count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
+            if (count.bounced > 0) bounced += count.bounced;
+            if (count.struck > 0) struck += count.struck;
         });
         if ((scratch.border ? ranks->sum(std::uint64_t(bounced)) : std::uint64_t(bounced)) == 0) {
             if (pass > 0) refresh_all(scratch, thread_pool, bodies, settings.h);
@@ -87,6 +90,21 @@ void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ra
         }
     }
     refresh_all(scratch, thread_pool, bodies, settings.h);
+}
+
+// Which contacts are of bodies that joints hold: an impact on these is one on all that they hold together.
+void mark_joined(const Bodies& bodies, BatchScratch& scratch) {
+    const auto mark = [&](const LaneLists& lanes, auto& blocks) {
+        const auto is_joined = [&](std::int32_t row) {
+            const std::int32_t body = scratch.row_bodies[std::size_t(row)];
+            return body != none && bodies.links[body].joint_count > 0;
+        };
+        for (std::size_t lane = 0; lane < lanes.record.size(); ++lane)
+            if (lanes.record[lane] >= 0 && (is_joined(lanes.row_a[lane]) || is_joined(lanes.row_b[lane])))
+                blocks[lane / 8].joined = std::uint8_t(blocks[lane / 8].joined | 1u << lane % 8);
+    };
+    mark(scratch.one_lanes, scratch.one_blocks);
+    mark(scratch.four_lanes, scratch.four_blocks);
 }
 
 SolverBodies bodies_of(BatchScratch& scratch) {
@@ -121,6 +139,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     const auto sweep = [&](auto&& kernel) { sweep_colors(scratch, thread_pool, ranks, changed, kernel); };
     std::atomic<int> struck = 0;
     scratch.impact.has_components = false;
+    if (batch.bounces && batch.joint_count > 0 && stops_impacts) mark_joined(bodies, scratch);
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
         softness.inverse_elapsed = 1 / (float(substep + 1) * h);
@@ -135,7 +154,10 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                 rows_of.warm_start(blocks, solver_bodies, joint_soft);
             });
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
-        if (batch.bounces) bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce);
+        for (int pass = 0; batch.bounces && pass < max_bounce_passes; ++pass) {
+            bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce, struck);
+            if (!solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, &bounce, struck)) break;
+        }
         if (first) {
             sweep([&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
@@ -151,7 +173,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, struck);
         hold_direct_bodies(joints, direct, scratch, thread_pool, h);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
@@ -168,7 +190,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             if (count > 0) struck += count;
         });
         release_what_turns(scratch, thread_pool);
-        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, struck);
     }
 }
 

@@ -19,11 +19,15 @@ template <class Block, class Impact> struct StruckBlocks {
         std::int32_t group;   // its place in ImpactWork::groups; none: an empty lane
         bool is_own;          // not another rank's
     };
+    struct alignas(32) Speeds {
+        float lanes[8]; // m/s
+    };
     std::vector<Block> blocks;
     std::vector<Impact> impacts; // beside them
     std::vector<Lane> lanes;     // 8 for each block; without a group: empty
+    std::vector<Speeds> leave;   // of contacts that bounce: for each point of a block; empty: none do
 
-    void clear() { blocks.clear(), impacts.clear(), lanes.clear(); }
+    void clear() { blocks.clear(), impacts.clear(), lanes.clear(), leave.clear(); }
 };
 
 // Blocks of one color and type; which: in ImpactWork::blocks.

@@ -222,15 +222,21 @@ CAIRN_INLINE Vec3x8 passed_of(const SolverPose* pose, const std::uint32_t* a, co
     return gather_velocity(rows, a).v - gather_velocity(rows, b).v;
 }
 
-// One block; whether anything bounced.
+// One block; whether anything bounced. What joints hold does so in an impact (impact.cpp), along with them.
 template <int N>
 CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
     if (!block.bounces) return false;
     Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
     Meeting<N> now = meeting_now(block, load3(block.d), a, b);
     mask8 arrives[N];
-    const mask8 may_bounce = arriving(block, now, settings, arrives);
+    mask8 may_bounce = arriving(block, now, settings, arrives);
     if (!any(may_bounce)) return false;
+    if (block.joined) {
+        const mask8 joined = mask_from_bits(block.joined);
+        block.struck = std::uint8_t(block.struck | bits(may_bounce & joined));
+        may_bounce = and_not(may_bounce, joined);
+        if (!any(may_bounce)) return false;
+    }
     // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is. A lane must
     // arrive by both: else it would matter whether another one in its block does.
     now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), a, b);
@@ -287,14 +293,17 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
 } // namespace
 
 template <int N>
-int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
+BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    int bounced = 0;
-    for (int k = 0; k < count; ++k) bounced += bounce_block<N>(all[k], bodies, settings);
-    return bounced;
+    BounceCount blocks_that{0, 0};
+    for (int k = 0; k < count; ++k) {
+        blocks_that.bounced += bounce_block<N>(all[k], bodies, settings);
+        blocks_that.struck += all[k].struck != 0;
+    }
+    return blocks_that;
 }
 
-template int bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
-template int bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
+template BounceCount bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
+template BounceCount bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
 
 } // namespace cairn::CAIRN_ISA

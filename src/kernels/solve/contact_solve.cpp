@@ -433,8 +433,8 @@ template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, 
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>, warm_start<N>,      solve<N>,        relax<N>,         renew_masses<N>,
-            strike_contacts<N>,  bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
+    return {prepare_contacts<N>, warm_start<N>,   solve<N>,           relax<N>,        renew_masses<N>,
+            strike_contacts<N>,  aim_contacts<N>, bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
 }
 
 } // namespace

@@ -10,15 +10,17 @@ namespace {
 // The wanted impulses of the points, and those that they get: over-relaxed, and swept as in solve.
 template <int N>
 CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, const f32x8* v, f32x8 inverse_h,
-                                const f32x8* old, f32x8* impulse) {
+                                const f32x8* leave, const f32x8* old, f32x8* impulse) {
     f32x8 wanted[N];
     const mask8 bounces = load(block.restitution) > zero();
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
         // As in relax: what will bounce must arrive with all of its speed.
-        const mask8 flies = bounces & (s > zero()) & (load(block.impulse[i]) <= zero());
+        const mask8 leaves = leave[i] > zero();
+        const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), leaves);
+        const f32x8 left = select(leaves, -leave[i], max(s, zero()) * inverse_h);
         impulse[i] = old[i];
-        wanted[i] = select(and_not(active, flies), old[i] - mass * (v[i] + max(s, zero()) * inverse_h), old[i]);
+        wanted[i] = select(and_not(active, flies), old[i] - mass * (v[i] + left), old[i]);
     }
     for (int sweep = 0; sweep < (N > 1 ? 2 : 1); ++sweep)
         for (int i = 0; i < N; ++i) {
@@ -31,16 +33,16 @@ CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, cons
 }
 
 template <int N>
-CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact, SolverVelocity* velocity,
-                               f32x8 inverse_h) {
+CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact, const float* to_leave,
+                               SolverVelocity* velocity, f32x8 inverse_h) {
     const mask8 active = mask_from_bits(impact.active);
     Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
     const Vec3x8 normal = load3(block.normal), d = load3(block.d), c = cross(d, normal);
-    f32x8 v[N], old[N], impulse[N], sum = zero(), load_sum = zero();
+    f32x8 v[N], leave[N], old[N], impulse[N], sum = zero(), load_sum = zero();
     Vec3x8 torque = zero3(), load_torque = zero3();
     normal_velocities<N>(block, a, b, normal, c, v);
-    for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]);
-    strike_points<N>(block, active, v, inverse_h, old, impulse);
+    for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]), leave[i] = to_leave ? load(to_leave + 8 * i) : zero();
+    strike_points<N>(block, active, v, inverse_h, leave, old, impulse);
     const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
     mask8 idle = (old1 == zero()) & (old2 == zero());
     for (int i = 0; i < N; ++i) idle = idle & (old[i] == zero()) & (impulse[i] == zero());
@@ -80,11 +82,37 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
 } // namespace
 
 template <int N>
-void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h) {
+void strike_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                     float inverse_h) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k)
-        if (given[k].active) strike_block<N>(all[k], given[k], velocity, splat(inverse_h));
+        if (given[k].active)
+            strike_block<N>(all[k], given[k], leave ? leave + 8 * N * k : nullptr, velocity, splat(inverse_h));
+}
+
+template <int N>
+void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+                  const BounceSettings& settings) {
+    auto* all = static_cast<const ContactBlock<N>*>(blocks);
+    auto* given = static_cast<ContactImpact<N>*>(impacts);
+    for (int k = 0; k < count; ++k) {
+        const ContactBlock<N>& block = all[k];
+        const Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
+        const Vec3x8 normal = load3(block.normal), c = cross(load3(block.d), normal);
+        const f32x8 restitution = load(block.restitution);
+        f32x8 v[N];
+        normal_velocities<N>(block, a, b, normal, c, v);
+        mask8 takes_part = restitution <= zero();
+        for (int i = 0; i < N; ++i) {
+            const mask8 arrives = (v[i] < splat(-settings.threshold)) &
+                                  (load(block.separation[i]) + splat(settings.h) * v[i] <= zero()) &
+                                  (load(block.effective_mass[i]) > zero());
+            store(leave + 8 * (N * k + i), select(arrives, -(restitution * v[i]), zero()));
+            takes_part = takes_part | arrives;
+        }
+        given[k].active = std::uint8_t(given[k].active & bits(takes_part));
+    }
 }
 
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
@@ -106,7 +134,9 @@ float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int
     return greatest;
 }
 
-template void strike_contacts<1>(void*, void*, int, SolverVelocity*, float);
-template void strike_contacts<4>(void*, void*, int, SolverVelocity*, float);
+template void aim_contacts<1>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
+template void aim_contacts<4>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
+template void strike_contacts<1>(void*, void*, const float*, int, SolverVelocity*, float);
+template void strike_contacts<4>(void*, void*, const float*, int, SolverVelocity*, float);
 
 } // namespace cairn::CAIRN_ISA

@@ -221,17 +221,24 @@ CAIRN_INLINE Rowx8 moving_row(const AxisBlock& b, const Geometryx8& g) {
     }
 }
 
-// J M^-1 J^T.
-CAIRN_INLINE f32x8 response_of(const AxisBlock& b, const Jacobianx8& j) {
-    const f32x8 k = dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b));
-    return (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) + k;
+// M^-1 J^T of the angular part, and J M^-1 J^T.
+struct Response8 {
+    Vec3x8 a, b;
+    f32x8 k;
+};
+CAIRN_INLINE Response8 response_of(const AxisBlock& b, const Jacobianx8& j) {
+    const Vec3x8 by_a = turned_a(b, j.angular_a), by_b = turned_b(b, j.angular_b);
+    const f32x8 turning = dot(j.angular_a, by_a) + dot(j.angular_b, by_b);
+    const f32x8 linear = load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b);
+    return {by_a, by_b, linear + turning};
 }
 
 // The row along with the impulses of the joint's point and turn that keep these as they are: J - c^T J_p - d^T J_t,
 // with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T.
 // Plain: none of the block's joints has a turn, and their points are held in all directions.
 template <bool Plain>
-CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, const Jacobianx8& j) {
+CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, const Jacobianx8& j,
+                                      const Response8& alone) {
     const Massesx8 m = load_masses(b);
     const auto axis_now = [&](const float(*p)[8]) {
         const Vec3x8 axis0 = load3(p);
@@ -239,9 +246,8 @@ CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, c
     };
     const Vec3x8 point_axis = Plain ? zero3() : axis_now(b.point_axis0);
     const Arms8 arm{Plain ? g.arm_a : g.arm_a + dot(point_axis, g.gap) * point_axis, g.arm_b};
-    const Vec3x8 turned_a = m.inertia_a * j.angular_a, turned_b = m.inertia_b * j.angular_b;
     const Vec3x8 slip =
-        (m.mass_b * j.linear_b - m.mass_a * j.linear_a) + (cross(turned_b, arm.b) - cross(turned_a, arm.a));
+        (m.mass_b * j.linear_b - m.mass_a * j.linear_a) + (cross(alone.b, arm.b) - cross(alone.a, arm.a));
     const mask8 points = mask_from_bits(b.points);
     Vec3x8 c, d = zero3();
     if constexpr (Plain) {
@@ -249,7 +255,7 @@ CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, c
     } else {
         const Sym3x8 turn = select(mask_from_bits(b.turns), response_of_turn(m, axis_now(b.turn_axis0)), zero6());
         const HeldTurn held = hold_turn(m, arm, turn);
-        const Vec3x8 turning = turned_b - turned_a;
+        const Vec3x8 turning = alone.b - alone.a;
         c = select(points, response_of(held, point_axis) * (slip - held.d * turning), zero3());
         d = turn * turning - transposed_times(held.d, c);
     }
@@ -265,12 +271,12 @@ template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& pos
     const Geometryx8 geometry = geometry_of<Turns>(b, poses);
     const Rowx8 row = is_turning(b.kind) ? turning_row(b, geometry) : moving_row(b, geometry);
     Jacobianx8 j = row.jacobian;
-    f32x8 k = response_of(b, j);
-    f32x8 moved = k;
+    const Response8 alone = response_of(b, j);
+    f32x8 k = alone.k, moved = k;
     if (b.points | b.turns) {
         const Jacobianx8 held =
-            b.plain_locks ? held_by_locks<true>(b, geometry, j) : held_by_locks<false>(b, geometry, j);
-        const f32x8 left = response_of(b, held);
+            b.plain_locks ? held_by_locks<true>(b, geometry, j, alone) : held_by_locks<false>(b, geometry, j, alone);
+        const f32x8 left = response_of(b, held).k;
         const mask8 is_known = left > splat(rounding) * k; // else the locks hold all of it, or it is taken alone
         moved = select(is_known, left, k);
         const mask8 is_held = and_not(is_known, mask_from_bits(b.direct));

@@ -11,9 +11,10 @@ namespace cairn::CAIRN_ISA {
 
 // -[r] m [r], for a symmetric m.
 CAIRN_INLINE Sym3x8 squared_arm(const Sym3x8& m, Vec3x8 r) {
-    // The columns of m [r]: m (r x e_i) negated, and again crossed with r.
-    const Vec3x8 x = m * Vec3x8{zero(), r.z, -r.y}, y = m * Vec3x8{-r.z, zero(), r.x},
-                 z = m * Vec3x8{r.y, -r.x, zero()};
+    // The columns of m [r], m (r x e_i) negated, and again crossed with r.
+    const Vec3x8 x = {m.xy * r.z - m.xz * r.y, m.yy * r.z - m.yz * r.y, m.yz * r.z - m.zz * r.y};
+    const Vec3x8 y = {m.xz * r.x - m.xx * r.z, m.yz * r.x - m.xy * r.z, m.zz * r.x - m.xz * r.z};
+    const Vec3x8 z = {m.xx * r.y - m.xy * r.x, m.xy * r.y - m.yy * r.x, m.xz * r.y - m.yz * r.x};
     // e_i . (r x ...) with signs so that the result is positive.
     return {r.z * x.y - r.y * x.z, r.z * y.y - r.y * y.z, r.z * z.y - r.y * z.z,
             r.x * y.z - r.z * y.x, r.x * z.z - r.z * z.x, r.y * z.x - r.x * z.y};

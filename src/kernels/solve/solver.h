@@ -16,10 +16,14 @@ template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
                     ContactRecord* records, ContactReport* reports, float dt);
 template <int N>
-int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+template <int N>
+void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+                  const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
 template <int N>
-void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
+void strike_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                     float inverse_h);
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
                    SettledChange settled);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);

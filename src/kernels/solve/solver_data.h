@@ -121,6 +121,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t round;                     // any round surface
     std::uint8_t turns;                     // any point that moves within the step
     std::uint8_t rims_a, rims_b;            // lanes, as bits, of which the place on A or on B is followed over a face
+    std::uint8_t joined;                    // lanes, as bits: of bodies that joints hold, which bounce in an impact
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
@@ -193,6 +194,11 @@ struct BounceSettings {
     float velocity_offset; // velocity of the discrete path behind the stored one, in units of h a (see bounce.cpp)
 };
 
+// Blocks that bounced, and those that have lanes left to the passes of an impact.
+struct BounceCount {
+    int bounced, struck;
+};
+
 // 8 bodies with unequal moments of inertia, see spin.cpp.
 struct alignas(64) SpinBlock {
     std::uint32_t row[8]; // offsets in bytes; lanes without a body: a discard row
@@ -232,8 +238,15 @@ struct SolverKernels {
         // One pass of an impact; `impacts`: an array of ContactImpact, beside the blocks.
         // The masses and couplings by the inertia as it is now.
         void (*renew_masses)(void* blocks, int count, const SolverInertia* inertia);
-        void (*strike)(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
-        int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+        // `leave`: as `aim` has it, null: none.
+        void (*strike)(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                       float inverse_h);
+        // Before the first pass: the speeds at which what arrives is to leave. What bounces and does not arrive takes
+        // no part: it may bounce next, as the balls of a cradle do one after the other.
+        // `leave`: m/s, 0: none; 8 for each point of a block.
+        void (*aim)(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+                    const BounceSettings& settings);
+        BounceCount (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         // `free_correction`: what velocity_correction was before the bounces.
         void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction,
                              float h);
