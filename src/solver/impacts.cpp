@@ -133,6 +133,7 @@ bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
     const auto struck = std::uint64_t(struck_contacts.exchange(0));
     if ((scratch.border ? ranks->sum(struck) : struck) == 0) return false;
     begin_impact_lists(bodies, joints, direct, scratch, ranks, softness);
+    const bool any_hits = !scratch.impact.hits.empty(); // what is pushed out of something hits nothing
     for (int round = 0; round < max_passes; ++round) {
         list_impact(scratch, softness.h);
         copy_listed(scratch);
@@ -152,7 +153,7 @@ bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
         if (bounce || !spread_impact(scratch, ranks, softness)) break;
     }
     end_impact_lists(scratch.impact);
-    return true;
+    return any_hits;
 }
 
 } // namespace cairn
