@@ -62,7 +62,6 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
         if (is_equation && !has_direct_lane(rule.kind)) continue;
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
-        row.has_point = rules.point != JointLock::none, row.has_turn = rules.turn != JointLock::none;
         row.is_direct = is_direct;
         row.is_direct_limit = is_direct && is_direct_limit(rule);
         row.is_direct_range = is_equation || (is_direct && is_direct_soft_limit(rule));

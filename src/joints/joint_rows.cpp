@@ -258,10 +258,11 @@ void open_blocks(const Joints& joints, BatchScratch& scratch) {
         b.has_drive |= row.has_drive;
         b.has_friction |= row.has_friction;
         const std::uint8_t lane = std::uint8_t(1u << row.lane % 8);
-        if (row.has_point) b.points |= lane;
-        if (row.has_turn) b.turns |= lane;
+        const JointLocks& locks = joints.info[row.joint].rules;
+        if (locks.point != JointLock::none) b.points |= lane;
+        if (locks.turn != JointLock::none) b.turns |= lane;
         if (row.is_direct) b.direct |= lane;
-        b.plain_locks &= !row.has_turn && joints.info[row.joint].rules.point != JointLock::across;
+        b.plain_locks &= locks.turn == JointLock::none && locks.point != JointLock::across;
     }
 }
 

@@ -90,14 +90,14 @@ void retire_lanes(BatchScratch& scratch) {
 }
 
 // Groups that have settled leave. Whether any is left.
-bool settle_groups(BatchScratch& scratch, const SettledChange& settled) {
+bool settle_groups(BatchScratch& scratch, SettledChange least) {
     ImpactWork& work = scratch.impact;
     bool any_left = false, any_settled = false;
     for (ImpactWork::Group& group : work.groups) {
         if (group.is_settled) continue;
         const float change =
             kernels().solver.change_since(velocities(scratch), work.rows.data() + group.begin,
-                                          int(group.end - group.begin), work.last.data() + group.begin, settled);
+                                          int(group.end - group.begin), work.last.data() + group.begin, least);
         group.is_settled = !(change >= 1);
         (group.is_settled ? any_settled : any_left) = true;
     }

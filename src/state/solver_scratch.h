@@ -118,7 +118,7 @@ struct JointRow {
     std::uint8_t is_direct_limit : 1 = 0; // its limits are solved directly, the block has only where they are
     // Likewise its drive, its friction, and its soft limits or equation.
     std::uint8_t is_direct_drive : 1 = 0, is_direct_friction : 1 = 0, is_direct_range : 1 = 0;
-    std::uint8_t has_point : 1 = 0, has_turn : 1 = 0, is_direct : 1 = 0; // of its joint
+    std::uint8_t is_direct : 1 = 0; // its joint is solved directly
     std::uint8_t idle : 1 = 0; // mere limits, now out of reach: the row has no lane
     float reach_by_turn = 0;   // 0: never idle (joints/idle_limits.cpp)
 };

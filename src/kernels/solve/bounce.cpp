@@ -303,6 +303,26 @@ BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies,
     return blocks_that;
 }
 
+template <int N>
+void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+                  const BounceSettings& settings) {
+    auto* all = static_cast<const ContactBlock<N>*>(blocks);
+    auto* given = static_cast<ContactImpact<N>*>(impacts);
+    for (int k = 0; k < count; ++k) {
+        const ContactBlock<N>& block = all[k];
+        const f32x8 restitution = load(block.restitution);
+        const Meeting<N> now =
+            meeting_now(block, load3(block.d), gather_velocity(velocity, block.a), gather_velocity(velocity, block.b));
+        mask8 arrives[N];
+        const mask8 takes_part = arriving(block, now, settings, arrives) | (restitution <= zero());
+        for (int i = 0; i < N; ++i)
+            store(leave + 8 * (N * k + i), select(arrives[i], -(restitution * now.v[i]), zero()));
+        given[k].active = std::uint8_t(given[k].active & bits(takes_part));
+    }
+}
+
+template void aim_contacts<1>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
+template void aim_contacts<4>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
 template BounceCount bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
 template BounceCount bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
 

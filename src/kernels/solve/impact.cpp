@@ -91,30 +91,6 @@ void strike_contacts(void* blocks, void* impacts, const float* leave, int count,
             strike_block<N>(all[k], given[k], leave ? leave + 8 * N * k : nullptr, velocity, splat(inverse_h));
 }
 
-template <int N>
-void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
-                  const BounceSettings& settings) {
-    auto* all = static_cast<const ContactBlock<N>*>(blocks);
-    auto* given = static_cast<ContactImpact<N>*>(impacts);
-    for (int k = 0; k < count; ++k) {
-        const ContactBlock<N>& block = all[k];
-        const Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
-        const Vec3x8 normal = load3(block.normal), c = cross(load3(block.d), normal);
-        const f32x8 restitution = load(block.restitution);
-        f32x8 v[N];
-        normal_velocities<N>(block, a, b, normal, c, v);
-        mask8 takes_part = restitution <= zero();
-        for (int i = 0; i < N; ++i) {
-            const mask8 arrives = (v[i] < splat(-settings.threshold)) &
-                                  (load(block.separation[i]) + splat(settings.h) * v[i] <= zero()) &
-                                  (load(block.effective_mass[i]) > zero());
-            store(leave + 8 * (N * k + i), select(arrives, -(restitution * v[i]), zero()));
-            takes_part = takes_part | arrives;
-        }
-        given[k].active = std::uint8_t(given[k].active & bits(takes_part));
-    }
-}
-
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
                    SettledChange settled) {
     static_assert(sizeof(SolverVelocity) == 8 * sizeof(float));
@@ -134,8 +110,6 @@ float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int
     return greatest;
 }
 
-template void aim_contacts<1>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
-template void aim_contacts<4>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
 template void strike_contacts<1>(void*, void*, const float*, int, SolverVelocity*, float);
 template void strike_contacts<4>(void*, void*, const float*, int, SolverVelocity*, float);
 

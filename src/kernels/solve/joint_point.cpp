@@ -68,14 +68,14 @@ template <bool FreeAxis, bool Turns> CAIRN_INLINE Pointx8 point_now(const PointB
 }
 
 template <bool FreeAxis, bool Isotropic> CAIRN_INLINE Sym3x8 response_of(const PointBlock& b, const Pointx8& point) {
-    const f32x8 m = load(b.mass_a) + load(b.mass_b);
-    Sym3x8 k = {m, zero(), zero(), m, zero(), m};
-    if constexpr (Isotropic)
-        k = sum(k, sum(even_squared_arm(load(b.isotropic_a), point.arm_a),
-                       even_squared_arm(load(b.isotropic_b), point.arm_b)));
-    else
-        k = sum(k, sum(squared_arm(load6(b.rest.inertia_a), point.arm_a),
-                       squared_arm(load6(b.rest.inertia_b), point.arm_b)));
+    Sym3x8 k;
+    if constexpr (Isotropic) {
+        const f32x8 m = load(b.mass_a) + load(b.mass_b);
+        k = sum({m, zero(), zero(), m, zero(), m}, sum(even_squared_arm(load(b.isotropic_a), point.arm_a),
+                                                       even_squared_arm(load(b.isotropic_b), point.arm_b)));
+    } else {
+        k = slip_by_push(load_masses(b), {point.arm_a, point.arm_b});
+    }
     if constexpr (FreeAxis)
         return inverse_across(k, point.axis);
     else
@@ -179,37 +179,25 @@ CAIRN_INLINE void leave_change_of_arms(PointBlock& b, Vec3x8 change_a, Vec3x8 ch
     }
 }
 
-// What the new arms and axis change of the impulse that is carried, `p` of `old`, is left for the next solve.
-template <bool FreeAxis, bool Isotropic>
-CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
+// What the new arms, axis and D change of the impulse that is carried, `p` of `old`, is left for the next solve.
+template <bool FreeAxis, bool Isotropic, bool Turns>
+CAIRN_INLINE void follow_point(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
                                const SolverInertia* inertia) {
-    b.leaves = 1;
     const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b);
-    if constexpr (!FreeAxis) {
+    b.leaves = 1;
+    if constexpr (!FreeAxis && !Turns) {
         leave_change_of_arms<Isotropic>(b, cross(old_a - point.arm_a, p), cross(point.arm_b - old_b, p),
                                         cross(old_a, p), cross(old_b, p), inertia);
-        return;
+        keep<FreeAxis, Isotropic, Turns>(b, point);
+    } else {
+        const Vec3x8 before_a = times_inertia_a<Isotropic>(b, moment_of<Turns>(b, old_a, old)),
+                     before_b = times_inertia_b<Isotropic>(b, moment_of<Turns>(b, old_b, old));
+        if constexpr (!Isotropic) renew_masses(b, inertia);
+        keep<FreeAxis, Isotropic, Turns>(b, point);
+        store3(b.left_a, before_a - times_inertia_a<Isotropic>(b, moment_of<Turns>(b, point.arm_a, p)));
+        store3(b.left_b, times_inertia_b<Isotropic>(b, moment_of<Turns>(b, point.arm_b, p)) - before_b);
+        if constexpr (FreeAxis) store3(b.left_linear, p - old);
     }
-    const Vec3x8 before_a = times_inertia_a<Isotropic>(b, cross(old_a, old)),
-                 before_b = times_inertia_b<Isotropic>(b, cross(old_b, old));
-    if constexpr (!Isotropic) renew_masses(b, inertia);
-    store3(b.left_a, before_a - times_inertia_a<Isotropic>(b, cross(point.arm_a, p)));
-    store3(b.left_b, times_inertia_b<Isotropic>(b, cross(point.arm_b, p)) - before_b);
-    if constexpr (FreeAxis) store3(b.left_linear, p - old);
-}
-
-// Likewise, where the joint has a turn: D is another one then, too.
-template <bool FreeAxis, bool Isotropic>
-CAIRN_INLINE void leave_change_of_both(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
-                                       const SolverInertia* inertia) {
-    b.leaves = 1;
-    const Vec3x8 before_a = times_inertia_a<Isotropic>(b, moment_of<true>(b, load3(b.arm_a), old)),
-                 before_b = times_inertia_b<Isotropic>(b, moment_of<true>(b, load3(b.arm_b), old));
-    if constexpr (!Isotropic) renew_masses(b, inertia);
-    keep<FreeAxis, Isotropic, true>(b, point);
-    store3(b.left_a, before_a - times_inertia_a<Isotropic>(b, moment_of<true>(b, point.arm_a, p)));
-    store3(b.left_b, times_inertia_b<Isotropic>(b, moment_of<true>(b, point.arm_b, p)) - before_b);
-    if constexpr (FreeAxis) store3(b.left_linear, p - old);
 }
 
 // The impulse without softness that stops what slips.
@@ -228,12 +216,7 @@ template <bool FreeAxis, bool Isotropic, bool Turns> void follow_poses(PointBloc
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Pointx8 point = point_now<FreeAxis, Turns>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
-    if constexpr (Turns) {
-        leave_change_of_both<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
-    } else {
-        leave_change<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
-        keep<FreeAxis, Isotropic, false>(b, point);
-    }
+    follow_point<FreeAxis, Isotropic, Turns>(b, point, carried, old, bodies.inertia);
     if constexpr (FreeAxis) store3(b.impulse, carried);
 }
 
