@@ -37,14 +37,18 @@ struct ContactHit {
     float time;
 };
 
-/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. It is seen at
-/// the beginning of each step: what comes in is told after the next one. What passes through within a step has both
-/// events in that one, behind those of the beginning, in the order in which it came in. Handles of what was removed are
-/// stale.
+/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). Triggers see what is on dynamic and kinematic
+/// bodies, characters too; those on dynamic and kinematic bodies see static ones as well. They do not see each other.
+/// It is seen at the beginning of each step: what comes in is told after the next one. What passes through within a
+/// step has both events in that one, behind those of the beginning, in the order of their times. Handles of what was
+/// removed are stale.
 struct TriggerEvent {
     ShapeId trigger, other;
     BodyId trigger_body, other_body;
     bool inside; ///< true: it came in; false: it left, or one of the two was removed.
+    /// Seconds after the beginning of the last step, 0 to its length: 0 for what is seen there; of what passes within
+    /// it, when it came in and when it left, on the way that it took.
+    float time;
 };
 
 /// A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale.

@@ -154,15 +154,16 @@ void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, st
     const std::int32_t body = shapes.links[shape].body;
     bodies.boxes_until[body] = bodies.travel[body];
     const BodyType type = bodies.settings[body].type;
+    const bool is_trigger = shapes.traits[shape].is_trigger != 0;
     if (shapes.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = shapes.poses[shape];
         broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
-                              shapes.geometry[shape].is_double_sided != 0);
+                              shapes.geometry[shape].is_double_sided != 0, is_trigger);
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
     const DBounds bounds = shape_bounds(shapes, shape);
-    broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
+    broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic, is_trigger);
     broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(shapes, shape, turn_reach(bodies, body, usual_step))),
                            usual_step * bodies.motion[body].v);
 }

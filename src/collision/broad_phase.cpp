@@ -162,13 +162,13 @@ void BroadPhase::place_awake(std::uint32_t shape) {
     note_change(shape, empty_box);
 }
 
-void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic) {
+void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic, bool trigger) {
     if (shape_count_ == 0) choose_first_origin(tight);
     make_proxy(shape);
     fat_[shape] = new_fat(tight, {});
     Proxy& proxy = proxies_[shape];
+    if (mobility == Mobility::fixed || kinematic) proxy.crowd = crowd_of(trigger);
     if (mobility == Mobility::awake) {
-        proxy.kinematic = kinematic;
         has_kinematic_ |= std::uint32_t(kinematic);
         place_awake(shape);
         return;
@@ -179,10 +179,11 @@ void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobilit
     note_touched(box);
 }
 
-void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet) {
+void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet, bool trigger) {
     if (shape_count_ == 0) choose_first_origin({point, point});
     Proxy& proxy = make_proxy(shape);
     proxy.state = State::plane;
+    proxy.crowd = crowd_of(trigger);
     proxy.place = std::uint32_t(planes_.size());
     planes_.push_back({point, math::to_double(normal), shape, is_sheet});
     all_dirty_ = 1;
@@ -357,7 +358,7 @@ std::size_t BroadPhase::bytes() const {
                       of(refiltered_) + of(returned_) + of(ended_) + of(found_) + of(order_) + of(merged_) +
                       of(sizes_) + of(boxes_) + of(items_) + of(flat_);
     for (int home = 0; home < 2; ++home)
-        sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(kinematic_leaf_[home]);
+        sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(crowd_[home]);
     for (const Search& own : searches_) {
         sum += of(own.row_keys) + of(own.hits) + of(own.islands_hit) + of(own.met) + of(own.met_items) + of(own.others);
         for (int which = 0; which < 2; ++which) sum += of(own.list[which]) + of(own.list_bounds[which]);

@@ -73,10 +73,13 @@ class BroadPhase {
     // --- Shapes. A removed index may be used again only after the next update. Queries see all changes at once, pairs
     // change at the next update. Bounds that are not numbers count as boundless.
 
-    // `kinematic` shapes make no pairs with fixed shapes, planes and other kinematic ones; ignored for fixed shapes.
-    void add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic = false);
+    // `kinematic` shapes make no pairs with fixed shapes, planes and other kinematic ones, unless one of the two is a
+    // trigger; ignored for fixed shapes.
+    void add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic = false,
+             bool trigger = false);
     // A fixed half-space, solid below the plane through `point` with the unit `normal`; or the plane alone, a sheet.
-    void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet = false);
+    void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet = false,
+                   bool trigger = false);
     void move_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
     // Its pairs are reported lost at the next update.
     void remove(std::uint32_t shape);
@@ -177,8 +180,11 @@ class BroadPhase {
         std::uint32_t place = 0; // slot in its tree; index in the list of planes
         std::uint32_t home = 0;  // awake: 0 or 1 (large); sleeping: its island
         State state = State::none;
-        std::uint8_t kinematic = 0, refilter = 0, moved = 0;
+        std::uint8_t crowd = 0, refilter = 0, moved = 0;
     };
+    // Shapes that nothing can push make no pairs with their like: triggers, and all others.
+    static constexpr std::uint8_t solids = 1, triggers = 2;
+    static std::uint8_t crowd_of(bool trigger) { return trigger ? triggers : solids; }
     struct Plane {
         math::DVec3 point, normal;
         std::uint32_t shape = 0, is_sheet = 0;
@@ -267,8 +273,8 @@ class BroadPhase {
     void list_met(Search& own, const Node8& leaf, const TreeBox& bounds, const TreeView& tree,
                   const std::uint32_t* items) const;
     template <class F> void for_each_met(Search& own, const Node8& leaf, const TreeBox& bounds, const F& f) const;
-    void mark_kinematic_leaves();
-    std::uint32_t drop_kinematic_leaves(Search& own, int which, int home, std::uint32_t count) const;
+    void mark_crowds();
+    std::uint32_t drop_crowds(Search& own, int which, int home, std::uint32_t count, std::uint8_t crowd) const;
     void search(int home, ThreadPool* thread_pool);
     void search_group(int home, std::uint32_t first, std::uint32_t end, Search& own, NewRows& found) const;
     void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count, Search& own,
@@ -345,7 +351,7 @@ class BroadPhase {
     // --- scratch: kept between calls for its memory only
     bool search_all_ = false, search_all_next_ = false;
     std::uint32_t small_count_ = 0;
-    std::vector<std::uint8_t> dirty_[2], kinematic_leaf_[2]; // by leaf; nothing but kinematic shapes in it
+    std::vector<std::uint8_t> dirty_[2], crowd_[2]; // by leaf; crowd_: what all of its shapes belong to
     KdOrder kd_;
     std::vector<EndedPair> ended_, flat_;
     std::vector<FoundPair> found_;

@@ -66,24 +66,24 @@ LeafList BroadPhase::leaf_list(Search& own, int which) {
     return list;
 }
 
-void BroadPhase::mark_kinematic_leaves() {
+void BroadPhase::mark_crowds() {
     if (!has_kinematic_) return;
     for (int home = 0; home < 2; ++home) {
         const SlotTree& tree = awake_[home];
-        kinematic_leaf_[home].assign(tree.leaf_count(), 1);
+        crowd_[home].assign(tree.leaf_count(), solids | triggers);
         for (std::uint32_t slot = 0; slot < tree.slot_count(); ++slot)
-            if (tree.alive(slot) && !proxies_[tree.item(slot)].kinematic) kinematic_leaf_[home][slot / 8] = 0;
+            if (tree.alive(slot)) crowd_[home][slot / 8] &= proxies_[tree.item(slot)].crowd;
     }
 }
 
-// Takes the leaves that are kinematic throughout out of list `which`, so that a crowd of n kinematic shapes in one
-// place is not n^2 pairs to look at. Returns how many are left; the boxes are padded as the kernels want it.
-std::uint32_t BroadPhase::drop_kinematic_leaves(Search& own, int which, int home, std::uint32_t count) const {
+// Takes the leaves of a crowd out of list `which`, so that n kinematic shapes in one place are not n^2 pairs to look
+// at. Returns how many are left; the boxes are padded as the kernels want it.
+std::uint32_t BroadPhase::drop_crowds(Search& own, int which, int home, std::uint32_t count, std::uint8_t crowd) const {
     if (count == 0) return 0;
     const LeafList list = leaf_list(own, which);
     std::uint32_t left = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
-        if (kinematic_leaf_[home][list.leaf[k]]) continue;
+        if (crowd_[home][list.leaf[k]] & crowd) continue;
         list.leaf[left] = list.leaf[k];
         for (float* bounds : list.bounds) bounds[left] = bounds[k];
         ++left;
@@ -125,10 +125,11 @@ void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, 
         if (dirty[leaf]) include(bounds, awake_[home].leaf_bounds(leaf));
     std::uint32_t own_count = list_leaves(own, 0, awake_[home].view(), bounds, first);
     std::uint32_t large_count = home == 0 ? list_leaves(own, 1, awake_[1].view(), bounds, 0) : 0;
-    if (has_kinematic_ && std::all_of(&kinematic_leaf_[home][first], &kinematic_leaf_[home][first] + (end - first),
-                                      [](std::uint8_t all) { return all != 0; })) {
-        own_count = drop_kinematic_leaves(own, 0, home, own_count);
-        large_count = drop_kinematic_leaves(own, 1, 1, large_count);
+    if (has_kinematic_) {
+        std::uint8_t crowd = 0xff;
+        for (std::uint32_t leaf = first; leaf < end; ++leaf) crowd &= crowd_[home][leaf];
+        own_count = drop_crowds(own, 0, home, own_count, crowd);
+        large_count = drop_crowds(own, 1, 1, large_count, crowd);
     }
     own.rows.capacity = 8 * (own_count + large_count) + 8;
     if (own.row_keys.size() < 8 * std::size_t(own.rows.capacity))
@@ -162,10 +163,11 @@ void BroadPhase::search_leaf(int home, std::uint32_t leaf, std::uint32_t own_cou
         all.insert(all.end(), keys, keys + rows.count[row]);
         for (; other < own.others.size() && own.others[other] >> 32 == row; ++other)
             all.push_back(std::uint32_t(own.others[other]));
-        if (all.size() > begin && proxies_[awake_[home].item(leaf * 8 + row)].kinematic) {
+        // Dead rows have no shape, and no keys.
+        const std::uint8_t crowd = all.size() > begin ? proxies_[awake_[home].item(leaf * 8 + row)].crowd : 0;
+        if (crowd) {
             const auto keep = std::remove_if(all.begin() + std::ptrdiff_t(begin), all.end(), [&](std::uint32_t key) {
-                const Proxy& partner = proxies_[partner_shape(key)];
-                return partner.kinematic || partner.state == State::fixed || partner.state == State::plane;
+                return (proxies_[partner_shape(key)].crowd & crowd) != 0;
             });
             all.erase(keep, all.end());
         }

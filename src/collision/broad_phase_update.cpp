@@ -24,7 +24,7 @@ void BroadPhase::update(PairSink& sink, ThreadPool* thread_pool) {
             rows_[home].compact_if_wasteful();
         }
         mark_leaves();
-        mark_kinematic_leaves();
+        mark_crowds();
         for (int home = 0; home < 2; ++home) search(home, thread_pool);
     }
     report(sink);

@@ -45,8 +45,8 @@ void note_trigger(const Bodies& bodies, const Shapes& shapes, StepEvents& events
     const bool a_is_trigger = shapes.traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
     events.triggers.next.push_back({shapes.slots.id(trigger), shapes.slots.id(other),
-                                    bodies.id(shapes.links[trigger].body), bodies.id(shapes.links[other].body),
-                                    inside});
+                                    bodies.id(shapes.links[trigger].body), bodies.id(shapes.links[other].body), inside,
+                                    0});
 }
 
 // Whether another patch of the same pair touches.

@@ -242,7 +242,8 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
 
 std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
-    if (!c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b))
+    const bool rests = !c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b);
+    if (rests && bodies.is_dynamic(c.body_a)) // else a trigger and something kinematic
         return c.point_count > 0 ? skipped : apart;
     if (!is_placed(bodies, c)) {
         const bool has_points = c.point_count > 0;

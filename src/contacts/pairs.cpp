@@ -60,23 +60,29 @@ struct Sink final : PairSink {
         const std::int32_t body_a = shapes.links[a].body, body_b = shapes.links[b].body;
         if (body_a == body_b) return false;
         const bool a_moves = bodies.is_dynamic(body_a), b_moves = bodies.is_dynamic(body_b);
-        if (!a_moves && !b_moves) return false;
+        const ShapeTraits &traits_a = shapes.traits[a], &traits_b = shapes.traits[b];
+        if (traits_a.is_trigger && traits_b.is_trigger) return false;
+        const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
+        if (!is_trigger && !a_moves && !b_moves) return false;
         // Two that cannot be moved by any force would be pushed in vain.
         auto movable = [&](std::int32_t body) {
             const BodyMass& m = bodies.mass[body];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
         };
-        const ShapeTraits &traits_a = shapes.traits[a], &traits_b = shapes.traits[b];
         if (!may_meet(traits_a.filter, traits_b.filter)) return false;
         if (joint_forbids_contact(bodies, joints, body_a, body_b)) return false;
-        const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
-        if (traits_a.is_trigger && traits_b.is_trigger) return false;
         bool swapped = false;
         const std::optional<PairKind> kind = pair_kind(shapes.geometry[a], shapes.geometry[b], swapped);
         if (!kind) return false;
-        // A is the dynamic one.
-        const bool b_is_a = a_moves && b_moves ? goes_first(b, a, swapped) : b_moves;
+        // A is the dynamic one. Where neither is, for a trigger: what is no surface; else the kinematic one.
+        const auto goes_behind = [&](std::uint32_t shape, std::int32_t body) {
+            return 2 * int(is_surface(shapes.geometry[shape].type)) +
+                   int(bodies.settings[body].type == BodyType::static_);
+        };
+        const bool b_is_a = a_moves && b_moves   ? goes_first(b, a, swapped)
+                            : a_moves || b_moves ? b_moves
+                                                 : goes_behind(a, body_a) > goes_behind(b, body_b);
         const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds;
         contact = create(b_is_a ? b : a, b_is_a ? a : b, *kind, flipped, a_moves && b_moves);
         return true;

@@ -30,9 +30,11 @@ class Way {
             if (up_to <= piece.until) return piece.path.at(time);
         return pieces_.back().path.at(pieces_.back().until); // it has stopped
     }
-    // From one time to another, as a path of its own that leads from 0 to 1. No piece ends between them.
-    RigidPath between(double from, double to, DVec3 origin) const {
-        const RigidPath::Pose first = at(from, to), last = at(to, to);
+    // From one time to another, as a path of its own that leads from 0 to 1; or from 1 to 0. No piece ends between
+    // them.
+    RigidPath between(double from, double to, DVec3 origin, bool backwards) const {
+        RigidPath::Pose first = at(from, to), last = at(to, to);
+        if (backwards) std::swap(first, last);
         return RigidPath::between(first.x - origin, first.q, last.x - origin, last.q);
     }
 
@@ -42,11 +44,17 @@ class Way {
     std::span<const PathPiece> pieces_;
 };
 
+struct TriggerPassage {
+    std::uint32_t trigger, other;
+    bool inside;
+    double time; // 0 to 1
+};
+
 class PassedTriggers {
   public:
     PassedTriggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
-                   NarrowBatch& narrow)
-        : bodies_(bodies), shapes_(shapes), movers_(movers), scratch_(scratch), narrow_(narrow) {}
+                   NarrowBatch& narrow, float dt)
+        : bodies_(bodies), shapes_(shapes), movers_(movers), scratch_(scratch), narrow_(narrow), dt_(dt) {}
 
     void report(StepEvents& events) {
         std::vector<NearTrigger>& near = scratch_.near_triggers;
@@ -58,15 +66,13 @@ class PassedTriggers {
                         [&](const NearTrigger& a, const NearTrigger& b) { return shapes_of(a) == shapes_of(b); }),
             near.end());
         complete_pieces();
-        const std::size_t count = near.size();
-        for (std::size_t i = 0; i < count; ++i) list_passages(near[i]);
-        near.erase(near.begin(), near.begin() + std::ptrdiff_t(count));
-        std::stable_sort(near.begin(), near.end(),
-                         [](const NearTrigger& a, const NearTrigger& b) { return a.time < b.time; });
-        for (const NearTrigger& t : near)
-            for (const bool inside : {true, false})
-                events.triggers.next.push_back({shapes_.slots.id(t.trigger), shapes_.slots.id(t.other),
-                                                bodies_.id(body_of(t.trigger)), bodies_.id(body_of(t.other)), inside});
+        for (const NearTrigger& t : near) list_passages(t);
+        std::stable_sort(passages_.begin(), passages_.end(),
+                         [](const TriggerPassage& a, const TriggerPassage& b) { return a.time < b.time; });
+        for (const TriggerPassage& p : passages_)
+            events.triggers.next.push_back({shapes_.slots.id(p.trigger), shapes_.slots.id(p.other),
+                                            bodies_.id(body_of(p.trigger)), bodies_.id(body_of(p.other)), p.inside,
+                                            dt_ * float(p.time)});
     }
 
   private:
@@ -91,14 +97,16 @@ class PassedTriggers {
         const Geometry& g = shapes_.geometry[shape];
         return {g, shapes_.data[shape], math::to_double(g.position - bodies_.mass[body_of(shape)].center), path};
     }
-    // When the two overlap between two times; more than 1: they do not.
-    double time_of_overlap(const NearTrigger& t, const Way& way, const Way& other, double from, double to) const {
-        const DVec3 origin = way.between(from, to, {}).start;
-        const RigidPath path = way.between(from, to, origin), path_of_other = other.between(from, to, origin);
+    // When the two first overlap between two times, or last, which is first on the way back; `never`: they do not.
+    double time_of_overlap(const NearTrigger& t, const Way& way, const Way& other, double from, double to,
+                           bool last) const {
+        const DVec3 origin = way.between(from, to, {}, last).start;
+        const RigidPath path = way.between(from, to, origin, last), of_other = other.between(from, to, origin, last);
         const bool is_first = !is_surface(shapes_.geometry[t.trigger].type); // the first is no surface
-        const SweptShape trigger = swept(t.trigger, path), body = swept(t.other, path_of_other);
+        const SweptShape trigger = swept(t.trigger, path), body = swept(t.other, of_other);
         const Nearness found = is_first ? nearness_of(trigger, body, 0, {}) : nearness_of(body, trigger, 0, {});
-        return found.distance > 0 ? never : from + found.time * (to - from);
+        if (found.distance > 0) return never;
+        return from + (last ? 1 - found.time : found.time) * (to - from);
     }
     // As the narrow phase tests it.
     bool is_inside(const NearTrigger& t, const RigidPath::Pose& at, const RigidPath::Pose& other) const {
@@ -108,9 +116,9 @@ class PassedTriggers {
                             other.x - at.x, narrow_, points);
         return std::any_of(points.begin(), points.end(), [](const ImpactPoint& p) { return p.depth >= 0; });
     }
-    // Each time that it comes in and leaves; none if it is inside at one of the ends of the step: the narrow phase sees
-    // that.
-    void list_passages(NearTrigger t) {
+    // Each time that it comes in and that it leaves; none if it is inside at one of the ends of the step: the narrow
+    // phase sees that.
+    void list_passages(const NearTrigger& t) {
         const Way way(movers_, scratch_.pieces, body_of(t.trigger)), other(movers_, scratch_.pieces, body_of(t.other));
         if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return;
         std::vector<double> times{0, 1};
@@ -118,12 +126,19 @@ class PassedTriggers {
             for (const PathPiece& piece : w->pieces()) times.push_back(std::min(piece.until, 1.0));
         std::sort(times.begin(), times.end());
         times.erase(std::unique(times.begin(), times.end()), times.end());
-        bool was_inside = false; // as the piece before ended
+        bool inside = false; // as the piece before ended
         for (std::size_t i = 1; i < times.size(); ++i) {
-            const double end = times[i];
-            t.time = time_of_overlap(t, way, other, times[i - 1], end);
-            if (t.time <= 1 && !was_inside) scratch_.near_triggers.push_back(t);
-            was_inside = t.time <= 1 && is_inside(t, way.at(end, end), other.at(end, end));
+            const double begin = times[i - 1], end = times[i];
+            double time = begin;
+            if (!inside) {
+                time = time_of_overlap(t, way, other, begin, end, false);
+                if (time > 1) continue;
+                passages_.push_back({t.trigger, t.other, true, time});
+            }
+            inside = is_inside(t, way.at(end, end), other.at(end, end));
+            if (inside) continue;
+            const double left = time_of_overlap(t, way, other, begin, end, true);
+            passages_.push_back({t.trigger, t.other, false, left > 1 ? time : std::max(time, left)});
         }
     }
 
@@ -132,13 +147,15 @@ class PassedTriggers {
     const Movers& movers_;
     SweepScratch& scratch_;
     NarrowBatch& narrow_; // that of a test
+    const float dt_;
+    std::vector<TriggerPassage> passages_;
 };
 
 } // namespace
 
 void report_passed_triggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
-                            NarrowBatch& narrow, StepEvents& events) {
-    if (!scratch.near_triggers.empty()) PassedTriggers(bodies, shapes, movers, scratch, narrow).report(events);
+                            NarrowBatch& narrow, StepEvents& events, float dt) {
+    if (!scratch.near_triggers.empty()) PassedTriggers(bodies, shapes, movers, scratch, narrow, dt).report(events);
     scratch.near_triggers.clear(), scratch.pieces.clear();
 }
 

@@ -7,9 +7,9 @@
 
 namespace cairn {
 
-// What came into one of the triggers near its way and left it again: both events, in the order in which it came in.
-// Changes the lists of `scratch` and `narrow` alone.
+// What came into one of the triggers near its way and left it again: both events, with their times, all in the order of
+// those. Changes the lists of `scratch` and `narrow` alone.
 void report_passed_triggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
-                            NarrowBatch& narrow, StepEvents& events);
+                            NarrowBatch& narrow, StepEvents& events, float dt);
 
 } // namespace cairn

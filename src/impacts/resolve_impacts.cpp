@@ -72,7 +72,7 @@ class ImpactQueue {
             else if (m.time == pairs_[m.pair].time) // else it was asked again
                 meet(m.pair, m.time);
         }
-        report_passed_triggers(s.bodies, s.shapes, movers_, step.solver.sweep, scratch_, s.events);
+        report_passed_triggers(s.bodies, s.shapes, movers_, step.solver.sweep, scratch_, s.events, dt_);
         s.statistics.stopped_bodies += movers_.put_back();
         std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has been told
             return movers_.is_put_back(s.shapes.links[e.shape].body);

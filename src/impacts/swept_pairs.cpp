@@ -48,20 +48,18 @@ SweptPairs::~SweptPairs() {
     for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(in.shapes.links[pair.other].body)] = none;
 }
 
-// That one of them is a trigger is noted, and nothing collides with it.
-bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) {
+bool SweptPairs::may_meet_on_their_way(std::uint32_t a, std::uint32_t b) const {
     const std::int32_t body_a = in.shapes.links[a].body, body_b = in.shapes.links[b].body;
-    const ShapeTraits &ta = in.shapes.traits[a], &tb = in.shapes.traits[b];
-    if (body_a == body_b || !may_meet(ta.filter, tb.filter)) return false;
-    if (joint_forbids_contact(in.bodies, in.joints, body_a, body_b)) return false;
-    if (ta.is_trigger != tb.is_trigger) note_trigger(a, b);
-    return !ta.is_trigger && !tb.is_trigger;
+    return body_a != body_b && may_meet(in.shapes.traits[a].filter, in.shapes.traits[b].filter) &&
+           !joint_forbids_contact(in.bodies, in.joints, body_a, body_b);
 }
-void SweptPairs::note_trigger(std::uint32_t a, std::uint32_t b) {
+
+bool SweptPairs::note_trigger(std::uint32_t a, std::uint32_t b) {
+    const bool a_is_trigger = in.shapes.traits[a].is_trigger != 0, b_is_trigger = in.shapes.traits[b].is_trigger != 0;
     bool swapped = false;
-    if (!pair_kind(in.shapes.geometry[a], in.shapes.geometry[b], swapped)) return;
-    const bool a_is_trigger = in.shapes.traits[a].is_trigger != 0;
-    scratch_.near_triggers.push_back({a_is_trigger ? a : b, a_is_trigger ? b : a, never});
+    if (a_is_trigger != b_is_trigger && pair_kind(in.shapes.geometry[a], in.shapes.geometry[b], swapped))
+        scratch_.near_triggers.push_back({a_is_trigger ? a : b, a_is_trigger ? b : a});
+    return a_is_trigger || b_is_trigger;
 }
 
 // Joints keep the bodies of an assembly from meeting, or bring them together, and act in the solver alone.
@@ -70,7 +68,7 @@ bool SweptPairs::are_joined(std::int32_t a, std::int32_t b) {
     return assembly != none && assembly == assemblies_.of(b);
 }
 
-// What moves by forces, is slow, and something kinematic passes.
+// What something kinematic passes: what moves by forces, and is slow; triggers, or what is in it as one.
 void SweptPairs::find_struck(std::int32_t kinematic) {
     const BodyMotion& motion = in.bodies.motion[kinematic];
     const double radius = double(in.bodies.links[kinematic].radius);
@@ -85,9 +83,9 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
     in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) { near.push_back(other); });
     for (const std::uint32_t other : near) {
         const std::int32_t body = in.shapes.links[other].body;
-        if (!in.bodies.is_dynamic(body)) continue;
         for_each_shape(in.bodies, in.shapes, kinematic, [&](std::uint32_t shape) {
-            if (!may_collide(other, shape)) return;
+            if (!may_meet_on_their_way(other, shape) || note_trigger(other, shape) || !in.bodies.is_dynamic(body))
+                return;
             const std::int32_t mover = add_mover(body);
             if (!is_listed(mover, other, shape)) add(mover, other, shape, known_contact(other, shape));
         });
@@ -195,10 +193,7 @@ void SweptPairs::find() {
     if (in.fast.empty()) return ask_for_axes();
     list_passing();
     for (const PassingPair& pair : scratch_.passing) {
-        if (in.contacts.info[pair.contact].is_trigger) {
-            note_trigger(pair.shape, pair.other);
-            continue;
-        }
+        if (note_trigger(pair.shape, pair.other)) continue;
         if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
         if (!is_listed(pair.mover, pair.shape, pair.other))
             add(pair.mover, pair.shape, pair.other, std::int32_t(pair.contact));
@@ -378,8 +373,8 @@ void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
     const std::vector<std::uint64_t>& listed = scratch_.listed;
     const std::int32_t body = movers_[mover].body;
     for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
-        if (!may_collide(shape, other) || std::binary_search(listed.begin(), listed.end(), key_of(shape, other)))
-            return;
+        if (!may_meet_on_their_way(shape, other) || note_trigger(shape, other)) return;
+        if (std::binary_search(listed.begin(), listed.end(), key_of(shape, other))) return;
         if (are_joined(body, in.shapes.links[other].body)) return;
         add(mover, shape, other, known_contact(shape, other));
     });

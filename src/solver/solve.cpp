@@ -156,7 +156,9 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
         for (int pass = 0; batch.bounces && pass < max_bounce_passes; ++pass) {
             bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce, struck);
-            if (!solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, &bounce, struck)) break;
+            const Bouncing bouncing{solver_bodies, bounce};
+            if (!solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, &bouncing, struck)) break;
+            refresh_all(scratch, thread_pool, solver_bodies, h);
         }
         if (first) {
             sweep([&](const ForPoints& points, const BlockRun& run) {

@@ -19,15 +19,16 @@ template <class Block, class Impact> struct StruckBlocks {
         std::int32_t group;   // its place in ImpactWork::groups; none: an empty lane
         bool is_own;          // not another rank's
     };
-    struct alignas(32) Speeds {
-        float lanes[8]; // m/s
+    struct alignas(32) Lanes {
+        float value[8];
     };
     std::vector<Block> blocks;
     std::vector<Impact> impacts; // beside them
     std::vector<Lane> lanes;     // 8 for each block; without a group: empty
-    std::vector<Speeds> leave;   // of contacts that bounce: for each point of a block; empty: none do
+    // Of contacts that bounce, for each point of a block (AimedSpeeds); empty: none do.
+    std::vector<Lanes> leave, meets;
 
-    void clear() { blocks.clear(), impacts.clear(), lanes.clear(), leave.clear(); }
+    void clear() { blocks.clear(), impacts.clear(), lanes.clear(), leave.clear(), meets.clear(); }
 };
 
 // Blocks of one color and type; which: in ImpactWork::blocks.
@@ -82,7 +83,8 @@ struct ImpactWork {
     struct Group {
         std::size_t begin, end; // in `rows`
         bool is_settled;
-        bool goes_on; // something in it is driven into what did not take part
+        bool goes_on;                   // something in it is driven into what did not take part
+        double impulse = 0, moment = 0; // of what bounced in it: N s, and times when it did (AimedSpeeds::meets)
     };
     std::vector<Group> groups;
     // By row: parents, of which the roots stand for groups, and -1 for rows that take no part; the places of the

@@ -100,7 +100,6 @@ struct PassingPair {
 // A trigger and a shape of another body that may fly through it; when that comes in.
 struct NearTrigger {
     std::uint32_t trigger, other;
-    double time;
 };
 
 // A path that a mover took up to a time, as it went another way from then on.

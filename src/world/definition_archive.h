@@ -172,18 +172,19 @@ inline ContactEnd fields_of(const ContactEnd& e) {
 }
 inline ContactEnd from_fields(const ContactEnd& e) { return e; }
 
-CAIRN_ARCHIVES_MEMBERS(5, TriggerEvent);
+CAIRN_ARCHIVES_MEMBERS(6, TriggerEvent);
 struct TriggerEventFields {
     ShapeId trigger, other;
     BodyId trigger_body, other_body;
-    std::uint64_t inside;
+    std::uint32_t inside;
+    float time;
 };
 inline TriggerEventFields fields_of(const TriggerEvent& e) {
     return {without_world(e.trigger), without_world(e.other), without_world(e.trigger_body),
-            without_world(e.other_body), e.inside};
+            without_world(e.other_body), e.inside, e.time};
 }
 inline TriggerEvent from_fields(const TriggerEventFields& f) {
-    return {f.trigger, f.other, f.trigger_body, f.other_body, f.inside != 0};
+    return {f.trigger, f.other, f.trigger_body, f.other_body, f.inside != 0, f.time};
 }
 
 CAIRN_ARCHIVES_MEMBERS(7, JointEvent);

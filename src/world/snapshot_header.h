@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-inline constexpr std::uint64_t snapshot_magic = 0x31316e7269616321ull; // "!cairn11"
+inline constexpr std::uint64_t snapshot_magic = 0x32316e7269616321ull; // "!cairn12"
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;

@@ -286,7 +286,10 @@ class StateCheck final : PairReader {
         require_sound(c.body_b == shapes_.links[c.shape_b].body && c.body_b != c.body_a, body_place, c.body_b,
                       "must be that of shape_b, and another one than body_a");
         const bool b_moves = bodies_.is_dynamic(c.body_b);
-        require_sound(bodies_.is_dynamic(c.body_a), body_place, c.body_a, "must be dynamic");
+        const auto is_static = [&](std::int32_t b) { return bodies_.settings[b].type == BodyType::static_; };
+        require_sound(bodies_.is_dynamic(c.body_a) ||
+                          (c.is_trigger && !b_moves && !(is_static(c.body_a) && is_static(c.body_b))),
+                      body_place, c.body_a, "must be dynamic, or one of a trigger's kinematic");
         require_sound(c.b_moves == b_moves, {"contacts", id, "b_moves"}, c.b_moves, "must be as its body is");
         require_sound(c.flipped <= 1 && c.bounces <= 1 && c.is_round <= 1 && c.is_conveyor <= (b_moves ? 0 : 1),
                       {"contacts", id, "is_conveyor"}, c.is_conveyor, "must be 0 or 1, as its other flags");

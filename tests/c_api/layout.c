@@ -278,6 +278,7 @@ int main(void) {
     MEMBER(cairn_trigger_event, trigger_body);
     MEMBER(cairn_trigger_event, other_body);
     MEMBER(cairn_trigger_event, inside);
+    MEMBER(cairn_trigger_event, time);
     SIZE(cairn_joint_event);
     MEMBER(cairn_joint_event, joint);
     MEMBER(cairn_joint_event, body_a);

@@ -94,7 +94,8 @@ int count_in_triggers(World& world) {
         for (const ShapeId shape : world.body(id).shapes()) {
             if (!world.shape_def(shape).is_trigger) continue;
             for (const ShapeId found : world.overlap(world.shape(shape), world.body(id).transform()))
-                count += world.body(world.body_of(found)).type() == BodyType::dynamic;
+                count += world.body(world.body_of(found)).type() != BodyType::static_ ||
+                         world.body(id).type() != BodyType::static_;
         }
     return count;
 }

@@ -199,7 +199,7 @@ TEST(EverydayMore, ACradleOnStringsSwings) {
         run(world, 1.0f / 60, int(std::lround(30 * period)));
         EXPECT_NEAR(world.body(balls[4]).position().y / drop, 1, 0.003) << i;
         for (int k = 0; k < 4; ++k)
-            EXPECT_LT(glm::length(world.body(balls[std::size_t(k)]).linear_velocity()), 0.008f) << i;
+            EXPECT_LT(glm::length(world.body(balls[std::size_t(k)]).linear_velocity()), 0.004f) << i;
         run(world, 1.0f / 60, int(std::lround(120 * period)));
         EXPECT_NEAR((world.kinetic_energy() + world.potential_energy()) / before, 1, 0.005) << i;
     }

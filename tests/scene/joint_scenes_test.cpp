@@ -252,7 +252,7 @@ TEST_F(JointScene, TheCradleSwingsOnItsStringsForAMinute) {
     });
     const double lifted = 1.3 * std::sin(40 * pi / 180);
     for (const int outer : {0, 4}) EXPECT_NEAR(farthest[std::size_t(outer)], lifted, 0.01 * lifted);
-    for (const int inner : {1, 2, 3}) EXPECT_LT(farthest[std::size_t(inner)], 0.035);
+    for (const int inner : {1, 2, 3}) EXPECT_LT(farthest[std::size_t(inner)], 0.030);
 }
 
 } // namespace

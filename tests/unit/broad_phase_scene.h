@@ -82,7 +82,7 @@ struct Scene {
     enum class Kind { none, fixed, plane, awake, asleep };
     struct Shape {
         Kind kind = Kind::none;
-        bool kinematic = false;
+        bool kinematic = false, trigger = false;
         DVec3 center, half;
         Vec3 velocity; // per step
         std::uint32_t island = 0;
@@ -125,26 +125,28 @@ struct Scene {
         free_indices.pop_back();
         return index;
     }
-    std::uint32_t add(Kind kind, double smallest, double largest, bool kinematic = false) {
+    std::uint32_t add(Kind kind, double smallest, double largest, bool kinematic = false, bool trigger = false) {
         const std::uint32_t index = new_index();
         Shape& s = shapes[index];
         s = {};
         s.kind = kind;
         s.kinematic = kinematic;
+        s.trigger = trigger;
         s.center = random_point();
         const double x = random.between(smallest, largest), y = random.between(smallest, largest);
         s.half = {x, y, random.between(smallest, largest)};
-        broad.add(index, tight(s), kind == Kind::fixed ? Mobility::fixed : Mobility::awake, kinematic);
+        broad.add(index, tight(s), kind == Kind::fixed ? Mobility::fixed : Mobility::awake, kinematic, trigger);
         return index;
     }
-    std::uint32_t add_plane(DVec3 point, DVec3 normal, bool is_sheet = false) {
+    std::uint32_t add_plane(DVec3 point, DVec3 normal, bool is_sheet = false, bool trigger = false) {
         const std::uint32_t index = new_index();
         shapes[index] = {};
         shapes[index].kind = Kind::plane;
         shapes[index].point = point;
         shapes[index].normal = normal;
         shapes[index].is_sheet = is_sheet;
-        broad.add_plane(index, point, math::to_float(normal), is_sheet);
+        shapes[index].trigger = trigger;
+        broad.add_plane(index, point, math::to_float(normal), is_sheet, trigger);
         return index;
     }
     void remove(std::uint32_t index) {
@@ -199,7 +201,7 @@ struct Scene {
         const auto immovable = [](const Shape& s) {
             return s.kinematic || s.kind == Kind::fixed || s.kind == Kind::plane;
         };
-        return !(immovable(a) && immovable(b));
+        return !(immovable(a) && immovable(b) && a.trigger == b.trigger);
     }
     bool meet(const Shape& a, const Shape& b, const DBounds& box_a, const DBounds& box_b, double by) const {
         const Shape* plane = a.kind == Kind::plane ? &a : b.kind == Kind::plane ? &b : nullptr;
@@ -257,6 +259,8 @@ inline void fill(Scene& scene) {
     for (int i = 0; i < 250; ++i) scene.add(Kind::awake, 0.1, 0.6);
     for (int i = 0; i < 60; ++i) scene.add(Kind::fixed, 0.1, 1.5);
     for (int i = 0; i < 12; ++i) scene.add(Kind::awake, 0.3, 0.8, true);
+    for (int i = 0; i < 12; ++i) scene.add(i % 2 ? Kind::awake : Kind::fixed, 0.3, 1.5, true, true);
+    scene.add_plane(scene.offset - DVec3{4, 0, 0}, {1, 0, 0}, false, true);
     for (int i = 0; i < 4; ++i) scene.add(Kind::awake, 5, 6);
     scene.add_plane(scene.offset - DVec3{0, 6, 0}, {0, 1, 0});
 }

@@ -271,6 +271,7 @@ static_assert(offsetof(cairn_trigger_event, other) == 8);
 static_assert(offsetof(cairn_trigger_event, trigger_body) == 16);
 static_assert(offsetof(cairn_trigger_event, other_body) == 24);
 static_assert(offsetof(cairn_trigger_event, inside) == 32);
+static_assert(offsetof(cairn_trigger_event, time) == 36);
 static_assert(sizeof(cairn_joint_event) == 48);
 static_assert(offsetof(cairn_joint_event, joint) == 0);
 static_assert(offsetof(cairn_joint_event, body_a) == 8);

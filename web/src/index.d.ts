@@ -768,10 +768,11 @@ export interface ContactHit {
 }
 
 /**
- * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). One of the two bodies is dynamic. It is seen at
- * the beginning of each step: what comes in is told after the next one. What passes through within a step has both
- * events in that one, behind those of the beginning, in the order in which it came in. Handles of what was removed are
- * stale.
+ * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). Triggers see what is on dynamic and kinematic
+ * bodies, characters too; those on dynamic and kinematic bodies see static ones as well. They do not see each other. It
+ * is seen at the beginning of each step: what comes in is told after the next one. What passes through within a step
+ * has both events in that one, behind those of the beginning, in the order of their times. Handles of what was removed
+ * are stale.
  */
 export interface TriggerEvent {
     trigger: ShapeId;
@@ -780,6 +781,11 @@ export interface TriggerEvent {
     otherBody: BodyId;
     /** true: it came in; false: it left, or one of the two was removed. */
     inside: boolean;
+    /**
+     * Seconds after the beginning of the last step, 0 to its length: 0 for what is seen there; of what passes within
+     * it, when it came in and when it left, on the way that it took. (0 to the step)
+     */
+    time: number;
 }
 
 /** A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale. */

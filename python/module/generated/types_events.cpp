@@ -19,7 +19,7 @@ py::object write(const ContactHit& x) {
 
 py::object write(const TriggerEvent& x) {
     return make("TriggerEvent", py::make_tuple(write(x.trigger), write(x.other), write(x.trigger_body),
-        write(x.other_body), write(x.inside)));
+        write(x.other_body), write(x.inside), write(x.time)));
 }
 
 py::object write(const JointEvent& x) {

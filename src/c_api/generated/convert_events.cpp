@@ -44,6 +44,7 @@ cairn_trigger_event to_c(const TriggerEvent& x) {
     c.trigger_body = to_c(x.trigger_body);
     c.other_body = to_c(x.other_body);
     c.inside = x.inside;
+    c.time = x.time;
     return c;
 }
 

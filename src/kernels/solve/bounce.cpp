@@ -304,25 +304,34 @@ BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies,
 }
 
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
                   const BounceSettings& settings) {
     auto* all = static_cast<const ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& block = all[k];
         const f32x8 restitution = load(block.restitution);
-        const Meeting<N> now =
-            meeting_now(block, load3(block.d), gather_velocity(velocity, block.a), gather_velocity(velocity, block.b));
+        const Meeting<N> now = meeting_now(block, load3(block.d), gather_velocity(bodies.velocity, block.a),
+                                           gather_velocity(bodies.velocity, block.b));
+        const Velocityx8 other_a = gather_twist(bodies.velocity_correction, block.a),
+                         other_b = gather_twist(bodies.velocity_correction, block.b);
         mask8 arrives[N];
         const mask8 takes_part = arriving(block, now, settings, arrives) | (restitution <= zero());
-        for (int i = 0; i < N; ++i)
-            store(leave + 8 * (N * k + i), select(arrives[i], -(restitution * now.v[i]), zero()));
+        for (int i = 0; i < N; ++i) {
+            store(aimed.leave + 8 * (N * k + i), select(arrives[i], -(restitution * now.v[i]), zero()));
+            // What bounced before in this substep is where it would be had it come with the velocity that it has now.
+            const f32x8 shift =
+                dot(now.normal, other_b.v - other_a.v) + (dot(now.arm_b[i], other_b.w) - dot(now.arm_a[i], other_a.w));
+            const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
+            const f32x8 way = select(arrives[i], splat(-settings.h) * now.v[i], one());
+            store(aimed.meets + 8 * (N * k + i), clamp(gap / way, zero(), one()));
+        }
         given[k].active = std::uint8_t(given[k].active & bits(takes_part));
     }
 }
 
-template void aim_contacts<1>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
-template void aim_contacts<4>(const void*, void*, float*, int, const SolverVelocity*, const BounceSettings&);
+template void aim_contacts<1>(const void*, void*, const AimedSpeeds&, int, const SolverBodies&, const BounceSettings&);
+template void aim_contacts<4>(const void*, void*, const AimedSpeeds&, int, const SolverBodies&, const BounceSettings&);
 template BounceCount bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
 template BounceCount bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
 

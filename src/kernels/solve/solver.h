@@ -18,7 +18,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
 template <int N>
 BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
                   const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
 template <int N>

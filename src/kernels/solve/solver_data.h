@@ -199,6 +199,12 @@ struct BounceCount {
     int bounced, struck;
 };
 
+// Of contacts that bounce in an impact, 8 for each point of a block.
+struct AimedSpeeds {
+    float* leave; // m/s: how fast it is to leave; 0: it does not arrive
+    float* meets; // when it arrives, in units of the substep
+};
+
 // 8 bodies with unequal moments of inertia, see spin.cpp.
 struct alignas(64) SpinBlock {
     std::uint32_t row[8]; // offsets in bytes; lanes without a body: a discard row
@@ -243,8 +249,7 @@ struct SolverKernels {
                        float inverse_h);
         // Before the first pass: the speeds at which what arrives is to leave. What bounces and does not arrive takes
         // no part: it may bounce next, as the balls of a cradle do one after the other.
-        // `leave`: m/s, 0: none; 8 for each point of a block.
-        void (*aim)(const void* blocks, void* impacts, float* leave, int count, const SolverVelocity* velocity,
+        void (*aim)(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
                     const BounceSettings& settings);
         BounceCount (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         // `free_correction`: what velocity_correction was before the bounces.

@@ -997,6 +997,7 @@ export function getTriggerEvent(p) {
         triggerBody: getU64(p + 16),
         otherBody: getU64(p + 24),
         inside: getBool(p + 32),
+        time: getFloat(p + 36),
     };
 }
 
