@@ -114,10 +114,12 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     if (other != all.end()) {
         o.ride = within_numbers(input_.dt * math::to_double(bodies.motion[o.body].v));
         if (std::size_t(other - all.begin()) < index_) posed.center += o.ride;
-    } else if (o.type != BodyType::static_) {
-        const DVec3 up = math::to_double(self_.up);
-        o.carry = o.ride = within_numbers(carried(bodies.motion[o.body], origin_ + lowest(up) * up, input_.dt));
     }
+    const bool moves = other == all.end() && o.type != BodyType::static_;
+    const auto push = [&] {
+        if (moves) o.carry = o.ride = motion_of(o);
+        scratch_.obstacles.push_back(o);
+    };
     switch (posed.geometry.type) {
     case ShapeType::plane: {
         o.is_plane = true;
@@ -125,7 +127,7 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
         o.convex.axes.c1 = posed.up();
         if (posed.geometry.is_double_sided && dot(o.convex.axes.c1, middle(scratch_.parts[0].sharp) - posed.center) < 0)
             o.convex.axes.c1 = -o.convex.axes.c1;
-        scratch_.obstacles.push_back(o);
+        push();
         return;
     }
     case ShapeType::mesh:
@@ -136,7 +138,7 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
             o.bounds = {triangle.corners[0], triangle.corners[0]};
             for (int i = 1; i < 3; ++i)
                 o.bounds = {math::min(o.bounds.lo, triangle.corners[i]), math::max(o.bounds.hi, triangle.corners[i])};
-            scratch_.obstacles.push_back(o);
+            push();
         });
         return;
     default:
@@ -144,8 +146,28 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
         o.convex = posed.convex(middle(scratch_.parts[0].sharp), math::length(near.hi - near.lo));
         o.bounds =
             geometry_bounds(posed.geometry, posed.data, posed.center, math::to_matrix(math::to_float(posed.rotation)));
-        scratch_.obstacles.push_back(o);
+        push();
     }
+}
+
+// Where it is nearest to the character: of what turns, each place moves otherwise.
+DVec3 Surroundings::motion_of(const Obstacle& o) const {
+    const BodyMotion& motion = input_.bodies.motion[o.body];
+    DVec3 nearest;
+    if (!(motion.w == math::Vec3{})) {
+        double least = 0;
+        for (const CharacterPart& part : scratch_.parts) {
+            ClosestPoints c;
+            if (o.is_plane) {
+                c.on_b = support(part.sharp, -o.convex.axes.c1), c.distance = height_over(o, part.sharp);
+                c.on_b -= c.distance * o.convex.axes.c1;
+            } else {
+                c = closest_points(part.sharp, o.convex);
+            }
+            if (&part == scratch_.parts.data() || c.distance < least) nearest = c.on_b, least = c.distance;
+        }
+    }
+    return within_numbers(carried(motion, origin_ + nearest, input_.dt));
 }
 
 std::optional<CharacterGap> Surroundings::gap(std::size_t obstacle, DVec3 at, double time, double most) const {

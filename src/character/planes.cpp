@@ -1,5 +1,6 @@
 #include "character/planes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cairn {
@@ -48,9 +49,10 @@ std::optional<DVec3> MotionPlanes::nearest(DVec3 wanted) const {
     const double tolerance = 1e-9 * (1 + math::length(wanted));
     if (allows(wanted, tolerance)) return wanted;
     std::optional<DVec3> best;
-    double least = 0;
+    double least = 0, most = tolerance + math::length(wanted);
+    for (std::size_t i = 0; i < count_; ++i) most += std::max(0.0, planes_[i].least);
     const auto consider = [&](const std::optional<DVec3>& motion) {
-        if (!motion || !allows(*motion, tolerance)) return;
+        if (!motion || !allows(*motion, tolerance) || math::length(*motion) > most) return;
         const DVec3 off = *motion - wanted;
         const double square = dot(off, off);
         if (!best || square < least) best = motion, least = square;

@@ -21,7 +21,8 @@ class MotionPlanes {
     std::size_t size() const { return count_; }
     // The oldest but the first goes if there are too many.
     void add(const MotionPlane& plane);
-    // Nothing if no motion satisfies all.
+    // Nothing if no motion satisfies all that is no longer than the wanted one and all that pushes together: what is
+    // squeezed between two that nearly face each other would shoot out.
     std::optional<math::DVec3> nearest(math::DVec3 wanted) const;
 
   private:

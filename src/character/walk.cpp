@@ -114,7 +114,7 @@ std::optional<Walk::Footing> Walk::footing(const CharacterHit& hit, double least
 
 // An edge that it touches with its round side may be higher than a step.
 bool Walk::is_too_high(const Footing& f) const {
-    const double height = dot(f.point - at_, up_) - around_.lowest(up_);
+    const double height = dot(f.point - at_, up_) - around_.lowest(up_) + skin_; // over what it stands on
     if (!(height > double(self_.step_height) + 1e-3 * around_.size())) return false;
     const auto face = around_.face_at({0, f.contact, f.point, f.obstacle}, time_, up_);
     return face && dot(*face, f.contact) < 0.999;
@@ -143,13 +143,23 @@ void Walk::stand_on(const Footing& f) {
     planes_.add({slope_, dot(slope_, carry())});
 }
 
+// Whether what is below it falls faster than it can follow: it does not weigh on that. Kinematic bodies start and stop
+// at once, and are followed.
+bool Walk::falls_away(const Obstacle& o) const {
+    if (o.type != BodyType::dynamic) return false;
+    const double fall = dot((1 / dt_) * o.ride, up_);
+    if (self_.support != CharacterSupport::ground) return fall < dot(self_.velocity, up_) - 1e-6;
+    const double most = std::min(0.0, dt_ * dot(gravity_, up_)); // it stood, as fast as this
+    return o.body == self_.ground_body && fall - dot(math::to_double(self_.ground_velocity), up_) < most - 1e-6;
+}
+
 // What it stands on already; or what it has been put on.
 bool Walk::finds_ground() {
     const bool stood = self_.support == CharacterSupport::ground;
     const double depth = stood ? double(self_.stick_distance) + skin_ : 0.5 * skin_;
     DVec3 at = at_;
     const auto found = drop(at, depth, stood ? steepest_edge : steepest_landing);
-    if (!found) return false;
+    if (!found || falls_away(obstacle(found->obstacle))) return false;
     const double speed = dot(self_.velocity - (1 / dt_) * obstacle(found->obstacle).ride, found->contact);
     if (!stood && !(std::fabs(speed) <= 2 * dt_ * math::length(gravity_))) return false;
     stand_on(*found);

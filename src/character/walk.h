@@ -41,6 +41,7 @@ class Walk {
     void recover();
     bool push_out(math::DVec3& way) const;
     bool finds_ground();
+    bool falls_away(const Obstacle& obstacle) const;
     void start_on_ground();
     void start_in_air();
     void slide();

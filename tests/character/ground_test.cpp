@@ -66,7 +66,7 @@ TEST(CharacterGround, ClimbsStairsUpToItsStepHeight) {
     for (int i = 0; i < 30; ++i) {
         World world;
         add_floor(world);
-        const double rise = chance.between(0.02, 0.29), tread = chance.between(0.25, 0.6);
+        const double rise = i % 3 == 0 ? 0.2995 : chance.between(0.02, 0.29), tread = chance.between(0.25, 0.6);
         const double angle = chance.between(-0.6, 0.6); // at which it comes
         for (int k = 0; k < 10; ++k) add_fixed(world, {1 + tread * k + 5, rise * (k + 1) - 5, 0}, Box{{5, 5, 10}});
         const BodyId c = add_character(world, {0, 0, 0});
@@ -98,7 +98,7 @@ TEST(CharacterGround, DoesNotClimbWhatIsHigherThanAStep) {
     for (int i = 0; i < 20; ++i) {
         World world;
         add_floor(world);
-        const double rise = chance.between(0.33, 1.5);
+        const double rise = i % 2 == 0 ? 0.304 : chance.between(0.31, 1.5); // it had been 0.322
         add_fixed(world, {1 + 5, rise - 5, 0}, Box{{5, 5, 1000}});
         const BodyId c = add_character(world, {0, 0, 0});
         world.body(c).set_walk_velocity(float(chance.between(0.5, 20)) * Vec3(1, 0, float(chance.between(-1, 1))));
