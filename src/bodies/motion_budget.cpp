@@ -53,6 +53,10 @@ void count(CountedPose& counted, Travel& travel, const BodyMotion& motion, float
 void spend_budget(Bodies& bodies, std::int32_t b) {
     const BodyMotion& motion = bodies.motion[b];
     bodies.counted[b] = {motion.x, motion.q};
+    spend_answers(bodies, b);
+}
+
+void spend_answers(Bodies& bodies, std::int32_t b) {
     bodies.travel[b] += travelled(max_leap);
     bodies.ahead[b] = bodies.boxes_until[b] = bodies.travel[b];
 }

@@ -17,6 +17,8 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
 
 // The body has been changed or put elsewhere: nothing that was found out about it holds.
 void spend_budget(Bodies& bodies, std::int32_t body);
+// What was found out about it does not hold, but it has come by its own way: that is still looked at.
+void spend_answers(Bodies& bodies, std::int32_t body);
 
 // Of two unit quaternions: the square of how far they are apart.
 inline double square_difference(const math::DQuat& p, const math::DQuat& q) {

@@ -158,6 +158,14 @@ std::int32_t Movers::append(std::int32_t b) {
     return i;
 }
 
+// None if it would have been faster than the world allows: then its speed was cut, and is about the same all along.
+DVec3 Movers::acceleration_along(const RigidPath& path, std::int32_t b) const {
+    const DVec3 a = acceleration_at(s.bodies, s.fields, s.settings, b, path.start);
+    const DVec3 mean = (1 / double(dt_)) * path.translation, change = (0.5 * double(dt_)) * a;
+    const double most = 1.001 * double(s.settings.max_linear_speed);
+    return math::length(mean - change) <= most && math::length(mean + change) <= most ? a : DVec3{};
+}
+
 // By the poses that the solver has given it.
 void Movers::set_out(std::int32_t i) {
     Mover& m = (*this)[i];
@@ -170,7 +178,7 @@ void Movers::set_out(std::int32_t i) {
     const bool flies_anew = !end && links.joint_count == 0;
     m.turns_over = !end && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));
-    m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
+    m.acceleration = acceleration_along(m.path, b);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
@@ -227,12 +235,14 @@ void Movers::carry(std::int32_t i, double time, std::int32_t carrier, DVec3 axis
     lead_on(i, time);
 }
 
-// Straight parts that are nowhere as far from the arc as a core is deep.
+// Straight parts that are nowhere as far from the arc as a core is deep; no more of them than arcs take that a step of
+// usual length has.
 void Movers::lead_on(std::int32_t i, double time) {
     Mover& m = (*this)[i];
     const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
     const double bend = dot(m.lead.turn, m.lead.turn) * math::length(m.arm); // m, per square of the time
-    const double until = bend > 0 ? std::min(time + std::sqrt(8 * depth / bend), 1.0) : 1.0;
+    const double part = bend > 0 ? std::max(std::sqrt(8 * depth / bend), min_part / 16) : 1;
+    const double until = std::min(time + part, 1.0);
     const auto pose_at = [&](double at) {
         const RigidPath::Pose there = m.lead.at(at);
         return RigidPath::Pose{there.x + math::rotate(there.q, m.arm), math::normalized(there.q * m.turned)};
@@ -294,9 +304,15 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
     motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
     if (duration > 0) note_clamped(move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps));
+    // What it lies on bears a part of that. Where the integrator has cut the speed, the two do not add up.
     const DVec3 borne = m.acceleration - real;
-    motion.x += (0.5 * duration * duration) * borne;
-    const DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
+    DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
+    if (math::length(real) * duration <= double(s.settings.max_linear_speed)) {
+        motion.x += (0.5 * duration * duration) * borne;
+    } else {
+        motion.x = from.x + duration * from.v + (0.5 * duration * duration) * m.acceleration;
+        path_end = from.v + duration * m.acceleration;
+    }
     const DVec3 end = path_end - offset_of_velocity() * m.acceleration;
     motion.v = math::to_float(end), motion.v_rest = math::to_float(end - to_double(motion.v));
     keep_in_range(m.body, from, duration);

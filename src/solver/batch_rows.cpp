@@ -196,7 +196,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
         motion.v = motion.w = {};
         motion.turned = {};
-        spend_budget(bodies, b); // its contacts were moved along with the row
+        spend_answers(bodies, b); // its contacts were moved along with the row
         return 1;
     }
     const bool was_cut = cut_way(settings, dt, dx, dq);
@@ -207,7 +207,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     const bool clamped = clamp_velocity(settings, v, w);
     motion.v = v;
     motion.w = w;
-    if (was_cut) spend_budget(bodies, b); // likewise
+    if (was_cut) spend_answers(bodies, b); // likewise
     return clamped || was_cut ? 1 : 0;
 }
 

@@ -251,7 +251,8 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         change += select(arrives[i], r.velocity - now.v[i], zero());
         correction += select(arrives[i], r.correction, zero());
     }
-    now.correction = select(change > zero(), correction / max(change, splat(1e-20f)), zero());
+    // They meet within the substep: the pose lags behind by none to all of the change.
+    now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
     Meeting<N> m = meeting_later(block, now, a, b, around, settings.h);
     mask8 bounces = zero() > one();
     for (int i = 0; i < N; ++i) {

@@ -12,6 +12,7 @@ template <int N>
 CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, const f32x8* v, f32x8 inverse_h,
                                 const f32x8* leave, const f32x8* old, f32x8* impulse) {
     f32x8 wanted[N];
+    mask8 takes_part[N];
     const mask8 bounces = load(block.restitution) > zero();
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
@@ -20,11 +21,12 @@ CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, cons
         const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), leaves);
         const f32x8 left = select(leaves, -leave[i], max(s, zero()) * inverse_h);
         impulse[i] = old[i];
-        wanted[i] = select(and_not(active, flies), old[i] - mass * (v[i] + left), old[i]);
+        takes_part[i] = and_not(active, flies);
+        wanted[i] = old[i] - mass * (v[i] + left);
     }
     for (int sweep = 0; sweep < (N > 1 ? 2 : 1); ++sweep)
         for (int i = 0; i < N; ++i) {
-            const f32x8 next = max(wanted[i], zero()), d = next - impulse[i];
+            const f32x8 next = select(takes_part[i], max(wanted[i], zero()), impulse[i]), d = next - impulse[i];
             impulse[i] = next;
             if constexpr (N > 1)
                 for (int j = 0; j < N; ++j)
