@@ -8,7 +8,7 @@ import { replay } from './replay.mjs';
 await init();
 const scenes = await recordedScenes();
 
-test('all scenes of the determinism tests are there', () => assert.equal(scenes.length, 16));
+test('all scenes of the determinism tests are there', () => assert.equal(scenes.length, 17));
 
 for (const [name, scene] of scenes)
     test(`${name} has the same state in JavaScript as in native code`, () => replay(scene, { World, Geometry }));

@@ -38,7 +38,7 @@ test('the entry without threads is refused beside it', async () => {
 });
 
 const scenes = await recordedScenes();
-test('all scenes of the determinism tests are there', () => assert.equal(scenes.length, 16));
+test('all scenes of the determinism tests are there', () => assert.equal(scenes.length, 17));
 for (let threads = 1; threads <= THREADS; ++threads)
     for (const [name, scene] of scenes)
         test(`${name} has the same state by ${threads} threads as in native code`, () =>

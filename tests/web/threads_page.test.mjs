@@ -48,7 +48,7 @@ for (const browser of BROWSERS)
                         }
                         return count;
                     }, names);
-                    assert.equal(compared, 3 * 16);
+                    assert.equal(compared, 3 * 17);
                 },
                 { browser },
             ),
