@@ -6,6 +6,7 @@
 #include "shapes/convex_query.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn {
 
@@ -117,8 +118,8 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     }
     const bool moves = other == all.end() && o.type != BodyType::static_;
     const auto push = [&] {
-        if (moves) o.carry = o.ride = motion_of(o);
         scratch_.obstacles.push_back(o);
+        if (moves) set_motion(scratch_.obstacles.size() - 1);
     };
     switch (posed.geometry.type) {
     case ShapeType::plane: {
@@ -150,24 +151,14 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     }
 }
 
-// Where it is nearest to the character: of what turns, each place moves otherwise.
-DVec3 Surroundings::motion_of(const Obstacle& o) const {
+// As it moves where it is nearest to the character: of what turns, each place moves otherwise.
+void Surroundings::set_motion(std::size_t obstacle) {
+    Obstacle& o = scratch_.obstacles[obstacle];
     const BodyMotion& motion = input_.bodies.motion[o.body];
     DVec3 nearest;
-    if (!(motion.w == math::Vec3{})) {
-        double least = 0;
-        for (const CharacterPart& part : scratch_.parts) {
-            ClosestPoints c;
-            if (o.is_plane) {
-                c.on_b = support(part.sharp, -o.convex.axes.c1), c.distance = height_over(o, part.sharp);
-                c.on_b -= c.distance * o.convex.axes.c1;
-            } else {
-                c = closest_points(part.sharp, o.convex);
-            }
-            if (&part == scratch_.parts.data() || c.distance < least) nearest = c.on_b, least = c.distance;
-        }
-    }
-    return within_numbers(carried(motion, origin_ + nearest, input_.dt));
+    if (!(motion.w == math::Vec3{}))
+        if (const auto found = gap(obstacle, {}, 0, std::numeric_limits<double>::infinity())) nearest = found->point;
+    o.carry = o.ride = within_numbers(carried(motion, origin_ + nearest, input_.dt));
 }
 
 std::optional<CharacterGap> Surroundings::gap(std::size_t obstacle, DVec3 at, double time, double most) const {

@@ -65,7 +65,7 @@ class Surroundings {
     void gather_parts(std::int32_t body, double skin);
     void gather(std::int32_t body, double reach);
     void add_shape(std::uint32_t shape, const DBounds& near);
-    math::DVec3 motion_of(const Obstacle& obstacle) const; // m in the step
+    void set_motion(std::size_t obstacle);
     std::optional<CharacterHit> cast_at(const CharacterPart& part, std::size_t obstacle, math::DVec3 at, double time,
                                         math::DVec3 way, double duration, double limit) const;
 

@@ -159,7 +159,7 @@ std::int32_t Movers::append(std::int32_t b) {
 }
 
 // None if it would have been faster than the world allows: then its speed was cut, and is about the same all along.
-DVec3 Movers::acceleration_along(const RigidPath& path, std::int32_t b) const {
+DVec3 Movers::acceleration_on(const RigidPath& path, std::int32_t b) const {
     const DVec3 a = acceleration_at(s.bodies, s.fields, s.settings, b, path.start);
     const DVec3 mean = (1 / double(dt_)) * path.translation, change = (0.5 * double(dt_)) * a;
     const double most = 1.001 * double(s.settings.max_linear_speed);
@@ -178,7 +178,7 @@ void Movers::set_out(std::int32_t i) {
     const bool flies_anew = !end && links.joint_count == 0;
     m.turns_over = !end && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));
-    m.acceleration = acceleration_along(m.path, b);
+    m.acceleration = acceleration_on(m.path, b);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));

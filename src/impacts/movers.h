@@ -76,7 +76,7 @@ class Movers {
     static bool is_put_back(const Mover& m) { return m.is_changed || m.has_stopped(); }
     std::int32_t append(std::int32_t body);
     void set_out(std::int32_t i);
-    math::DVec3 acceleration_along(const RigidPath& path, std::int32_t body) const;
+    math::DVec3 acceleration_on(const RigidPath& path, std::int32_t body) const;
     // From several threads at once.
     void note_clamped(std::uint64_t times) const { __atomic_fetch_add(&s.clamped_speeds, times, __ATOMIC_RELAXED); }
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;

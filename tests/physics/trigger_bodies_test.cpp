@@ -35,7 +35,7 @@ int entries_of(const World& world, BodyId trigger, BodyId other, bool inside) {
 
 enum class Way { velocity, move_to, set_transform };
 
-// The next pose, 0.1 m on. Whether it is there at once.
+// At once, or in the step that follows.
 void move(World& world, BodyId body, Way way, const glm::dvec3& by) {
     const Position to = world.body(body).position() + by;
     if (way == Way::velocity) world.body(body).set_linear_velocity(Vec3(by / double(frame)));

@@ -57,9 +57,13 @@ struct Surroundings {
     Velocityx8 drive_a, drive_b, other_a, other_b; // other: corrections of their poses' velocities so far
 };
 
+// Of a point, along the normal, by velocities of the two or by corrections of them.
+template <int N> CAIRN_INLINE f32x8 velocity_of(const Meeting<N>& m, int i, const Velocityx8& a, const Velocityx8& b) {
+    return dot(m.normal, b.v - a.v) + (dot(m.arm_b[i], b.w) - dot(m.arm_a[i], a.w));
+}
+
 template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Velocityx8& b, Meeting<N>& m) {
-    const f32x8 common = dot(m.normal, b.v - a.v);
-    for (int i = 0; i < N; ++i) m.v[i] = common + (dot(m.arm_b[i], b.w) - dot(m.arm_a[i], a.w));
+    for (int i = 0; i < N; ++i) m.v[i] = velocity_of(m, i, a, b);
 }
 
 // As they are at the start of the substep.
@@ -87,8 +91,7 @@ CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& 
                                     dot(m.normal, around.drive_b.v - around.drive_a.v)) *
                                        splat(1.0f / settings.h),
                                    zero());
-    const f32x8 other = dot(m.normal, around.other_b.v - around.other_a.v) +
-                        (dot(m.arm_b[i], around.other_b.w) - dot(m.arm_a[i], around.other_a.w));
+    const f32x8 other = velocity_of(m, i, around.other_a, around.other_b);
     return rebound(-m.v[i], max(load(block.separation[i]), zero()), acceleration, load(block.restitution), other,
                    settings);
 }
@@ -321,8 +324,7 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
         for (int i = 0; i < N; ++i) {
             store(aimed.leave + 8 * (N * k + i), select(arrives[i], -(restitution * now.v[i]), zero()));
             // What bounced before in this substep is where it would be had it come with the velocity that it has now.
-            const f32x8 shift =
-                dot(now.normal, other_b.v - other_a.v) + (dot(now.arm_b[i], other_b.w) - dot(now.arm_a[i], other_a.w));
+            const f32x8 shift = velocity_of(now, i, other_a, other_b);
             const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
             const f32x8 way = select(arrives[i], splat(-settings.h) * now.v[i], one());
             store(aimed.meets + 8 * (N * k + i), clamp(gap / way, zero(), one()));
