@@ -141,7 +141,7 @@ void correct_poses(BatchScratch& scratch, const SolverBodies& bodies) {
             ImpactWork::Group& group = work.groups[std::size_t(struck.lanes[i].group)];
             for (std::size_t k = 0; k < points; ++k) {
                 const std::size_t place = i / 8 * points + k;
-                if (!(struck.leave[place].value[i % 8] > 0)) continue;
+                if (struck.leave[place].value[i % 8] == does_not_arrive) continue;
                 const double impulse = double(struck.impacts[i / 8].impulse[k][i % 8]);
                 group.impulse += impulse;
                 group.moment += impulse * double(struck.meets[place].value[i % 8]);

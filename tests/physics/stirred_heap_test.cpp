@@ -6,41 +6,79 @@
 namespace cairn_test {
 namespace {
 
+constexpr Quat straight(1, 0, 0, 0);
+
+// A pit of 2 `inner` by 2 `inner` m, in the middle of which a paddle of this size turns at 2 rad/s, `height` above the
+// ground.
+struct Pit {
+    World world;
+    Material material;
+
+    Pit(const WorldDef& settings, double inner, const Box& paddle, double height, const Material& material)
+        : world(settings), material(material) {
+        add(BodyType::static_, {0, -1, 0}, Box{{12, 1, 12}}, straight);
+        for (const double side : {-inner - 0.5, inner + 0.5}) {
+            add(BodyType::static_, {side, 9, 0}, Box{{0.5f, 10, 6}}, straight);
+            add(BodyType::static_, {0, 9, side}, Box{{6, 10, 0.5f}}, straight);
+        }
+        const BodyId turns = add(BodyType::kinematic, {0, height, 0}, paddle, straight);
+        world.body(turns).set_angular_velocity({0, 2, 0});
+    }
+
+    BodyId add(BodyType type, const glm::dvec3& place, const Shape& shape, const Quat& turn) {
+        BodyDef def;
+        def.type = type, def.position = place, def.rotation = turn;
+        return add_body(world, shape, def, material);
+    }
+
+    // The fastest body in these steps, m/s.
+    double fastest_in(int steps) {
+        double most = 0;
+        for (int step = 0; step < steps; ++step) {
+            world.step(1.0f / 60);
+            for (const BodyId id : world.bodies())
+                if (world.body(id).type() == BodyType::dynamic)
+                    most = std::max(most, double(glm::length(world.body(id).linear_velocity())));
+        }
+        return most;
+    }
+};
+
 // The fastest body in 2 s, m/s. The tip of the paddle moves at 8 m/s.
-double fastest_in(Integrator integrator, std::uint32_t seed) {
+double fastest_of_bodies(Integrator integrator, std::uint32_t seed) {
     RandomStart random(seed);
     WorldDef settings;
     settings.integrator = integrator;
-    World world(settings);
-    const Material bouncy = surface(0.6f, 0.5f);
-    const auto add = [&](BodyType type, const glm::dvec3& place, const Shape& shape, const Quat& turn) {
-        BodyDef def;
-        def.type = type, def.position = place, def.rotation = turn;
-        return add_body(world, shape, def, bouncy);
-    };
-    const Quat straight(1, 0, 0, 0);
-    add(BodyType::static_, {0, -1, 0}, Box{{12, 1, 12}}, straight);
-    for (const double side : {-5.0, 5.0}) {
-        add(BodyType::static_, {side, 9, 0}, Box{{0.5f, 10, 6}}, straight);
-        add(BodyType::static_, {0, 9, side}, Box{{6, 10, 0.5f}}, straight);
-    }
-    const BodyId paddle = add(BodyType::kinematic, {0, 1, 0}, Box{{4, 0.4f, 0.4f}}, straight);
-    world.body(paddle).set_angular_velocity({0, 2, 0});
+    Pit pit(settings, 4.5, Box{{4, 0.4f, 0.4f}}, 1, surface(0.6f, 0.5f));
     const Shape shapes[] = {Sphere{0.5f}, Box{}, Box{{0.5f, 0.3f, 0.2f}}, Capsule{0.4f, 0.2f}, Box{{0.7f, 0.3f, 0.3f}}};
     for (int i = 0; i < 500; ++i) {
         const auto any = [&] { return float(random.uniform(-1, 1)); };
         const Quat turn = glm::normalize(Quat(any(), any(), any(), any()));
-        add(BodyType::dynamic, {0.9 * (i % 9) - 3.6, 1.2 + 0.8 * (i / 81), 0.9 * (i / 9 % 9) - 3.6}, shapes[i % 5],
-            turn);
+        pit.add(BodyType::dynamic, {0.9 * (i % 9) - 3.6, 1.2 + 0.8 * (i / 81), 0.9 * (i / 9 % 9) - 3.6}, shapes[i % 5],
+                turn);
     }
-    double most = 0;
-    for (int step = 0; step < 120; ++step) {
-        world.step(1.0f / 60);
-        for (const BodyId id : world.bodies())
-            if (world.body(id).type() == BodyType::dynamic)
-                most = std::max(most, double(glm::length(world.body(id).linear_velocity())));
+    return pit.fastest_in(120);
+}
+
+// Likewise of sixty chains of four links on hinges and ball joints, in 4 s. The tip of the paddle moves at 4.4 m/s.
+double fastest_of_chains(float restitution, std::uint32_t seed) {
+    RandomStart random(seed);
+    Pit pit(WorldDef(), 2.5, Box{{2.2f, 0.4f, 0.3f}}, 0.6, surface(0.6f, restitution));
+    const Quat lies = glm::angleAxis(1.5707963f, glm::vec3(0, 0, 1));
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 first(random.uniform(-1.9, 0.7), 1.4 + 0.4 * (i / 4), random.uniform(-2, 2));
+        BodyId last;
+        for (int k = 0; k < 4; ++k) {
+            const glm::dvec3 place = first + glm::dvec3(0.42 * k, 0, 0);
+            const BodyId link = pit.add(BodyType::dynamic, place, Capsule{0.13f, 0.07f}, lies);
+            const Joint joint = k % 2 == 1 ? Joint(HingeJoint{}) : Joint(BallJoint{});
+            if (k > 0)
+                pit.world.create_joint(
+                    pit.world.joint_at(last, link, place - glm::dvec3(0.21, 0, 0), glm::vec3(0, 0, 1), joint));
+            last = link;
+        }
     }
-    return most;
+    return pit.fastest_in(240);
 }
 
 class StirredHeap : public ::testing::TestWithParam<Integrator> {};
@@ -49,8 +87,18 @@ class StirredHeap : public ::testing::TestWithParam<Integrator> {};
 // took impulses in the passes of an impact, without end; and a bounce that changed a velocity by next to nothing moved
 // the pose by any amount.
 TEST_P(StirredHeap, ThatBouncesStaysInItsPit) {
-    for (std::uint32_t seed = 0; seed < 4; ++seed) EXPECT_LT(fastest_in(GetParam(), seed), 100) << seed;
+    for (std::uint32_t seed = 0; seed < 4; ++seed) EXPECT_LT(fastest_of_bodies(GetParam(), seed), 100) << seed;
 }
+
+// In 12 of 24 something flew at 300 to 2,000 m/s, and joints opened by meters: what a joint pressed into a contact,
+// carried over from substep to substep, bounced anew in each. One of a hundred is left (docs/known_limits.md).
+TEST(StirredChains, ThatBounceStayInTheirPit) {
+    int broken = 0;
+    for (const float restitution : {0.1f, 0.3f, 0.5f, 0.8f})
+        for (std::uint32_t seed = 0; seed < 6; ++seed) broken += fastest_of_chains(restitution, seed) > 100;
+    EXPECT_LE(broken, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, StirredHeap,
                          ::testing::Values(Integrator::semi_implicit_euler, Integrator::rk4,
                                            Integrator::explicit_euler),

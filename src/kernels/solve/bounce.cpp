@@ -10,6 +10,10 @@
 // stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. What the pose must move beside the stored velocity to
 // get there goes to velocity_correction.
 //
+// What bounces is the free velocity (the reference): what is carried over from the last substep are forces of this one,
+// which act on after the bounce as they did before it. Were they to bounce as a whole, what a joint presses into a
+// contact would grow by 1 + e in each substep.
+//
 // The impulse acts where the bodies are when they meet, with arms, normal and couplings of that moment: so that neither
 // energy nor angular momentum is gained or lost by having looked too early.
 #include "kernels/solve/solver.h"
@@ -26,7 +30,7 @@ template <int N> struct Meeting {
     Vec3x8 center;    // arm of the friction center, for A
     Vec3x8 arm_a[N];  // r_i x normal
     Vec3x8 arm_b[N];  // (r_i + d) x normal
-    f32x8 v[N];       // normal velocities, closing ones negative
+    f32x8 v[N];       // free normal velocities, closing ones negative
     f32x8 correction; // of the poses' velocities, in units of the change of velocity
 };
 
@@ -50,6 +54,20 @@ CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x
     // It does not come down again in the same substep: what is that slow stays on the surface.
     const f32x8 velocity = max(leave - acceleration * left + (one() - offset) * ah, zero());
     return {velocity, (end_gap - gap) / h - velocity - other_correction};
+}
+
+struct TwoTwists {
+    Velocityx8 a, b;
+};
+
+CAIRN_INLINE TwoTwists free_velocities(const SolverBodies& bodies, const std::uint32_t* a, const std::uint32_t* b) {
+    return {gather_velocity(bodies.reference, a), gather_velocity(bodies.reference, b)};
+}
+
+CAIRN_INLINE TwoTwists carried_over(const SolverBodies& bodies, const std::uint32_t* row_a, const std::uint32_t* row_b,
+                                    const TwoTwists& free) {
+    const Velocityx8 a = gather_velocity(bodies.velocity, row_a), b = gather_velocity(bodies.velocity, row_b);
+    return {{a.v - free.a.v, a.w - free.a.w}, {b.v - free.b.v, b.w - free.b.w}};
 }
 
 // What the two bodies have besides their velocities.
@@ -156,13 +174,14 @@ CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, con
 
 // Points that will touch within this substep, and fast enough.
 template <int N>
-CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, const BounceSettings& settings,
-                            mask8* arrives) {
+CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, const TwoTwists& carried,
+                            const BounceSettings& settings, mask8* arrives) {
     mask8 lanes = zero() > one();
     for (int i = 0; i < N; ++i) {
-        arrives[i] = (load(block.effective_mass[i]) > zero()) & (m.v[i] < splat(-settings.threshold)) &
-                     (load(block.separation[i]) + splat(settings.h) * m.v[i] <= zero()) &
-                     (load(block.restitution) > zero());
+        // What is carried over may hold the two apart, but does not bring them together.
+        const f32x8 v = m.v[i] + max(velocity_of(m, i, carried.a, carried.b), zero());
+        arrives[i] = (load(block.effective_mass[i]) > zero()) & (v < splat(-settings.threshold)) &
+                     (load(block.separation[i]) + splat(settings.h) * v <= zero()) & (load(block.restitution) > zero());
         lanes = lanes | arrives[i];
     }
     return lanes;
@@ -229,10 +248,11 @@ CAIRN_INLINE Vec3x8 passed_of(const SolverPose* pose, const std::uint32_t* a, co
 template <int N>
 CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
     if (!block.bounces) return false;
-    Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
-    Meeting<N> now = meeting_now(block, load3(block.d), a, b);
+    const TwoTwists free = free_velocities(bodies, block.a, block.b),
+                    carried = carried_over(bodies, block.a, block.b, free);
+    Meeting<N> now = meeting_now(block, load3(block.d), free.a, free.b);
     mask8 arrives[N];
-    mask8 may_bounce = arriving(block, now, settings, arrives);
+    mask8 may_bounce = arriving(block, now, carried, settings, arrives);
     if (!any(may_bounce)) return false;
     if (block.joined) {
         const mask8 joined = mask_from_bits(block.joined);
@@ -242,8 +262,8 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     }
     // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is. A lane must
     // arrive by both: else it would matter whether another one in its block does.
-    now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), a, b);
-    if (!any(may_bounce & arriving(block, now, settings, arrives))) return false;
+    now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), free.a, free.b);
+    if (!any(may_bounce & arriving(block, now, carried, settings, arrives))) return false;
     for (int i = 0; i < N; ++i) arrives[i] = arrives[i] & may_bounce;
     const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
                                  gather_twist(bodies.velocity_correction, block.a),
@@ -256,7 +276,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     }
     // They meet within the substep: the pose lags behind by none to all of the change.
     now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
-    Meeting<N> m = meeting_later(block, now, a, b, around, settings.h);
+    Meeting<N> m = meeting_later(block, now, free.a, free.b, around, settings.h);
     mask8 bounces = zero() > one();
     for (int i = 0; i < N; ++i) {
         arrives[i] = arrives[i] & (m.v[i] < splat(-settings.threshold));
@@ -272,7 +292,10 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         torque_b = torque_b + impulse[i] * m.arm_b[i];
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse[i]);
     }
-    const Velocityx8 before_a = a, before_b = b;
+    // Friction is that of all velocities there are.
+    const Velocityx8 before_a = gather_velocity(bodies.velocity, block.a),
+                     before_b = gather_velocity(bodies.velocity, block.b);
+    Velocityx8 a = before_a, b = before_b;
     a = {a.v - (load(block.mass_a) * sum) * m.normal, a.w - turned_a(block, torque_a)};
     b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + turned_b(block, torque_b)};
     const Vec3x8 load_at = load_center(block, m, sum, torque_a), e = load_at - m.center;
@@ -315,19 +338,29 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& block = all[k];
         const f32x8 restitution = load(block.restitution);
-        const Meeting<N> now = meeting_now(block, load3(block.d), gather_velocity(bodies.velocity, block.a),
-                                           gather_velocity(bodies.velocity, block.b));
+        const TwoTwists free = free_velocities(bodies, block.a, block.b),
+                        carried = carried_over(bodies, block.a, block.b, free);
+        const Meeting<N> now = meeting_now(block, load3(block.d), free.a, free.b);
         const Velocityx8 other_a = gather_twist(bodies.velocity_correction, block.a),
                          other_b = gather_twist(bodies.velocity_correction, block.b);
         mask8 arrives[N];
-        const mask8 takes_part = arriving(block, now, settings, arrives) | (restitution <= zero());
+        const mask8 takes_part = arriving(block, now, carried, settings, arrives) | (restitution <= zero());
+        const Velocityx8 drive_a = gather_twist(bodies.drive, block.a), drive_b = gather_twist(bodies.drive, block.b);
         for (int i = 0; i < N; ++i) {
-            store(aimed.leave + 8 * (N * k + i), select(arrives[i], -(restitution * now.v[i]), zero()));
+            const f32x8 forced = velocity_of(now, i, carried.a, carried.b), v = now.v[i] + forced;
             // What bounced before in this substep is where it would be had it come with the velocity that it has now.
             const f32x8 shift = velocity_of(now, i, other_a, other_b);
             const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
-            const f32x8 way = select(arrives[i], splat(-settings.h) * now.v[i], one());
-            store(aimed.meets + 8 * (N * k + i), clamp(gap / way, zero(), one()));
+            const f32x8 way = select(arrives[i], splat(-settings.h) * v, one());
+            const f32x8 meets = clamp(gap / way, zero(), one());
+            // What forces change between the moment that stored velocities are of and the impact.
+            const f32x8 late =
+                (forced + velocity_of(now, i, drive_a, drive_b)) * (meets - splat(settings.velocity_offset));
+            const f32x8 after = restitution * max(-v - late, zero()) - late;
+            // What comes back within the substep stays: the solver holds what presses it.
+            const f32x8 leave = select(after >= zero(), after, min(forced, zero()));
+            store(aimed.leave + 8 * (N * k + i), select(arrives[i], leave, splat(does_not_arrive)));
+            store(aimed.meets + 8 * (N * k + i), meets);
         }
         given[k].active = std::uint8_t(given[k].active & bits(takes_part));
     }

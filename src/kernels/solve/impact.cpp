@@ -17,7 +17,7 @@ CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, cons
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
         // As in relax: what will bounce must arrive with all of its speed.
-        const mask8 leaves = leave[i] > zero();
+        const mask8 leaves = leave[i] > splat(does_not_arrive);
         const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), leaves);
         const f32x8 left = select(leaves, -leave[i], max(s, zero()) * inverse_h);
         impulse[i] = old[i];
@@ -43,7 +43,8 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     f32x8 v[N], leave[N], old[N], impulse[N], sum = zero(), load_sum = zero();
     Vec3x8 torque = zero3(), load_torque = zero3();
     normal_velocities<N>(block, a, b, normal, c, v);
-    for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]), leave[i] = to_leave ? load(to_leave + 8 * i) : zero();
+    for (int i = 0; i < N; ++i)
+        old[i] = load(impact.impulse[i]), leave[i] = to_leave ? load(to_leave + 8 * i) : splat(does_not_arrive);
     strike_points<N>(block, active, v, inverse_h, leave, old, impulse);
     const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
     mask8 idle = (old1 == zero()) & (old2 == zero());

@@ -200,8 +200,9 @@ struct BounceCount {
 };
 
 // Of contacts that bounce in an impact, 8 for each point of a block.
+inline constexpr float does_not_arrive = -1e30f;
 struct AimedSpeeds {
-    float* leave; // m/s: how fast it is to leave; 0: it does not arrive
+    float* leave; // m/s: how fast it is to leave, with what is carried over; does_not_arrive
     float* meets; // when it arrives, in units of the substep
 };
 
