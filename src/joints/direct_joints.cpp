@@ -2,6 +2,7 @@
 
 #include "joints/direct_sets.h"
 #include "joints/direct_view.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -317,7 +318,8 @@ void solve_rows(const Joints& joints, const SetView& v, double rate) {
 }
 
 double return_rate(const SetView& v, double h) {
-    return (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+    return (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) /
+           std::max(h, double(stiffest_substep));
 }
 
 void read_velocities(const SetView& v, const BatchScratch& scratch) {

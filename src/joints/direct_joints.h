@@ -10,8 +10,9 @@
 
 namespace cairn {
 
-// The sets whose joints are in the batch, and rows for their bodies. Before the rows are filled.
-void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch);
+// The sets whose joints are in the batch, and rows for their bodies. Before the rows are filled. `h`: the
+// substep.
+void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, float h);
 // The limits and drives that they solve. After the joints' rows have their lanes.
 void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScratch& scratch);
 // Positions, axes and impulses of their rows. After the rows are filled.

@@ -5,6 +5,7 @@
 #include "joints/direct_sets.h"
 #include "joints/joint_placement.h"
 #include "state/state.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <limits>
@@ -104,7 +105,7 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
 
 } // namespace
 
-void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
+void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, float h) {
     DirectWork& work = scratch.direct;
     work.sets.clear();
     std::size_t bodies = 0, rows = 0, blocks = 0;
@@ -113,7 +114,8 @@ void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScrat
         if (index == none || direct.sets[index].joints[0] != joint) continue;
         const DirectSet& set = direct.sets[index];
         bool is_new = false;
-        for (const std::uint32_t member : set.joints) is_new |= !(joints.info[member].substep_time > 0);
+        for (const std::uint32_t member : set.joints)
+            is_new |= !carried_share(joints.info[member].substep_time, h).is_known;
         work.sets.push_back({index, bodies, rows, blocks, is_new});
         for (std::size_t i = 1; i < set.bodies.size(); ++i) row_of_body(scratch, set.bodies[i]);
         bodies += set.bodies.size(), rows += set.nodes.size(), blocks += set.plan.block_count();

@@ -167,7 +167,7 @@ bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_pe
 std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
 
 void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
-                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     JointLayout& layout = solver.joint_layouts[&batch - solver.batches.data()];
     scratch.joint_layout = &layout;
     bool is_new = false;
@@ -184,7 +184,7 @@ void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solve
     }
     if (update_idle_rows(bodies, joints, layout, thread_pool) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
-    list_direct_sets(joints, direct, scratch);
+    list_direct_sets(joints, direct, scratch, h);
     list_direct_limits(joints, direct, scratch);
 }
 

@@ -6,9 +6,9 @@
 
 namespace cairn {
 
-// Joints of the batch's islands, laid into blocks of 8 lanes color by color.
+// Joints of the batch's islands, laid into blocks of 8 lanes color by color. `h`: the substep.
 void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
-                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool);
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 
 // Whether no run before it has lanes of its blocks.
 inline bool opens_blocks(const JointRun& run) { return run.first_lane == 0; }

@@ -7,6 +7,7 @@
 #include "joints/joint_layout.h"
 #include "joints/joint_placement.h"
 #include "state/joint_links.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 #include <cstring>
@@ -302,8 +303,7 @@ void begin_joint(Joints& joints, std::uint32_t index, float h) {
     joint.force = {};
     if (has_torque(joint)) joint.torque = {};
     if (joint.substep_time == h) return;
-    const float ratio = joint.substep_time > 0 ? h / joint.substep_time : 0.0f;
-    const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+    const float factor = carried_share(joint.substep_time, h).factor;
     joint.point_impulse = factor * joint.point_impulse;
     joint.turn_impulse = factor * joint.turn_impulse;
     for (int i = 0; i < joint.rules.axis_count; ++i) {

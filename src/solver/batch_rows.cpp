@@ -277,7 +277,7 @@ bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const
 
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
-                BatchScratch& scratch, ThreadPool* thread_pool) {
+                BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     if (!take_listed_bodies(bodies, solver, batch, scratch))
         gather_bodies(bodies, islands, settings, solver, batch, scratch, thread_pool);
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
@@ -285,7 +285,7 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch, thread_pool);
     fill_lanes(solver, batch, scratch, thread_pool);
-    fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
+    fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool, h);
     fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
     if (scratch.border) number_border_rows(*scratch.border, scratch);
 }

@@ -10,11 +10,11 @@ namespace cairn {
 void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
                    const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool);
 
-// Lays out the rows and lanes of a batch, and fills them: of one that is cut (BatchScratch::border), those that this
-// rank needs.
+// Lays out the rows and lanes of a batch, and fills them, for substeps of h: of one that is cut (BatchScratch::border),
+// those that this rank needs.
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
-                BatchScratch& scratch, ThreadPool* thread_pool);
+                BatchScratch& scratch, ThreadPool* thread_pool, float h);
 // Takes the motion of moving surfaces off the poses of their rows, once the substeps are done.
 void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch,
                           float dt);

@@ -10,6 +10,7 @@
 #include "solver/standing_loads.h"
 #include "state/joint_links.h"
 #include "state/state.h"
+#include "state/substeps.h"
 
 #include <algorithm>
 
@@ -89,8 +90,7 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
 void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h) {
     if (c.substep_time > 0 && records.has(id)) {
         ContactRecord& r = records[id];
-        const float ratio = h / c.substep_time;
-        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+        const float factor = carried_share(c.substep_time, h).factor;
         for (float& impulse : r.impulses) impulse *= factor;
         for (float& impulse : r.friction_impulse) impulse *= factor;
         r.torsion_impulse *= factor;

@@ -236,16 +236,16 @@ void return_reports(const Contacts& contacts, SolverScratch& solver, const Islan
 void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
+    const float h = dt / float(batch.substeps);
     fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, s.solver, s.direct, batch, scratch,
-               thread_pool);
+               thread_pool, h);
     if (scratch.row_count() > 0) {
         if (!s.contacts.records.is_whole()) number_places(s.contacts, scratch);
-        fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
-        prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
-                            batch.bounces);
+        fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, h);
+        prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, h, batch.bounces);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
-                      scratch.inertia.data(), scratch.velocity.data(), 0.5f * dt, dt / float(batch.substeps));
+                      scratch.inertia.data(), scratch.velocity.data(), 0.5f * dt, h);
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;

@@ -73,7 +73,7 @@ struct DirectLimit {
 struct DirectSolve {
     std::int32_t set = 0;
     std::size_t first_body = 0, first_row = 0, first_block = 0;
-    bool is_new = false;     // some joint has no impulse of a last substep
+    bool is_new = false;     // of some joint it is not known what it gave in the last substep
     bool is_touched = false; // contacts push some of its bodies
     std::size_t first_limit = 0, limit_count = 0;
 };

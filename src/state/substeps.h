@@ -27,4 +27,20 @@ inline int substeps_of(const WorldDef& settings, float dt) {
     return settings.substeps > 0 ? settings.substeps : substeps_in(dt, usual_substeps);
 }
 
+// s: with a substep shorter than that nothing becomes stiffer, nor is anything that is apart brought together faster.
+inline constexpr float stiffest_substep = 1e-4f;
+
+// What the impulses of a substep of `before` seconds (0: none) are in one of h. They are forces; but a good part of
+// what a far shorter one gave is what its rounding and its passes left over, and would grow with h. What is not known
+// is not asked for: is_known.
+struct CarriedShare {
+    float factor;
+    bool is_known;
+};
+inline CarriedShare carried_share(float before, float h) {
+    constexpr float most = 4;
+    if (!(before > 0)) return {0, false};
+    return {std::min(h / before, most), h <= most * before};
+}
+
 } // namespace cairn

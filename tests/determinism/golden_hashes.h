@@ -10,7 +10,7 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0xa97064962c36057f;
 inline constexpr std::uint64_t pyramid = 0x6e90f2a1106609b2;
 inline constexpr std::uint64_t dominoes = 0x474950b1950f158a;
-inline constexpr std::uint64_t materials = 0x68d01eaa570027fb;
+inline constexpr std::uint64_t materials = 0x72978e024f074a86;
 inline constexpr std::uint64_t tumbler = 0x847461940cfb5dad;
 inline constexpr std::uint64_t sleep_and_wake = 0x02a5ac89fdfc33d7;
 inline constexpr std::uint64_t compounds = 0xd3e1b5658bdfcd79;
@@ -22,7 +22,7 @@ inline constexpr std::uint64_t all_shapes = 0xdd741fe5a4441f3d;
 inline constexpr std::uint64_t rounded_shapes = 0x1a854e88529e570b;
 inline constexpr std::uint64_t surfaces = 0x2af40d88a462886b;
 inline constexpr std::uint64_t all_joints = 0x2a162d68e362af14;
-inline constexpr std::uint64_t chains = 0x1c5ad0cd91003f3d;
+inline constexpr std::uint64_t chains = 0x546d6ab7aa268640;
 inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 
 } // namespace cairn_test::golden
