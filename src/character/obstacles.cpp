@@ -117,6 +117,8 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
         if (std::size_t(other - all.begin()) < index_) posed.center += o.ride;
     }
     const bool moves = other == all.end() && o.type != BodyType::static_;
+    if (const ShapeTraits& traits = input_.shapes.traits[shape]; traits.has_surface_velocity)
+        o.belt = within_numbers(input_.dt * math::rotate(posed.rotation, math::to_double(traits.surface_velocity)));
     const auto push = [&] {
         scratch_.obstacles.push_back(o);
         if (moves) set_motion(scratch_.obstacles.size() - 1);

@@ -233,7 +233,7 @@ void Walk::meet(const CharacterHit& hit) {
 }
 
 void Walk::land(const Footing& f) {
-    const DVec3 own_carry = obstacle(f.obstacle).ride;
+    const DVec3 own_carry = ride_on(obstacle(f.obstacle), f.slope);
     const DVec3 motion = motion_ - own_carry;
     if (!ground_) {
         landing_speed_ = std::max(0.0, -dot(velocity_ - (1 / dt_) * own_carry, f.contact));
@@ -348,7 +348,7 @@ void Walk::finish() {
     self_.ground_body = o.body, self_.ground_shape = std::int32_t(o.shape);
     self_.ground_normal = math::to_float(contact_normal_);
     self_.ground_point = around_.origin() + within_numbers(contact_point_);
-    self_.ground_velocity = math::to_float(within_numbers((1 / dt_) * o.ride));
+    self_.ground_velocity = math::to_float(within_numbers((1 / dt_) * ride_on(o, contact_normal_)));
 }
 
 } // namespace cairn

@@ -60,7 +60,10 @@ class Walk {
     math::DVec3 level(math::DVec3 v) const { return v - math::dot(v, up_) * up_; }
     math::DVec3 along_slope(math::DVec3 motion, math::DVec3 slope, double length) const;
     const Obstacle& obstacle(std::size_t i) const { return around_.obstacles()[i]; }
-    math::DVec3 carry() const { return ground_ ? obstacle(*ground_).ride : math::DVec3{}; }
+    math::DVec3 ride_on(const Obstacle& o, math::DVec3 normal) const {
+        return o.ride + (o.belt - math::dot(o.belt, normal) * normal);
+    }
+    math::DVec3 carry() const { return ground_ ? ride_on(obstacle(*ground_), slope_) : math::DVec3{}; }
 
     static constexpr std::size_t most_pushes = 8;
     Surroundings& around_;

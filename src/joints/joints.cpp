@@ -100,16 +100,31 @@ void deactivate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEven
     joint.color = no_color;
 }
 
+namespace {
+
+// Calls f(island) for those of what hangs on a body; more than once if it hangs on it by several joints.
+template <class F> void for_joined_islands(const Bodies& bodies, const Joints& joints, std::int32_t body, F&& f) {
+    for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int side) {
+        const std::int32_t other = other_body(joints.info[joint], side);
+        if (is_solved(bodies, other)) f(bodies.links[other].island);
+    });
+}
+
+} // namespace
+
+void wake_joined(Bodies& bodies, Islands& islands, const Joints& joints, StepEvents& events, std::int32_t body) {
+    for_joined_islands(bodies, joints, body,
+                       [&](std::int32_t island) { wake_island(bodies, islands, events, island); });
+}
+
 void wake_driven_joints(Bodies& bodies, Islands& islands, const Joints& joints, StepEvents& events) {
     for (const std::int32_t b : bodies.kinematics) {
         const BodyMotion& motion = bodies.motion[b];
         if (bodies.links[b].first_joint == none) continue;
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for_each_joint(bodies, joints, b, [&](std::uint32_t joint, int side) {
-            const std::int32_t other = other_body(joints.info[joint], side);
-            if (!is_solved(bodies, other)) return;
-            wake_island(bodies, islands, events, bodies.links[other].island);
-            islands.all[bodies.links[other].island].kept_awake = 1;
+        for_joined_islands(bodies, joints, b, [&](std::int32_t island) {
+            wake_island(bodies, islands, events, island);
+            islands.all[island].kept_awake = 1;
         });
     }
 }

@@ -12,6 +12,8 @@ void unlink_joint(Bodies& bodies, Joints& joints, std::uint32_t joint);
 void activate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEvents& events, std::uint32_t joint);
 void deactivate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEvents& events, std::uint32_t joint);
 
+// What hangs on a body wakes.
+void wake_joined(Bodies& bodies, Islands& islands, const Joints& joints, StepEvents& events, std::int32_t body);
 // What hangs on a kinematic body that moves is awake, and stays so.
 void wake_driven_joints(Bodies& bodies, Islands& islands, const Joints& joints, StepEvents& events);
 

@@ -18,6 +18,7 @@ struct Obstacle {
     DBounds bounds;
     math::DVec3 carry; // m, by how much it moves in the step where the character is
     math::DVec3 ride;  // m, by how much what stands on it moves: as far, but of other characters, which stand still
+    math::DVec3 belt;  // m, by how much its surface moves beside that, where it is along the surface
     std::int32_t body = -1;
     std::uint32_t shape = 0;
     BodyType type = BodyType::static_;

@@ -174,6 +174,7 @@ namespace {
 void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation) {
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
     wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
+    wake_joined(a.s.bodies, a.s.islands, a.s.joints, a.s.events, a.index());
     set_pose(a.s.bodies, a.index(), origin, rotation);
     update_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());

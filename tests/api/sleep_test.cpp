@@ -238,6 +238,30 @@ TEST(Sleep, MovedStaticBodyWakesWhatRestedOnIt) {
     EXPECT_LT(world.body(crate).position().y, 2.0) << "it falls";
 }
 
+// It stayed where it was, held by a hook that was gone.
+TEST(Sleep, WhatHangsOnABodyThatIsMovedWakes) {
+    const Joint joints[] = {BallJoint{}, HingeJoint{}, FixedJoint{}, SliderJoint{}};
+    for (const BodyType type : {BodyType::static_, BodyType::kinematic})
+        for (const Joint& joint : joints)
+            for (const bool turns : {false, true}) {
+                World world;
+                Body hook = world.body(world.create_body(body_at({0.0, 0.0, 0.0}, type)));
+                const Body crate = world.body(add_crate(world, {0.0, -2.0, 0.0}));
+                world.create_joint(world.joint_at(hook.id(), crate.id(), {}, {0, 0, 1}, joint));
+                run(world, 300);
+                ASSERT_FALSE(crate.is_awake());
+                const Position before = crate.position();
+                if (turns)
+                    hook.set_rotation(glm::angleAxis(0.3f, Vec3(1, 0, 0)));
+                else
+                    hook.set_position({0.3, 0.0, 0.0});
+                EXPECT_TRUE(crate.is_awake());
+                run(world, 30);
+                const bool lets_it_turn = turns && std::holds_alternative<BallJoint>(joint);
+                EXPECT_EQ(glm::length(crate.position() - before) > 0.01, !lets_it_turn) << joint.index() << turns;
+            }
+}
+
 TEST(Sleep, RemovedSupportLetsTheStackFall) {
     Asleep asleep;
     asleep.world.destroy_body(asleep.below);

@@ -37,6 +37,39 @@ TEST(CharacterMoving, IsCarriedByPlatformsThatMoveInAnyDirection) {
     }
 }
 
+// It stood still on belts.
+TEST(CharacterMoving, RidesOnBeltsOfAnyDirectionAndSlope) {
+    Chance chance(22);
+    for (int i = 0; i < 60; ++i) {
+        World world;
+        // Any part of the surface velocity that leads out of the surface does not count.
+        const double slope = chance.between(0, 0.6);
+        const Quat lean = about_up(chance.between(0, 6.2)) * glm::angleAxis(float(slope), Vec3(1, 0, 0));
+        const Vec3 normal = lean * Vec3(0, 1, 0);
+        BodyDef def;
+        def.type = i % 2 == 0 ? BodyType::static_ : BodyType::kinematic;
+        def.rotation = lean;
+        def.position = -0.5 * Position(normal);
+        const BodyId belt = world.create_body(def);
+        ShapeDef shape;
+        shape.surface_velocity = float(chance.between(0.5, 3)) * chance.heading() + Vec3(0, 2, 0);
+        world.add_shape(belt, Box{{20, 0.5f, 20}}, shape);
+        const Vec3 along = lean * Vec3(shape.surface_velocity.x, 0, shape.surface_velocity.z);
+        const BodyId c = add_character(world, {0, 0.02 + 0.4 * slope, 0});
+        run(world, 30);
+        const Position before = world.body(c).position();
+        run(world, 60);
+        EXPECT_TRUE(stands(world, c)) << i;
+        EXPECT_LT(glm::length(world.body(c).position() - before - Position(along)), 0.02) << i;
+        EXPECT_LT(glm::length(world.body(c).character_state().ground_velocity - along), 1e-3f) << i;
+        // Off the end it keeps that speed, as it does off a platform.
+        world.body(c).jump(2);
+        world.step(frame);
+        const Vec3 left = world.body(c).character_state().velocity - along;
+        EXPECT_LT(std::hypot(left.x, left.z), 0.02f) << i;
+    }
+}
+
 TEST(CharacterMoving, TurnsWithWhatTurnsUnderIt) {
     Chance chance(22);
     for (int i = 0; i < 30; ++i) {
