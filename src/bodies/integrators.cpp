@@ -244,6 +244,23 @@ DVec3 field_acceleration(const ForceFields& fields, const WorldDef& settings, DV
     return a;
 }
 
+DVec3 pull_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t body) {
+    return field_acceleration(fields, settings, bodies.motion[body].x, bodies.settings[body].gravity_scale,
+                              double(bodies.mass[body].inverse_mass));
+}
+
+BodyWeights::BodyWeights(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings)
+    : bodies_(bodies), fields_(fields), settings_(settings), any_field_(any_field(fields)) {
+    const auto& g = settings.gravity;
+    gravity_ = math::length(math::Vec3{g.x, g.y, g.z});
+}
+
+float BodyWeights::operator()(std::int32_t body) const {
+    const float pull = any_field_ ? float(math::length(pull_at(bodies_, fields_, settings_, body)))
+                                  : std::fabs(bodies_.settings[body].gravity_scale) * gravity_;
+    return bodies_.mass[body].mass * pull;
+}
+
 math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
     const math::Vec3 d = mass.inverse_inertia;
     const float least = std::min({d.x, d.y, d.z}), most = least / min_contact_moment;

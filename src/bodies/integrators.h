@@ -70,6 +70,23 @@ bool fields_vary(const ForceFields& fields);
 math::DVec3 field_acceleration(const ForceFields& fields, const WorldDef& settings, math::DVec3 x, float gravity_scale,
                                double inverse_mass);
 
+// m/s^2: of gravity and fields, at a body.
+math::DVec3 pull_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t body);
+
+// How much gravity and fields pull at bodies.
+class BodyWeights {
+  public:
+    BodyWeights(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings);
+    float operator()(std::int32_t body) const; // N
+
+  private:
+    const Bodies& bodies_;
+    const ForceFields& fields_;
+    const WorldDef& settings_;
+    bool any_field_;
+    float gravity_;
+};
+
 // Of gravity, fields and what pushes the body in this step, m/s^2; 0 if nothing can move it.
 math::DVec3 acceleration_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings,
                             std::int32_t body, math::DVec3 x);

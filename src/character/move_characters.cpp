@@ -2,6 +2,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
+#include "bodies/integrators.h"
 #include "character/walk.h"
 #include "islands/islands.h"
 
@@ -97,8 +98,7 @@ void move_character(const CharacterContext& c, std::size_t index, CharacterScrat
         self.base = {};
         if (math::dot(motion.v, self.up) > 0) self.support = CharacterSupport::none;
     }
-    const math::Vec3 g{c.settings.gravity.x, c.settings.gravity.y, c.settings.gravity.z};
-    const DVec3 gravity = double(c.bodies.settings[self.body].gravity_scale) * math::to_double(g);
+    const DVec3 gravity = within_numbers(pull_at(c.bodies, c.fields, c.settings, self.body));
     const double speed = math::length(self.velocity) + double(math::length(self.walk)) + double(self.jump_speed) +
                          double(math::length(self.base)) + dt * math::length(gravity);
     const double most = 1e12; // m

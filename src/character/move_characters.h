@@ -10,6 +10,7 @@ namespace cairn {
 // have been given, and forces on dynamic bodies.
 struct CharacterContext {
     const WorldDef& settings;
+    const ForceFields& fields;
     Bodies& bodies;
     Shapes& shapes;
     Islands& islands;

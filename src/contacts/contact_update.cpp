@@ -65,14 +65,14 @@ void end_touch(const Bodies& bodies, const Shapes& shapes, const Contacts& conta
         {shapes.slots.id(c.shape_a), shapes.slots.id(c.shape_b), bodies.id(c.body_a), bodies.id(c.body_b)});
 }
 
-void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const WorldDef& settings, ContactInfo& c,
-                   math::Vec3 normal) {
+void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const ForceFields& fields,
+                   const WorldDef& settings, ContactInfo& c, math::Vec3 normal) {
     if (c.b_moves)
         link_islands(bodies, islands, events, c.body_a, c.body_b);
     else
         wake_island(bodies, islands, events, bodies.links[c.body_a].island);
     assign_color(bodies, c);
-    c.load = c.force = first_load(bodies, settings, c, normal);
+    c.load = c.force = first_load(bodies, fields, settings, c, normal);
 }
 
 // Planes have no end.
@@ -150,7 +150,7 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
             return;
         }
         if (outcome == begun)
-            begin_contact(s.bodies, s.islands, s.events, s.settings, c, start.normal);
+            begin_contact(s.bodies, s.islands, s.events, s.fields, s.settings, c, start.normal);
         else if (asleep)
             wake_body(s.bodies, s.islands, s.events, c.body_a);
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;

@@ -24,6 +24,7 @@ struct NarrowInput {
 // and what is to be solved. One thread does so, contact by contact.
 struct FollowUpContext {
     const WorldDef& settings;
+    const ForceFields& fields;
     const Shapes& shapes;
     Bodies& bodies;
     Contacts& contacts;

@@ -405,7 +405,8 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     NarrowScratch& narrow = step.narrow;
     ThreadPool& thread_pool = *step.thread_pool;
     const NarrowInput in{settings, bodies, shapes, islands, joints, fields, substeps_of(settings, dt)};
-    const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved, ranks};
+    const FollowUpContext follow{settings, fields, shapes, bodies,      contacts,
+                                 islands,  events, narrow, step.solved, ranks};
     count_motion(bodies, islands, settings, narrow, thread_pool, dt);
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);

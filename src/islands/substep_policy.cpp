@@ -1,5 +1,7 @@
 #include "islands/substep_policy.h"
 
+#include "bodies/integrators.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,12 +40,15 @@ int island_substeps(const WorldDef& settings, Island& island, float dt) {
     return wanted;
 }
 
-float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& c, math::Vec3 normal) {
-    const auto& g = settings.gravity;
-    const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
+float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& c,
+                 math::Vec3 normal) {
+    const auto pull_on = [&](std::int32_t body) {
+        return float(math::dot(math::to_double(normal), pull_at(bodies, fields, settings, body)));
+    };
+    const float pull = pull_on(c.body_a); // > 0: B is below
     if (pull < 0 && !c.b_moves) return 0;
     const BodyMass& above = bodies.mass[pull >= 0 ? c.body_a : c.body_b];
-    return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
+    return above.inverse_mass > 0 ? above.mass * std::fabs(pull >= 0 ? pull : pull_on(c.body_b)) : 0;
 }
 
 } // namespace cairn

@@ -37,7 +37,8 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 int island_substeps(const WorldDef& settings, Island& island, float dt);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
-float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& contact, math::Vec3 normal);
+float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& contact,
+                 math::Vec3 normal);
 // More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
 inline constexpr float max_share = 1.2f;
 

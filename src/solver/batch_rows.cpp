@@ -37,20 +37,21 @@ SolverVelocity to_row(math::Vec3 v, math::Vec3 w) {
 // Sums that threads share out are made of so many bodies each, whatever the number of threads.
 constexpr int bodies_per_sum = 256;
 
-void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion) {
+void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float weight) {
     if (!(mass.inverse_mass > 0)) return;
     const math::DVec3 v = math::to_double(motion.v);
     sum.mass += double(mass.mass);
+    sum.weight += double(weight);
     sum.momentum += double(mass.mass) * v;
     sum.energy += double(mass.mass) * math::dot(v, v);
 }
 
 // The weight of an island, and how it moves.
-void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, float gravity,
+void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, const BodyWeights& weights,
            std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
     const auto sum = [&](std::span<const std::int32_t> part) {
         MotionSum r;
-        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b]);
+        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b], weights(b));
         return r;
     };
     const std::size_t count = members.size();
@@ -66,9 +67,9 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
             }
         });
         for (const MotionSum& part : sums)
-            all.mass += part.mass, all.momentum += part.momentum, all.energy += part.energy;
+            all.mass += part.mass, all.weight += part.weight, all.momentum += part.momentum, all.energy += part.energy;
     }
-    island.weight = float(all.mass) * gravity;
+    island.weight = float(all.weight);
     if (!(all.mass > 0)) return;
     const math::DVec3 mean = (1 / all.mass) * all.momentum;
     island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));
@@ -231,10 +232,10 @@ void leave_out_ghosts(BatchScratch& scratch) {
 
 } // namespace
 
-void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
-                   const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
-    const auto& g = settings.gravity;
-    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+void gather_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fields, const WorldDef& settings,
+                   const SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch,
+                   ThreadPool* thread_pool) {
+    const BodyWeights weights(bodies, fields, settings);
     scratch.row_of_body.resize(bodies.links.size(), none);
     std::vector<std::int32_t>& members = scratch.members;
     members.clear();
@@ -242,7 +243,7 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& setti
         Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
         const std::size_t begin = members.size();
         for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) members.push_back(b);
-        weigh(bodies, std::span(members).subspan(begin), island, gravity, scratch.sums, thread_pool);
+        weigh(bodies, std::span(members).subspan(begin), island, weights, scratch.sums, thread_pool);
     }
     const auto list = [&](bool free, std::vector<std::int32_t>& out) {
         list_in_order(thread_pool, int(members.size()), bodies_per_sum, out, scratch.parts,
@@ -276,10 +277,10 @@ bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const
 } // namespace
 
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
-                const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
-                BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+                const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
+                const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     if (!take_listed_bodies(bodies, solver, batch, scratch))
-        gather_bodies(bodies, islands, settings, solver, batch, scratch, thread_pool);
+        gather_bodies(bodies, islands, fields, settings, solver, batch, scratch, thread_pool);
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;

@@ -98,8 +98,8 @@ void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id,
     c.substep_time = h;
 }
 
-void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
-                  StepScratch& step, float dt) {
+void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
+                  const WorldDef& settings, StepScratch& step, float dt) {
     SolverScratch& scratch = step.solver;
     scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
@@ -112,7 +112,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
-    count_standing_loads(bodies, contacts, islands, settings, scratch, dt);
+    count_standing_loads(bodies, contacts, islands, fields, settings, scratch, dt);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);

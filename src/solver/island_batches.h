@@ -9,8 +9,8 @@ namespace cairn {
 // Decides how many substeps each awake island takes, packs islands into batches and lists the contacts of
 // StepScratch::solved by batch (SolverScratch::of_batches). Impulses of contacts whose substeps have another length
 // than in the last step are scaled.
-void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
-                  StepScratch& step, float dt);
+void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
+                  const WorldDef& settings, StepScratch& step, float dt);
 
 // Impulses are those of one substep: with another length of it, `h` in s, they are others.
 void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h);

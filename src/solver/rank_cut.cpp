@@ -91,15 +91,15 @@ void share_out_whole(const std::vector<IslandBatch>& batches, RankCut& cut) {
 }
 
 // Lists the bodies of batches that are shared out, and weighs the islands of these. The others' go to every rank.
-void list_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, SolverScratch& solver,
-                 std::vector<std::int32_t>& owners) {
+void list_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fields, const WorldDef& settings,
+                 SolverScratch& solver, std::vector<std::int32_t>& owners) {
     RankCut& cut = solver.cut;
     BatchScratch& scratch = solver.at_work[0];
     cut.bodies_of_batch.assign(solver.batches.size(), {});
     cut.touching.clear(), cut.free_bodies.clear();
     for (std::size_t i = 0; i < solver.batches.size(); ++i) {
         const IslandBatch& batch = solver.batches[i];
-        gather_bodies(bodies, islands, settings, solver, batch, scratch, nullptr);
+        gather_bodies(bodies, islands, fields, settings, solver, batch, scratch, nullptr);
         const std::vector<std::int32_t>&touching = scratch.touching_bodies, &free = scratch.free_bodies;
         if (cut.owner_of_batch[i] == every_rank) {
             for (const std::int32_t b : touching) owners[std::size_t(b)] = every_rank;
@@ -186,14 +186,14 @@ void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& 
     change_owners(contacts, cut.owner, ranks);
 }
 
-void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
-                 Communicator& ranks, SolverScratch& solver) {
+void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
+                 const WorldDef& settings, Communicator& ranks, SolverScratch& solver) {
     RankCut& cut = solver.cut;
     cut.rank = ranks.rank(), cut.size = ranks.size();
     share_out_whole(solver.batches, cut);
     cut.owner = contacts.owners.of_body;
     cut.owner.resize(bodies.links.size(), every_rank);
-    list_bodies(bodies, islands, settings, solver, cut.owner);
+    list_bodies(bodies, islands, fields, settings, solver, cut.owner);
     choose_owners(bodies, cut, cut.owner);
     if (cut.owner != contacts.owners.of_body) change_owners(contacts, cut.owner, ranks);
     cut.parts.resize(std::size_t(cut.size));

@@ -28,8 +28,8 @@ void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& 
 
 // Shares out the batches, and weighs the islands of those that another rank solves. The same on all ranks. Records go
 // to where bodies have gone.
-void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
-                 Communicator& ranks, SolverScratch& solver);
+void cut_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
+                 const WorldDef& settings, Communicator& ranks, SolverScratch& solver);
 
 // The bodies of a batch, those that are touched.
 inline std::span<const std::int32_t> touching_of(const RankCut& cut, std::size_t batch) {

@@ -237,8 +237,8 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
     const float h = dt / float(batch.substeps);
-    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, s.solver, s.direct, batch, scratch,
-               thread_pool, h);
+    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.fields, s.settings, s.solver, s.direct, batch,
+               scratch, thread_pool, h);
     if (scratch.row_count() > 0) {
         if (!s.contacts.records.is_whole()) number_places(s.contacts, scratch);
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, h);
@@ -296,7 +296,7 @@ void solve_alone(const BatchContext& s, ThreadPool& thread_pool, std::int32_t ow
 // What the ranks share out among them. Returns how often a speed was cut in it.
 std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float dt) {
     SolverScratch& scratch = s.solver;
-    cut_batches(s.bodies, s.contacts, s.islands, s.settings, *s.ranks, scratch);
+    cut_batches(s.bodies, s.contacts, s.islands, s.fields, s.settings, *s.ranks, scratch);
     set_size_anew(scratch.own_reports, s.contacts.records.is_whole() ? 0 : s.contacts.records.places());
     for (std::size_t i = 0; i < scratch.batches.size(); ++i) {
         if (scratch.cut.owner_of_batch[i] != cut_by_body) continue;

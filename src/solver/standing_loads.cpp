@@ -3,6 +3,7 @@
 // which nobody has measured yet. Where each body stands on one other, the weights alone tell it.
 #include "solver/standing_loads.h"
 
+#include "bodies/integrators.h"
 #include "islands/substep_policy.h"
 #include "solver/island_batches.h"
 
@@ -38,11 +39,11 @@ void list_standing(const Contacts& contacts, const Islands& islands, SolverScrat
 
 // The loads of the contacts of one island, from the outermost bodies inward. Whether they hang together as a tree.
 bool find_loads(const Bodies& bodies, const Island& island, std::span<StandingContact> contacts, StandingLoads& work,
-                float gravity) {
+                const BodyWeights& weights) {
     work.bodies.clear();
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         work.place_of[b] = std::int32_t(work.bodies.size());
-        work.bodies.push_back({bodies.mass[b].mass * gravity, 0, 0});
+        work.bodies.push_back({weights(b), 0, 0});
     }
     const auto body = [&](std::int32_t b) -> StandingLoads::Body& { return work.bodies[work.place_of[b]]; };
     int held = 0;
@@ -75,20 +76,19 @@ bool find_loads(const Bodies& bodies, const Island& island, std::span<StandingCo
 
 } // namespace
 
-void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
-                          SolverScratch& scratch, float dt) {
+void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
+                          const WorldDef& settings, SolverScratch& scratch, float dt) {
     if (!settings.adaptive_substeps) return;
     StandingLoads& work = scratch.standing;
     list_standing(contacts, islands, scratch);
     work.place_of.resize(bodies.links.size());
-    const auto& g = settings.gravity;
-    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+    const BodyWeights weights(bodies, fields, settings);
     for (const std::int32_t i : islands.awake) {
         if (work.end_of_island[i] == none) continue;
         Island& island = islands.all[i];
         const auto count = std::size_t(scratch.contacts_of_island[i]);
         const std::span<StandingContact> own(work.contacts.data() + work.end_of_island[i] - count, count);
-        if (!find_loads(bodies, island, own, work, gravity)) continue;
+        if (!find_loads(bodies, island, own, work, weights)) continue;
         float demand = 0;
         for (const StandingContact& c : own) {
             const float inverse_mass =

@@ -87,7 +87,7 @@ struct ConveyorRow {
 
 // The mass of bodies, kg, the sum of m v and that of m v^2.
 struct MotionSum {
-    double mass = 0, energy = 0;
+    double mass = 0, weight = 0, energy = 0;
     math::DVec3 momentum;
 };
 
@@ -119,8 +119,8 @@ struct JointRow {
     // Likewise its drive, its friction, and its soft limits or equation.
     std::uint8_t is_direct_drive : 1 = 0, is_direct_friction : 1 = 0, is_direct_range : 1 = 0;
     std::uint8_t is_direct : 1 = 0; // its joint is solved directly
-    std::uint8_t idle : 1 = 0; // mere limits, now out of reach: the row has no lane
-    float reach_by_turn = 0;   // 0: never idle (joints/idle_limits.cpp)
+    std::uint8_t idle : 1 = 0;      // mere limits, now out of reach: the row has no lane
+    float reach_by_turn = 0;        // 0: never idle (joints/idle_limits.cpp)
 };
 // Blocks that may be solved side by side. The last one may hold lanes of runs that come later, too.
 struct JointRun {

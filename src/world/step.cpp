@@ -76,9 +76,9 @@ void World::Impl::make_step(float dt) {
     if (communicator) share_out_records(state.bodies, state.contacts, step.solver, *communicator);
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
-    move_characters(
-        {state.settings, state.bodies, state.shapes, state.islands, state.broad_phase, state.events, state.characters},
-        step.characters, dt);
+    move_characters({state.settings, state.fields, state.bodies, state.shapes, state.islands, state.broad_phase,
+                     state.events, state.characters},
+                    step.characters, dt);
     wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
     update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
                  state.events, step.thread_pool.get());
@@ -87,7 +87,7 @@ void World::Impl::make_step(float dt) {
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
                         state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
     times.narrow_phase = clock.lap();
-    pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, dt);
+    pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, dt);
     times.islands = clock.lap();
     state.clamped_speeds +=
         solve_batches(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,

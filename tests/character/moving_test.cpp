@@ -70,6 +70,41 @@ TEST(CharacterMoving, RidesOnBeltsOfAnyDirectionAndSlope) {
     }
 }
 
+// It floated in fields: only the gravity of the world pulled at it.
+TEST(CharacterMoving, StandsAndWalksOnAPlanet) {
+    Chance chance(23);
+    for (int i = 0; i < 30; ++i) {
+        WorldDef settings;
+        settings.gravity = {0, 0, 0};
+        World world(settings);
+        const double size = chance.between(5, 50);
+        add_fixed(world, {0, 0, 0}, Sphere{float(size)});
+        ForceField pull;
+        pull.kind = ForceField::Kind::radial;
+        pull.strength = 9.81f;
+        world.add_force_field(pull);
+        const Position up =
+            glm::normalize(Position(chance.between(-1, 1), chance.between(-1, 1), chance.between(0.1, 1)));
+        BodyDef def;
+        def.type = BodyType::kinematic;
+        def.position = (size + radius + 2) * up;
+        const BodyId c = world.create_body(def);
+        world.add_shape(c, Sphere{float(radius)});
+        CharacterDef walks;
+        walks.up = Vec3(up);
+        world.body(c).set_character(walks);
+        run(world, 30); // 1.2 of 2 m
+        EXPECT_NEAR(glm::length(world.body(c).position()), size + radius + 2 - 0.5 * 9.81 * 0.25, 0.1) << i;
+        run(world, 60);
+        EXPECT_TRUE(stands(world, c)) << i;
+        EXPECT_NEAR(glm::length(world.body(c).position()), size + radius + usual_skin, 0.01) << i;
+        const Position before = world.body(c).position();
+        world.body(c).set_walk_velocity(Vec3(glm::normalize(glm::cross(up, Position(1, 2, 3)))));
+        run(world, 30);
+        EXPECT_NEAR(glm::length(world.body(c).position() - before), 0.5, 0.03) << i;
+    }
+}
+
 TEST(CharacterMoving, TurnsWithWhatTurnsUnderIt) {
     Chance chance(22);
     for (int i = 0; i < 30; ++i) {

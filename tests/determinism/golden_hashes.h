@@ -10,7 +10,7 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0xa97064962c36057f;
 inline constexpr std::uint64_t pyramid = 0x6e90f2a1106609b2;
 inline constexpr std::uint64_t dominoes = 0x474950b1950f158a;
-inline constexpr std::uint64_t materials = 0x72978e024f074a86;
+inline constexpr std::uint64_t materials = 0x32c6681e769004c1;
 inline constexpr std::uint64_t tumbler = 0x847461940cfb5dad;
 inline constexpr std::uint64_t sleep_and_wake = 0x02a5ac89fdfc33d7;
 inline constexpr std::uint64_t compounds = 0xd3e1b5658bdfcd79;
