@@ -85,7 +85,7 @@ struct ConveyorRow {
     std::uint32_t contact;
 };
 
-// The mass of bodies, kg, the sum of m v and that of m v^2.
+// The mass of bodies, kg, their weight, N, the sum of m v and that of m v^2.
 struct MotionSum {
     double mass = 0, weight = 0, energy = 0;
     math::DVec3 momentum;
