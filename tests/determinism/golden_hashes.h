@@ -7,22 +7,22 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xa97064962c36057f;
-inline constexpr std::uint64_t pyramid = 0x6e90f2a1106609b2;
-inline constexpr std::uint64_t dominoes = 0x474950b1950f158a;
-inline constexpr std::uint64_t materials = 0x32c6681e769004c1;
-inline constexpr std::uint64_t tumbler = 0x847461940cfb5dad;
-inline constexpr std::uint64_t sleep_and_wake = 0x02a5ac89fdfc33d7;
-inline constexpr std::uint64_t compounds = 0xd3e1b5658bdfcd79;
-inline constexpr std::uint64_t free_tops = 0xbee2e2957f98eefe;
-inline constexpr std::uint64_t explicit_euler = 0xe20ab4c948f81c44;
-inline constexpr std::uint64_t whirl = 0xdac6b57e5d1ad2bf;
-inline constexpr std::uint64_t changes = 0x62769b8eb91acd0d;
-inline constexpr std::uint64_t all_shapes = 0xdd741fe5a4441f3d;
-inline constexpr std::uint64_t rounded_shapes = 0x1a854e88529e570b;
-inline constexpr std::uint64_t surfaces = 0x2af40d88a462886b;
-inline constexpr std::uint64_t all_joints = 0x2a162d68e362af14;
-inline constexpr std::uint64_t chains = 0x546d6ab7aa268640;
-inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
+inline constexpr std::uint64_t mixed_pile = 0x1c6f263d3ebe4920;
+inline constexpr std::uint64_t pyramid = 0xd3c40ebf4b1a30d7;
+inline constexpr std::uint64_t dominoes = 0xca0ade746b4b74c9;
+inline constexpr std::uint64_t materials = 0x16f8a9ab1efebe79;
+inline constexpr std::uint64_t tumbler = 0x62f6a57e33f3fa3b;
+inline constexpr std::uint64_t sleep_and_wake = 0xae263855aec4d6a9;
+inline constexpr std::uint64_t compounds = 0x739ac1c30bd78ecc;
+inline constexpr std::uint64_t free_tops = 0xc6834910e320c0d0;
+inline constexpr std::uint64_t explicit_euler = 0x5683a88cc01b462e;
+inline constexpr std::uint64_t whirl = 0x9414b213cf754515;
+inline constexpr std::uint64_t changes = 0x168b75e70fb4b896;
+inline constexpr std::uint64_t all_shapes = 0xc69f3572ad81dee7;
+inline constexpr std::uint64_t rounded_shapes = 0x90dd47c4914b0c55;
+inline constexpr std::uint64_t surfaces = 0x5f062ad8a52f8505;
+inline constexpr std::uint64_t all_joints = 0x68e0fe86538e8dad;
+inline constexpr std::uint64_t chains = 0xe4cb837fd7490b2f;
+inline constexpr std::uint64_t robots = 0xd7379ab44fade9ff;
 
 } // namespace cairn_test::golden

@@ -218,12 +218,14 @@ CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, c
     f32x8 radius_load = load(block.torsion_radius) * sum;
     if constexpr (N > 1) {
         f32x8 spread = zero();
-        for (int i = 0; i < N; ++i) spread += load(block.square_lever[i]) * impulse[i];
+        for (int i = 0; i < N; ++i) spread += square_lever(block, load3(block.normal), i) * impulse[i];
         radius_load = max(radius_load, sqrt(max(sum * (spread - aside * sum), zero())));
     }
     const f32x8 limit = load(block.friction) * radius_load;
     const Vec3x8 dw = b.w - a.w;
-    const f32x8 spin = clamp(-(load(block.torsion_mass) * dot(normal, dw)), -limit, limit);
+    const f32x8 k = load(block.friction_coupling[5]);
+    const mask8 turns = k > zero();
+    const f32x8 spin = select(turns, clamp(-(dot(normal, dw) / select(turns, k, one())), -limit, limit), zero());
     if (!block.rolls) return spin * normal;
     const Vec3x8 p = -(rolling_mass(block) * dw); // as in relax
     const f32x8 most = load(block.rolling_radius) * sum;

@@ -137,6 +137,11 @@ template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8
     else
         return load3(block.arm[i]);
 }
+// Of a point, from the friction center along the surface.
+template <int N> CAIRN_INLINE f32x8 square_lever(const ContactBlock<N>& block, Vec3x8 normal, int i) {
+    const Vec3x8 e = load3(block.arm[i]) - cross(load3(block.center), normal);
+    return dot(e, e);
+}
 template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block, Vec3x8 normal) {
     return cross(load3(block.tangent), normal);
 }
@@ -209,19 +214,19 @@ struct SlipStop {
 template <int N>
 CAIRN_INLINE SlipStop slip_stop(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 t1, Vec3x8 t2, f32x8 x,
                                 f32x8 y) {
-    f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
+    f32x8 k11 = load(block.friction_coupling[0]), k12 = load(block.friction_coupling[1]),
+          k22 = load(block.friction_coupling[3]);
     if constexpr (N > 1) { // else it is the friction center
         const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = a1 + cross(d, t1), b2 = a2 + cross(d, t2);
         const Vec3x8 ia_2 = turned_a(block, a2), ib_2 = turned_b(block, b2);
         const f32x8 mass = load(block.mass_a) + load(block.mass_b);
-        const f32x8 k11 = mass + dot(a1, turned_a(block, a1)) + dot(b1, turned_b(block, b1));
-        const f32x8 k22 = mass + dot(a2, ia_2) + dot(b2, ib_2), k12 = dot(a1, ia_2) + dot(b1, ib_2);
-        const f32x8 determinant = k11 * k22 - k12 * k12;
-        const mask8 gives = determinant > zero();
-        const f32x8 inverse = select(gives, one() / select(gives, determinant, one()), zero());
-        m11 = inverse * k22, m12 = -(inverse * k12), m22 = inverse * k11;
+        k11 = mass + dot(a1, turned_a(block, a1)) + dot(b1, turned_b(block, b1));
+        k22 = mass + dot(a2, ia_2) + dot(b2, ib_2), k12 = dot(a1, ia_2) + dot(b1, ib_2);
     }
-    return {-(m11 * x + m12 * y), -(m12 * x + m22 * y)};
+    const f32x8 determinant = k11 * k22 - k12 * k12;
+    const mask8 gives = determinant > zero();
+    const f32x8 inverse = select(gives, one() / select(gives, determinant, one()), zero());
+    return {inverse * (k12 * y - k22 * x), inverse * (k12 * x - k11 * y)};
 }
 
 // Applies the impulse p at the friction center, and the couple about the normal, to both bodies.
