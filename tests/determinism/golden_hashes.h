@@ -7,22 +7,22 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x1c6f263d3ebe4920;
-inline constexpr std::uint64_t pyramid = 0xd3c40ebf4b1a30d7;
-inline constexpr std::uint64_t dominoes = 0xca0ade746b4b74c9;
-inline constexpr std::uint64_t materials = 0x16f8a9ab1efebe79;
-inline constexpr std::uint64_t tumbler = 0x62f6a57e33f3fa3b;
-inline constexpr std::uint64_t sleep_and_wake = 0xae263855aec4d6a9;
-inline constexpr std::uint64_t compounds = 0x739ac1c30bd78ecc;
+inline constexpr std::uint64_t mixed_pile = 0x678ad0fd135f52a3;
+inline constexpr std::uint64_t pyramid = 0x13d5d83fbcd6d020;
+inline constexpr std::uint64_t dominoes = 0x1b51a781dc056b0c;
+inline constexpr std::uint64_t materials = 0x955da53a0e4a511a;
+inline constexpr std::uint64_t tumbler = 0xa3f37289c9999f2c;
+inline constexpr std::uint64_t sleep_and_wake = 0x26f7f8af85db36ab;
+inline constexpr std::uint64_t compounds = 0x66c2dc3bd82e5250;
 inline constexpr std::uint64_t free_tops = 0xc6834910e320c0d0;
-inline constexpr std::uint64_t explicit_euler = 0x5683a88cc01b462e;
-inline constexpr std::uint64_t whirl = 0x9414b213cf754515;
-inline constexpr std::uint64_t changes = 0x168b75e70fb4b896;
-inline constexpr std::uint64_t all_shapes = 0xc69f3572ad81dee7;
-inline constexpr std::uint64_t rounded_shapes = 0x90dd47c4914b0c55;
-inline constexpr std::uint64_t surfaces = 0x5f062ad8a52f8505;
-inline constexpr std::uint64_t all_joints = 0x68e0fe86538e8dad;
-inline constexpr std::uint64_t chains = 0xe4cb837fd7490b2f;
-inline constexpr std::uint64_t robots = 0xd7379ab44fade9ff;
+inline constexpr std::uint64_t explicit_euler = 0xfb8b0a4af32eebe7;
+inline constexpr std::uint64_t whirl = 0xed6e5fa050fb2e85;
+inline constexpr std::uint64_t changes = 0xd72d9316af2ed252;
+inline constexpr std::uint64_t all_shapes = 0x9358c3eddf34c4aa;
+inline constexpr std::uint64_t rounded_shapes = 0xb21744d0eaa0b347;
+inline constexpr std::uint64_t surfaces = 0x0e7e1ec5491d8c23;
+inline constexpr std::uint64_t all_joints = 0x0f5184bdbb50d817;
+inline constexpr std::uint64_t chains = 0xdae47382ab5a2654;
+inline constexpr std::uint64_t robots = 0xd9b94822bae67d6a;
 
 } // namespace cairn_test::golden

@@ -24,6 +24,8 @@ CAIRN_INLINE void add_point(const ContactBlock<N>& block, Vec3x8 normal, int i, 
     }
 }
 
+constexpr float least_load = 1e-36f; // N s: less is none, so that its reciprocal is a number
+
 // The load of a contact, as friction sees it: beside the friction center, and how far it is spread.
 struct Load {
     f32x8 sum, radius; // the radius about the load: root of the mean square
@@ -34,7 +36,7 @@ template <int N>
 CAIRN_INLINE Load load_of(const ContactBlock<N>& block, const PointSums& sums, Vec3x8 center, Vec3x8 t1, Vec3x8 t2) {
     Load r = {sums.load, load(block.torsion_radius), {zero(), zero()}, zero()};
     if constexpr (N > 1) {
-        const f32x8 inverse = one() / select(sums.load > zero(), sums.load, one());
+        const f32x8 inverse = one() / select(sums.load > splat(least_load), sums.load, one());
         r.e = load_offset(center, inverse, sums.torque, t1, t2);
         r.aside = r.e.x * r.e.x + r.e.y * r.e.y;
         r.radius = max(sqrt(max(sums.spread * inverse - r.aside, zero())), r.radius);
@@ -62,20 +64,18 @@ CAIRN_INLINE LimitBall limit_ball(const Sym3x8& k, const Load& at, FrictionImpul
     constexpr float seen = 1e-12f;  // what is less beside the others does not count
     constexpr float least = 1e-30f; // 1/kg
     LimitBall r;
-    // From the friction center to the load.
-    const f32x8 xz = k.xz + at.e.y * k.zz, yz = k.yz - at.e.x * k.zz;
-    const f32x8 xx = k.xx + at.e.y * (k.xz + xz), yy = k.yy - at.e.x * (k.yz + yz);
-    const f32x8 xy = k.xy + (at.e.y * k.yz - at.e.x * xz), zz = at.radius * at.radius * k.zz;
-    const mask8 turns = zz > splat(seen) * (xx + yy);
+    const Sym3x8 there = coupling_at(k, at.e);
+    const f32x8 across = there.xx + there.yy, zz = at.radius * at.radius * k.zz;
+    const mask8 turns = zz > splat(seen) * across;
     r.radius = select(turns, at.radius, zero());
     r.inverse_radius = safe_reciprocal(r.radius);
-    const f32x8 trace = (xx + yy) + zz;
+    const f32x8 trace = across + zz;
     const f32x8 unit = select(trace > splat(least), safe_reciprocal(trace), zero());
-    r.k = {unit * xx,
-           unit * xy,
-           unit * (r.radius * xz),
-           unit * yy,
-           unit * (r.radius * yz),
+    r.k = {unit * there.xx,
+           unit * there.xy,
+           unit * (r.radius * there.xz),
+           unit * there.yy,
+           unit * (r.radius * there.yz),
            select(turns, unit * zz, one())};
     r.old = in_ball(at, r.inverse_radius, old);
     r.slip = unit * Vec3x8{slip.t1 + at.e.y * slip.couple, slip.t2 - at.e.x * slip.couple, r.radius * slip.couple};
@@ -83,22 +83,34 @@ CAIRN_INLINE LimitBall limit_ball(const Sym3x8& k, const Load& at, FrictionImpul
 }
 
 // The impulses at which what slides opposes the slip that it leaves: (K + x 1) p = K old - slip with the x > 0 for
-// which p is at its limit, by Newton's method on 1 / |p|, which comes from below. `p`: that for x = 0.
+// which p is at its limit, by Newton's method on 1 / |p|, which comes from below. `p`: that for x = 0. What is left
+// beyond the limit in the end is taken in the direction in which p changes with x: at a radius of a millimeter the
+// couple has a millionth of the K of the tangents, and takes most steps.
 CAIRN_INLINE Vec3x8 sliding_impulse(const LimitBall& ball, f32x8 limit, Vec3x8 p) {
-    constexpr int steps = 3;
-    constexpr float least = 1e-3f; // of its size: where the limit is less, p has the direction of the slip
-    const Vec3x8 pull = ball.k * ball.old - ball.slip;
+    constexpr int most_steps = 6;
+    constexpr float near = 1.01f;
+    constexpr float least = 1e-3f; // of its size: less is not asked for in one step
+    const Sym3x8& k = ball.k;
+    const Vec3x8 pull = k * ball.old - ball.slip;
     f32x8 x = zero();
-    Sym3x8 inverse = inverse_of(ball.k);
-    for (int i = 0; i < steps; ++i) {
-        const f32x8 square = dot(p, p), size = sqrt(square), wanted = max(limit, splat(least) * size);
-        const f32x8 slope = dot(p, inverse * p);
-        const mask8 beyond = (size > wanted) & (slope > zero());
-        x += select(beyond, (square / select(beyond, slope, one())) * ((size - wanted) / select(beyond, wanted, one())),
-                    zero());
-        inverse = inverse_of({ball.k.xx + x, ball.k.xy, ball.k.xz, ball.k.yy + x, ball.k.yz, ball.k.zz + x});
-        p = inverse * pull;
+    Vec3x8 change = inverse_of(k) * p;
+    for (int i = 0; i < most_steps; ++i) {
+        const f32x8 square = dot(p, p), size = sqrt(square), slope = dot(p, change);
+        const f32x8 wanted = max(limit, splat(least) * size);
+        const mask8 beyond = (size > splat(near) * wanted) & (slope > zero());
+        if (!any(beyond)) break;
+        const f32x8 step = (square / select(beyond, slope, one())) * ((size - wanted) / select(beyond, wanted, one()));
+        x += select(beyond, step, zero());
+        const Sym3x8 inverse = inverse_of({k.xx + x, k.xy, k.xz, k.yy + x, k.yz, k.zz + x});
+        p = select(beyond, inverse * pull, p);
+        change = inverse * p;
     }
+    // The nearer root s of |p - s change| = limit, or where that is least.
+    const f32x8 a = dot(change, change), b = dot(p, change), c = dot(p, p) - limit * limit;
+    constexpr float no_number = 1e38f;
+    const mask8 beyond = (c > zero()) & (a > zero()) & (b * b < splat(no_number));
+    const f32x8 s = (b - sqrt(max(b * b - a * c, zero()))) / select(beyond, a, one());
+    p = p - select(beyond, s, zero()) * change;
     return min(limit / (sqrt(dot(p, p)) + splat(no_size)), one()) * p;
 }
 
@@ -200,32 +212,30 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Load at = load_of(block, sums, center, t1, t2);
     const f32x8 sticks = load(block.static_friction) * at.sum, limit = load(block.friction) * at.sum;
     // Without a load there is none. A slip of which the square is too small for a float is not seen to slide.
-    const mask8 pressed = at.sum > zero();
-    const auto impulse = [&](const float(*k)[8]) {
-        const FrictionImpulse p = friction_impulse(load6(k), at, slip, old, sticks, limit);
+    const mask8 pressed = at.sum > splat(least_load);
+    const auto impulse = [&](const Sym3x8& k) {
+        const FrictionImpulse p = friction_impulse(k, at, slip, old, sticks, limit);
         return FrictionImpulse{select(pressed, p.t1, zero()), select(pressed, p.t2, zero()),
                                select(pressed, p.couple, zero())};
     };
+    const Sym3x8 alone = load6(block.friction_coupling);
+    mask8 may_hold = mask_from_bits(0);
+    if constexpr (N > 1) may_hold = pressed & points_that_hold(block);
     FrictionImpulse now;
-    mask8 holds = mask_from_bits(0);
     if constexpr (N > 1) {
-        holds = pressed & points_that_hold(block);
-        if (any(holds)) {
-            now = impulse(block.held_coupling);
+        if (any(may_hold)) {
+            now = impulse(select(may_hold, load6(block.held_coupling), alone));
             const HeldNormals held =
                 held_normals(block, {now.t1 - old.t1, now.t2 - old.t2, now.couple - old.couple}, normal, t1, t2);
-            holds = holds & held.holds;
-            change_normals(block, held, normal, d, holds, a, b);
+            change_normals(block, held, normal, d, may_hold & held.holds, a, b);
+            const mask8 tips = and_not(may_hold, held.holds);
+            if (any(tips)) {
+                const FrictionImpulse p = impulse(alone);
+                now = {select(tips, p.t1, now.t1), select(tips, p.t2, now.t2), select(tips, p.couple, now.couple)};
+            }
         }
     }
-    if (!all(holds)) {
-        const FrictionImpulse alone = impulse(block.friction_coupling);
-        if (any(holds))
-            now = {select(holds, now.t1, alone.t1), select(holds, now.t2, alone.t2),
-                   select(holds, now.couple, alone.couple)};
-        else
-            now = alone;
-    }
+    if (!any(may_hold)) now = impulse(alone);
     store(block.tangent_impulse[0], now.t1);
     store(block.tangent_impulse[1], now.t2);
     store(block.total_tangent[0], load(block.total_tangent[0]) + now.t1);

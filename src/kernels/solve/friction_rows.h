@@ -47,6 +47,10 @@ CAIRN_INLINE f32x8 determinant(const Sym3x8& m) {
     return m.xx * (m.yy * m.zz - m.yz * m.yz) +
            (m.xy * (m.xz * m.yz - m.xy * m.zz) + m.xz * (m.xy * m.yz - m.xz * m.yy));
 }
+CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
+    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
+            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
+}
 // 0 where there is none.
 CAIRN_INLINE Sym3x8 inverse_of(const Sym3x8& m) {
     const f32x8 xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
