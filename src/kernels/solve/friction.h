@@ -97,7 +97,7 @@ CAIRN_INLINE Vec3x8 sliding_impulse(const LimitBall& ball, f32x8 limit, Vec3x8 p
     for (int i = 0; i < most_steps; ++i) {
         const f32x8 square = dot(p, p), size = sqrt(square), slope = dot(p, change);
         const f32x8 wanted = max(limit, splat(least) * size);
-        const mask8 beyond = (size > splat(near) * wanted) & (slope > zero());
+        const mask8 beyond = (limit > zero()) & (size > splat(near) * wanted) & (slope > zero());
         if (!any(beyond)) break;
         const f32x8 step = (square / select(beyond, slope, one())) * ((size - wanted) / select(beyond, wanted, one()));
         x += select(beyond, step, zero());
@@ -221,7 +221,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Sym3x8 alone = load6(block.friction_coupling);
     mask8 may_hold = mask_from_bits(0);
     if constexpr (N > 1) may_hold = pressed & points_that_hold(block);
-    FrictionImpulse now;
+    FrictionImpulse now = {zero(), zero(), zero()};
     if constexpr (N > 1) {
         if (any(may_hold)) {
             now = impulse(select(may_hold, load6(block.held_coupling), alone));
@@ -235,7 +235,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
             }
         }
     }
-    if (!any(may_hold)) now = impulse(alone);
+    if (any(pressed) && !any(may_hold)) now = impulse(alone);
     store(block.tangent_impulse[0], now.t1);
     store(block.tangent_impulse[1], now.t2);
     store(block.total_tangent[0], load(block.total_tangent[0]) + now.t1);
