@@ -63,8 +63,8 @@ template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and
 };
 template <int N> struct NotStruck<PointRows<N>> {
     using B = PointRows<N>;
-    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::total_impulse, &B::held_coupling,
-                                            &B::held_normal, &B::null_impulse, &B::turning_slope);
+    static constexpr auto list =
+        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope);
 };
 template <> struct NotStruck<PointRows<1>> {
     using B = PointRows<1>;
@@ -73,10 +73,10 @@ template <> struct NotStruck<PointRows<1>> {
 };
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
     using B = ContactBlock<N>;
-    static constexpr auto list =
-        std::tuple(&B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::turning,
-                   &B::sliding, &B::static_friction, &B::torsion_radius, &B::tangent_impulse, &B::torsion_impulse,
-                   &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
+    static constexpr auto list = std::tuple(
+        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::turning, &B::sliding,
+        &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
+        &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
 };
 
 // One lane of a row, or of rows of rows.

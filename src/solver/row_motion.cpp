@@ -203,18 +203,16 @@ namespace {
 template <class F> void for_turning_rows(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
     const std::size_t wide = scratch.spin_rows.size(), all = wide + scratch.spinning_rows.size();
     for_chunks(thread_pool, int(all), rows_per_chunk, [&](int begin, int end, int) {
-        std::size_t k = std::size_t(begin);
-        for (const std::size_t last = std::min(std::size_t(end), wide); k < last; ++k)
-            f(std::size_t(scratch.spin_rows[k]), k);
-        for (; k < std::size_t(end); ++k) f(std::size_t(scratch.spinning_rows[k - wide].row), k);
+        for (auto k = std::size_t(begin); k < std::size_t(end); ++k)
+            f(std::size_t(k < wide ? scratch.spin_rows[k] : scratch.spinning_rows[k - wide].row), k);
     });
 }
 // What was to move the pose beside the velocity.
 void move_to_velocity(BatchScratch& scratch, std::size_t row, math::Vec3 turn) {
     SolverTwist& rest = (scratch.bounces ? scratch.correction : scratch.free_correction)[row];
     SolverVelocity& velocity = scratch.velocity[row];
-    velocity.w[0] += turn.x, velocity.w[1] += turn.y, velocity.w[2] += turn.z;
-    rest.w[0] -= turn.x, rest.w[1] -= turn.y, rest.w[2] -= turn.z;
+    put(velocity.w, math::to_vec(velocity.w) + turn);
+    put(rest.w, math::to_vec(rest.w) - turn);
 }
 
 } // namespace
@@ -223,12 +221,14 @@ void hold_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
     scratch.held_turns.resize(scratch.spin_rows.size() + scratch.spinning_rows.size());
     for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
         const math::Vec3 turn = scratch.held_turns[k] = math::to_vec(scratch.free_correction[row].w);
-        move_to_velocity(scratch, row, turn);
+        if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, turn);
     });
 }
 void release_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
-    for_turning_rows(scratch, thread_pool,
-                     [&](std::size_t row, std::size_t k) { move_to_velocity(scratch, row, -scratch.held_turns[k]); });
+    for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
+        const math::Vec3 turn = scratch.held_turns[k];
+        if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, -turn);
+    });
 }
 
 void turn_spinning_rows(const Bodies& bodies, BatchScratch& scratch, float h) {

@@ -143,9 +143,7 @@ struct BlockMates : testing::TestWithParam<std::pair<Integrator, float>> {
         def.integrator = GetParam().first;
         def.adaptive_substeps = false;
         def.enable_sleep = false;
-        // Of two contacts that begin in one step the one in the lower place is solved first: which places are free
-        // depends on all. In islands of these seeds that does not come up.
-        std::iota(seeds.begin(), seeds.end(), 20);
+        std::iota(seeds.begin(), seeds.end(), 0);
     }
 };
 

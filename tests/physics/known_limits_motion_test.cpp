@@ -3,8 +3,6 @@
 #include "../sanitized.h"
 #include "support.h"
 
-#include "validation/random_starts.h"
-
 #include <algorithm>
 #include <random>
 
@@ -118,10 +116,9 @@ TEST(Passing, WhatIsOnJointsOrPassesWhatIsGoesStraightOn) {
 }
 
 // Eight boxes on hinges, every second of which is solved directly, the gap closed by a rope, lie on the ground and are
-// hit by a ball of a ton at 5 m/s from any side: in how many of 20 runs one flies off more than four times as fast.
+// hit by a ball of a ton at 5 m/s: in how many of 20 runs one flies off more than four times as fast.
 int rings_that_fly_apart(JointSolver second) {
     int apart = 0;
-    RandomStart random(1);
     for (int k = 0; k < 20; ++k) {
         World world;
         add_ground(world, {});
@@ -141,10 +138,8 @@ int rings_that_fly_apart(JointSolver second) {
         world.create_joint(world.joint_at(ring.front(), ring.back(), {0, 3, 0}, {1, 0, 0}, rope));
         run(world, 1.0f / 60, 300);
         BodyDef def;
-        const Quat heading = glm::angleAxis(float(random.uniform(0, 2 * glm::pi<double>())), Vec3(0, 1, 0));
-        def.position = {world.body(ring[0]).position().x, random.uniform(0.5, 0.8), random.uniform(-0.2, 0.2)};
-        def.position -= glm::dvec3(heading * Vec3(4, 0, 0));
-        def.linear_velocity = heading * Vec3(5, 0, 0);
+        def.position = {world.body(ring[0]).position().x - 4, 0.5 + 0.02 * k, 0.01 * k};
+        def.linear_velocity = {5, 0, 0};
         ShapeDef shape;
         shape.density = 2000;
         world.add_shape(world.create_body(def), Sphere{0.5f}, shape);

@@ -134,5 +134,26 @@ TEST(KnownLimits, JointsOfBodiesMetersApartPullHard) {
     EXPECT_LT(glm::length(world.body(moved).linear_velocity()), 0.01f) << "without leaving a speed";
 }
 
+// A box put on a slope on which friction 0.5 nearly holds it. The friction of its first substep finds the box free to
+// tip, and takes 0.4 of what it should; what has slipped by then goes on.
+TEST(KnownLimits, WhatIsPutOnASlopeSlipsForASubstep) {
+    const double angle = std::atan(0.5) + 0.005, a = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+    World world;
+    const Slope slope{angle};
+    slope.add_to(world, surface(0.5f));
+    BodyDef def;
+    def.position = 0.5 * slope.normal();
+    def.rotation = slope.rotation();
+    const Body box = world.body(add_body(world, Box{}, def, surface(0.5f)));
+    const auto beyond = [&](double seconds) {
+        run(world, 1.0f / 60, int(60 * seconds));
+        return glm::dot(Position(box.linear_velocity()), slope.downhill()) - a * world.time();
+    };
+    const double at_first = beyond(1);
+    EXPECT_GT(at_first, 0.006) << "meant: 0";
+    EXPECT_LT(at_first, 0.01);
+    EXPECT_NEAR(beyond(4), at_first, 1e-4) << "friction is right from then on";
+}
+
 } // namespace
 } // namespace cairn_test

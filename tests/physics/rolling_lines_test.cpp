@@ -266,7 +266,7 @@ Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
 TEST(RollingLines, ATopOnItsTipPrecesses) {
     RandomStart random(13);
     for (const auto& [hertz, bar] :
-         {std::pair(60, 0.1), std::pair(120, 0.06), std::pair(240, 0.02), std::pair(480, 0.02), std::pair(960, 0.005)})
+         {std::pair(60, 0.1), std::pair(120, 0.04), std::pair(240, 0.02), std::pair(480, 0.02), std::pair(960, 0.005)})
         for (const double ball : {0.0, 0.001})
             for (int i = 0; i < 12; ++i) {
                 const double spin = random.uniform(120, 280), lean = random.uniform(0.2, 0.5);

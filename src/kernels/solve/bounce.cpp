@@ -197,28 +197,13 @@ CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& 
     return m.center + select(bears, e.x * t1 + e.y * t2, zero3());
 }
 
-// K of friction along the tangents, where the load is.
-template <int N>
-CAIRN_INLINE Sym3x8 coupling_there(const ContactBlock<N>& block, const Meeting<N>& m, Vec3x8 t1, Vec3x8 t2) {
-    if constexpr (N == 1) return load6(block.friction_coupling); // it is the friction center
-    const Vec3x8 a1 = cross(m.center, t1), a2 = cross(m.center, t2), b1 = a1 + cross(m.d, t1), b2 = a2 + cross(m.d, t2);
-    const Vec3x8 ia_2 = turned_a(block, a2), ib_2 = turned_b(block, b2);
-    const f32x8 mass = load(block.mass_a) + load(block.mass_b);
-    return {mass + dot(a1, turned_a(block, a1)) + dot(b1, turned_b(block, b1)),
-            dot(a1, ia_2) + dot(b1, ib_2),
-            zero(),
-            mass + dot(a2, ia_2) + dot(b2, ib_2),
-            zero(),
-            zero()};
-}
-
 // Coulomb friction of the impact itself, at its load, from rest.
 template <int N>
 CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
                                     const Velocityx8& a, const Velocityx8& b) {
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, m.center) + cross(b.w, m.d);
-    const auto [p1, p2] = slip_stop(coupling_there(block, m, t1, t2), dot(slip, t1), dot(slip, t2));
+    const auto [p1, p2] = slip_stop(block, m.center, m.d, t1, t2, dot(slip, t1), dot(slip, t2));
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
     return scale * (p1 * t1 + p2 * t2);
@@ -233,14 +218,12 @@ CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, c
     f32x8 radius_load = load(block.torsion_radius) * sum;
     if constexpr (N > 1) {
         f32x8 spread = zero();
-        for (int i = 0; i < N; ++i) spread += square_lever(block, load3(block.normal), i) * impulse[i];
+        for (int i = 0; i < N; ++i) spread += load(block.square_lever[i]) * impulse[i];
         radius_load = max(radius_load, sqrt(max(sum * (spread - aside * sum), zero())));
     }
     const f32x8 limit = load(block.friction) * radius_load;
     const Vec3x8 dw = b.w - a.w;
-    const f32x8 k = load(block.friction_coupling[5]);
-    const mask8 turns = k > zero();
-    const f32x8 spin = select(turns, clamp(-(dot(normal, dw) / select(turns, k, one())), -limit, limit), zero());
+    const f32x8 spin = clamp(-(load(block.torsion_mass) * dot(normal, dw)), -limit, limit);
     if (!block.rolls) return spin * normal;
     const Vec3x8 p = -(rolling_mass(block) * dw); // as in relax
     const f32x8 most = load(block.rolling_radius) * sum;

@@ -79,11 +79,7 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     if constexpr (N > 1) {
         slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) - dot(rolling, rolling) * taper;
         f32x8 lever = zero();
-        for (int i = 0; i < N; ++i) {
-            const f32x8 up = load(block.height[i]) - dot(r, normal);
-            const mask8 used = load(block.effective_mass[i]) > zero();
-            lever = max(lever, select(used, square_lever(block, normal, i) + up * up, zero()));
-        }
+        for (int i = 0; i < N; ++i) lever = max(lever, load(block.square_lever[i]));
         most += lever * dot(slope, slope);
     }
     const f32x8 square = until * until;

@@ -1,6 +1,5 @@
 // Building contact blocks from contact records, and writing the impulses back.
 #include "core/cache.h"
-#include "kernels/solve/friction_rows.h"
 #include "kernels/solve/rims.h"
 
 #include <cstddef>
@@ -40,6 +39,11 @@ CAIRN_INLINE std::size_t point_offset(int i) {
                   : offsetof(ContactRecord, more_points) + 16 * std::size_t(i - 1);
 }
 
+struct Inertiax8 {
+    f32x8 inverse_mass;
+    Sym3x8 inverse_inertia;
+};
+
 CAIRN_INLINE bool is_movable(const SolverInertia& i) {
     return i.inverse_mass > 0.0f || i.xx > 0.0f || i.yy > 0.0f || i.zz > 0.0f;
 }
@@ -54,6 +58,12 @@ CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int3
     for (int i = 0; i < 8; ++i) p[i] += 4;
     gather4(p, m.yy, m.yz, m.zz, unused);
     return r;
+}
+
+// The reciprocal of x where x > 0, else 0.
+CAIRN_INLINE f32x8 safe_reciprocal(f32x8 x) {
+    const mask8 positive = x > zero();
+    return select(positive, one() / select(positive, x, one()), zero());
 }
 
 CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t offset, f32x8& x, f32x8& y, f32x8& z,
@@ -122,8 +132,33 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
     } else {
         const Vec3x8 center = safe_reciprocal(points) * sum;
         store3(block.center, center);
+        for (int i = 0; i < N; ++i) {
+            const Vec3x8 e = r[i] - center;
+            store(block.square_lever[i], select(used[i], dot(e, e), zero()));
+        }
         return center;
     }
+}
+
+// Those of the tangential and torsional rows at the friction center.
+template <int N>
+CAIRN_INLINE void couple_friction(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 center, Vec3x8 center_b, Vec3x8 t1,
+                                  Vec3x8 t2, const Inertiax8& a, const Inertiax8& b) {
+    const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
+    const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
+    const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
+    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
+    const f32x8 k11 = mass_sum + dot(a1, ia_1) + dot(b1, ib_1), k22 = mass_sum + dot(a2, ia_2) + dot(b2, ib_2);
+    const f32x8 k12 = dot(a1, ia_2) + dot(b1, ib_2);
+    const f32x8 inverse_determinant = safe_reciprocal(k11 * k22 - k12 * k12);
+    store(block.tangent_mass[0], inverse_determinant * k22);
+    store(block.tangent_mass[1], -(inverse_determinant * k12));
+    store(block.tangent_mass[2], inverse_determinant * k11);
+
+    const Vec3x8 ia_n = a.inverse_inertia * normal, ib_n = b.inverse_inertia * normal;
+    store(block.torsion_mass, safe_reciprocal(dot(normal, ia_n) + dot(normal, ib_n)));
+    store(block.torsion_coupling[0], dot(a1, ia_n) + dot(b1, ib_n));
+    store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
 }
 
 // Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
@@ -219,7 +254,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         block.b[i] = ids[i] >= 0 ? std::uint32_t(row_b[i]) * row_bytes : discard;
         block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : discard;
     }
-    block.moved = block.joined = block.spans = block.struck = block.struck_once = block.struck_twice = 0;
+    block.moved = block.joined = block.struck = block.struck_once = block.struck_twice = 0;
     const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
     Vec3x8 normal, d;
     f32x8 friction, restitution;

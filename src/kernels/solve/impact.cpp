@@ -63,16 +63,13 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     // Coulomb friction of the impact itself, at its load.
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, normal);
     Vec3x8 center = load3(block.center);
-    Sym3x8 k = load6(block.friction_coupling);
     if constexpr (N > 1) {
         const mask8 bears = load_sum > zero();
-        const LoadOffset at = load_offset(center, one() / select(bears, load_sum, one()), load_torque, t1, t2);
-        const LoadOffset e = {select(bears, at.x, zero()), select(bears, at.y, zero())};
-        center = center + (e.x * t1 + e.y * t2);
-        k = coupling_at(k, e);
+        const LoadOffset e = load_offset(center, one() / select(bears, load_sum, one()), load_torque, t1, t2);
+        center = center + select(bears, e.x * t1 + e.y * t2, zero3());
     }
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, d);
-    const auto [stop1, stop2] = slip_stop(k, dot(slip, t1), dot(slip, t2));
+    const auto [stop1, stop2] = slip_stop(block, center, d, t1, t2, dot(slip, t1), dot(slip, t2));
     f32x8 p1 = old1 + stop1, p2 = old2 + stop2;
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());

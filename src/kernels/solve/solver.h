@@ -137,11 +137,6 @@ template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8
     else
         return load3(block.arm[i]);
 }
-// Of a point, from the friction center along the surface.
-template <int N> CAIRN_INLINE f32x8 square_lever(const ContactBlock<N>& block, Vec3x8 normal, int i) {
-    const Vec3x8 e = load3(block.arm[i]) - cross(load3(block.center), normal);
-    return dot(e, e);
-}
 template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block, Vec3x8 normal) {
     return cross(load3(block.tangent), normal);
 }
@@ -207,21 +202,26 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
     b.w = b.w + turned_b(block, torque + sum * c);
 }
 
-// K of friction at the load, of that at the friction center.
-CAIRN_INLINE Sym3x8 coupling_at(const Sym3x8& k, const LoadOffset& e) {
-    const f32x8 xz = k.xz + e.y * k.zz, yz = k.yz - e.x * k.zz;
-    return {k.xx + e.y * (k.xz + xz), k.xy + (e.y * k.yz - e.x * xz), xz, k.yy - e.x * (k.yz + yz), yz, k.zz};
-}
-
-// The impulse along the tangents that stops a slip, in the impact of a whole contact. `k`: K of friction there.
+// The impulse along the tangents that stops a slip, at `center`, in the impact of a whole contact: that of the load.
 struct SlipStop {
     f32x8 p1, p2;
 };
-CAIRN_INLINE SlipStop slip_stop(const Sym3x8& k, f32x8 x, f32x8 y) {
-    const f32x8 determinant = k.xx * k.yy - k.xy * k.xy;
-    const mask8 gives = determinant > zero();
-    const f32x8 inverse = select(gives, one() / select(gives, determinant, one()), zero());
-    return {inverse * (k.xy * y - k.yy * x), inverse * (k.xy * x - k.xx * y)};
+template <int N>
+CAIRN_INLINE SlipStop slip_stop(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 t1, Vec3x8 t2, f32x8 x,
+                                f32x8 y) {
+    f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
+    if constexpr (N > 1) { // else it is the friction center
+        const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = a1 + cross(d, t1), b2 = a2 + cross(d, t2);
+        const Vec3x8 ia_2 = turned_a(block, a2), ib_2 = turned_b(block, b2);
+        const f32x8 mass = load(block.mass_a) + load(block.mass_b);
+        const f32x8 k11 = mass + dot(a1, turned_a(block, a1)) + dot(b1, turned_b(block, b1));
+        const f32x8 k22 = mass + dot(a2, ia_2) + dot(b2, ib_2), k12 = dot(a1, ia_2) + dot(b1, ib_2);
+        const f32x8 determinant = k11 * k22 - k12 * k12;
+        const mask8 gives = determinant > zero();
+        const f32x8 inverse = select(gives, one() / select(gives, determinant, one()), zero());
+        m11 = inverse * k22, m12 = -(inverse * k12), m22 = inverse * k11;
+    }
+    return {-(m11 * x + m12 * y), -(m12 * x + m22 * y)};
 }
 
 // Applies the impulse p at the friction center, and the couple about the normal, to both bodies.

@@ -83,10 +83,8 @@ template <int N> struct PointRows {
     static constexpr int share_count = N * (N - 1);
     // Used by relax only.
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
+    float square_lever[N][8];              // m^2: of each point from the friction center
     float total_impulse[N][8];
-    float held_coupling[6][8]; // K of friction where normal impulses keep the points as they are, and
-    float held_normal[9][8];   // how these change with it, see friction_rows.h
-    float null_impulse[N][8];  // impulses of the points that do nothing together
     float turning_slope[3][8]; // 1/s^2: how the normal part of `turning` grows with the place; where the block turns
     // And by solve.
     float arm[N][3][8];          // j_i
@@ -124,7 +122,6 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t turns;                     // any point that moves within the step
     std::uint8_t rims_a, rims_b;            // lanes, as bits, of which the place on A or on B is followed over a face
     std::uint8_t joined;                    // lanes, as bits: of bodies that joints hold, which bounce in an impact
-    std::uint8_t spans;                     // lanes, as bits: of which the points do not lie in a line
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
@@ -136,7 +133,8 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float turning[3][8];            // m/s^2: see slip_of_turning; where the block turns
     float sliding[8];               // m/s^2: likewise, how fast the points part as they slide over a face that turns
     float tangent[3][8];            // the second tangent is this x normal
-    float friction_coupling[6][8];  // K of friction: along the tangents and about the normal
+    float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
+    float torsion_mass[8], torsion_coupling[2][8];
     float friction[8], static_friction[8], torsion_radius[8];
     float tangent_impulse[2][8], torsion_impulse[8], total_tangent[2][8];
     float rolling_radius[8], rolling_impulse[3][8], restitution[8]; // where there is any
