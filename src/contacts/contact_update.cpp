@@ -6,6 +6,7 @@
 #include "contacts/patches.h"
 #include "contacts/shared_tests.h"
 #include "core/cache.h"
+#include "core/hash.h"
 #include "core/room.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace cairn {
 
@@ -71,7 +73,7 @@ void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const F
         link_islands(bodies, islands, events, c.body_a, c.body_b);
     else
         wake_island(bodies, islands, events, bodies.links[c.body_a].island);
-    assign_color(bodies, c);
+    count_contact(bodies, c);
     c.load = c.force = first_load(bodies, fields, settings, c, normal);
 }
 
@@ -149,13 +151,40 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
             drop_answer(s.bodies, s.contacts, id);
             return;
         }
-        if (outcome == begun)
+        if (outcome == begun) {
             begin_contact(s.bodies, s.islands, s.events, s.fields, s.settings, c, start.normal);
-        else if (asleep)
+            std::vector<Uncolored>& uncolored = s.narrow.uncolored;
+            uncolored.push_back({0, none, std::uint32_t(uncolored.size()), id});
+        } else if (asleep) {
             wake_body(s.bodies, s.islands, s.events, c.body_a);
+        }
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
     s.solved.push_back(id);
+}
+
+void color_begun(Bodies& bodies, Contacts& contacts, NarrowScratch& narrow) {
+    std::vector<Uncolored>& begun = narrow.uncolored;
+    for (Uncolored& u : begun) {
+        const ContactInfo& c = contacts.info[u.contact];
+        u.island = bodies.links[c.body_a].island;
+        u.key = std::uint64_t(c.shape_a) << 32 | c.shape_b;
+    }
+    std::sort(begun.begin(), begun.end(), [](const Uncolored& a, const Uncolored& b) {
+        return std::tie(a.island, a.key, a.order) < std::tie(b.island, b.key, b.order);
+    });
+    std::uint64_t rank = 0;
+    for (std::size_t i = 0; i < begun.size(); ++i) {
+        rank = i > 0 && begun[i].island == begun[i - 1].island ? rank + 1 : 0;
+        Hash64 shuffled;
+        shuffled.add(rank);
+        begun[i].key = shuffled.value();
+    }
+    std::sort(begun.begin(), begun.end(), [](const Uncolored& a, const Uncolored& b) { return a.key < b.key; });
+    for (const Uncolored& u : begun)
+        if (ContactInfo& c = contacts.info[u.contact]; c.in_use && c.point_count > 0 && c.color == no_color)
+            assign_color(bodies, c);
+    begun.clear();
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -241,7 +270,7 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
         return;
     }
     if (c.point_count > 0) {
-        release_color(bodies, c);
+        release_contact(bodies, c);
         c.point_count = 0;
         const std::int32_t island = bodies.links[c.body_a].island;
         if (island != none) islands.all[island].lost_contact |= c.b_moves;

@@ -60,6 +60,9 @@ std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 BegunContact how_it_begins(const Contacts& contacts, std::uint32_t contact, float dt);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
 void follow_up(const FollowUpContext& context, std::uint32_t contact, std::uint8_t outcome, float dt);
+// Colors for the contacts that follow_up let begin and that have not ended since, in an order that an island has of
+// itself, whatever else is in the world, and that prefers no direction: docs/decisions/colors.md.
+void color_begun(Bodies& bodies, Contacts& contacts, NarrowScratch& narrow);
 
 // A contact is no longer solved: an end event if it touched, and its island may fall apart.
 void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,

@@ -57,6 +57,7 @@ struct Sink final : PairSink {
         : bodies(bodies), shapes(shapes), contacts(contacts), islands(islands), joints(joints), events(events) {}
 
     bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
+        if (a > b) std::swap(a, b); // which is first in the tree depends on all the world
         const std::int32_t body_a = shapes.links[a].body, body_b = shapes.links[b].body;
         if (body_a == body_b) return false;
         const bool a_moves = bodies.is_dynamic(body_a), b_moves = bodies.is_dynamic(body_b);

@@ -1,7 +1,7 @@
 // Graph coloring of contacts: no two contacts of one color share a moving body, so 8 of them can be solved side by
-// side. A contact gets its color when it begins, the lowest that is free at both bodies, and keeps it. Contacts with
-// bodies that do not move have colors of their own, solved last, so that what stands on the ground has the last
-// word. What finds no free color is solved first, one by one.
+// side. A contact gets its color in the step in which it begins, the lowest that is free at both bodies, and keeps it
+// (docs/decisions/colors.md). Contacts with bodies that do not move have colors of their own, solved last, so that what
+// stands on the ground has the last word. What finds no free color is solved first, one by one.
 #pragma once
 
 #include "state/state.h"
@@ -10,9 +10,13 @@ namespace cairn {
 
 inline constexpr int first_fixed_color = 40, overflow_color = 63, no_color = 255;
 
-inline void assign_color(Bodies& bodies, ContactInfo& contact) {
+// The contact is to be solved.
+inline void count_contact(Bodies& bodies, const ContactInfo& contact) {
     ++bodies.links[contact.body_a].contact_count;
     ++bodies.links[contact.body_b].contact_count;
+}
+
+inline void assign_color(Bodies& bodies, ContactInfo& contact) {
     std::uint64_t used = bodies.links[contact.body_a].colors;
     if (contact.b_moves) used |= bodies.links[contact.body_b].colors;
     const std::uint64_t low = (std::uint64_t(1) << first_fixed_color) - 1;
@@ -25,7 +29,8 @@ inline void assign_color(Bodies& bodies, ContactInfo& contact) {
     if (contact.b_moves) bodies.links[contact.body_b].colors |= bit;
 }
 
-inline void release_color(Bodies& bodies, ContactInfo& contact) {
+// The contact is no longer to be solved.
+inline void release_contact(Bodies& bodies, ContactInfo& contact) {
     --bodies.links[contact.body_a].contact_count;
     --bodies.links[contact.body_b].contact_count;
     if (contact.color < overflow_color) {

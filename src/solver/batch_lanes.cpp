@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <tuple>
 
 namespace cairn {
 
@@ -177,6 +178,13 @@ void sort_contacts(SolverScratch& solver, const IslandBatch& batch, BatchScratch
         thread_pool, batch.contact_count, contacts_per_chunk, keys_per_batch, std::uint32_t(batch.first_contact), ends,
         scratch.key_counts, [&](int k) { return std::size_t(first[k].key); },
         [&](int k, std::uint32_t place) { solver.sorted[place] = first[k]; });
+    // Those that are solved one by one: their order until here depends on all the world.
+    const auto comes_before = [](const SortedContact& a, const SortedContact& b) {
+        return std::tie(a.body_a, a.body_b, a.id) < std::tie(b.body_a, b.body_b, b.id);
+    };
+    std::uint32_t begin = std::uint32_t(batch.first_contact);
+    for (std::uint32_t key = 0; key < keys_per_color; begin = ends[key++])
+        std::sort(solver.sorted.begin() + begin, solver.sorted.begin() + ends[key], comes_before);
 }
 
 void fill_lanes(const SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {

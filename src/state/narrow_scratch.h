@@ -46,6 +46,14 @@ struct BegunContact {
     bool passes_by; // as its bodies move, it will not touch within the step
 };
 
+// A contact that gets its color once all that the step ends have given back theirs.
+struct Uncolored {
+    std::uint64_t key; // the shapes of A and B; then the place in the order of colors
+    std::int32_t island;
+    std::uint32_t order; // in which they began
+    std::uint32_t contact;
+};
+
 // What is asked of the record of a contact that begins to touch.
 struct TouchPoint {
     std::uint32_t contact;
@@ -115,6 +123,7 @@ struct NarrowScratch {
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
     std::vector<std::uint32_t> changed;       // of these, those whose contact begins, ends or is a group
+    std::vector<Uncolored> uncolored;         // contacts that begin in the step
     std::vector<ListPart> parts;              // of lists that threads write together
     std::vector<KindCounts> kinds_in_chunk;   // of open pairs that are to be tested
     bool any_groups = false;                  // among those

@@ -37,7 +37,6 @@ struct Island {
     std::vector<BodyId> bodies;
 };
 
-// Of each type one in an island: which of two boxes is A in their contact depends on the tree of the broad phase.
 Shape shape_of(int type, RandomStart& random) {
     const float a = random.between(0.1f, 0.3f), b = random.between(0.1f, 0.2f);
     switch (type) {
@@ -91,14 +90,14 @@ Island add_island(World& world, int seed, float restitution) {
     floor.position = origin;
     add_body(world, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(20)}, floor, surface(0.5f, restitution));
     const Vec3 thrown = random.vector(3) - Vec3(0, random.between(0, 12), 0);
-    const int count = 3 + random.below(2), first_type = random.below(4);
+    const int count = 3 + random.below(4), first_type = random.below(4), types = 1 + random.below(4);
     for (int i = 0; i < count; ++i) {
         BodyDef def;
         def.position = origin + Position(0.05 * (i % 2), 0.4 + 0.5 * i, 0);
         def.rotation = random.rotation();
         def.linear_velocity = thrown;
         def.angular_velocity = random.vector(random.below(2) ? 2.0f : 15.0f);
-        const Shape shape = shape_of((first_type + i) % 4, random);
+        const Shape shape = shape_of((first_type + i % types) % 4, random);
         island.bodies.push_back(add_body(world, shape, def, surface(random.between(0.1f, 0.8f), restitution)));
         if (i == 0 || (i == 2 && seed % 2)) continue;
         JointDef joint;
