@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Counts the instructions of World::step in short runs of shipped scenes, and compares them with the recorded figures.
+"""Counts the instructions of World::step in short runs of shipped scenes, and of a heap that has settled but may not
+sleep, and compares them with the recorded figures.
 
 Unlike times, counts repeat on any machine with the same compiler, so that a change that makes the step slower shows at
 once. Usage: instruction_counts.py CAIRN [--renew]
@@ -7,6 +8,7 @@ Exit codes: 0 none has grown by more than 5 %; 1 one has, or there is an error; 
 """
 import json
 import os
+import random
 import re
 import subprocess
 import sys
@@ -14,24 +16,49 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from scene_writer import Scene
+from scenes_of_boxes import scatter
+
 ROOT = Path(__file__).resolve().parent.parent
 RECORDED = ROOT / "bench" / "instruction_counts.json"
 SCENES = {"07_pyramid": 60, "13_pile": 150, "14_avalanche": 90}  # steps
+HEAP = "heap at rest"
+HEAP_STEPS = 500, 600  # what the later ones cost
 MOST_GROWTH = 0.05
 NO_AVX2 = 77
+
+
+def write_heap(path):
+    """240 boxes and balls that fall into a narrow pit, and may not sleep."""
+    s = Scene("Heap", "", (8, 8, 8), (0, 1, 0), sleep=False)
+    s.ground(0.5)
+    s.walls(3, 3, 4, 0.4, s.material(0.5))
+    scatter(s, random.Random(13), 240, 4, 0.7, 0.8, s.material(0.5), (0.25, 0.38), 0.03)
+    s.write(path)
 
 
 def count(cairn, scene, steps):
     """Instructions of all steps together."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["valgrind", "--tool=callgrind", "--collect-atstart=no", "--toggle-collect=cairn::World::step(float)",
-                   f"--callgrind-out-file={folder}/out", str(cairn), "run", str(ROOT / "scenes" / f"{scene}.gltf"),
-                   "--frames", str(steps), "--threads", "1"]
+                   f"--callgrind-out-file={folder}/out", str(cairn), "run", str(scene), "--frames", str(steps),
+                   "--threads", "1"]
         done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "CAIRN_ISA": "avx2"})
         found = re.search(r"Collected : (\d+)", done.stderr)
         if done.returncode != 0 or not found or int(found[1]) == 0:
             raise RuntimeError(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stdout}{done.stderr}")
         return int(found[1])
+
+
+def count_all(cairn):
+    """Instructions by scene."""
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
+        heap = Path(folder) / "heap.gltf"
+        write_heap(heap)
+        runs = [(ROOT / "scenes" / f"{scene}.gltf", steps) for scene, steps in SCENES.items()]
+        runs += [(heap, steps) for steps in HEAP_STEPS]
+        counts = list(pool.map(lambda run: count(cairn, *run), runs))
+    return {**dict(zip(SCENES, counts)), HEAP: counts[-1] - counts[-2]}
 
 
 def main():
@@ -41,16 +68,16 @@ def main():
     if "avx2" not in Path("/proc/cpuinfo").read_text(encoding="ascii").split():
         print("this processor has no AVX2: nothing counted")
         return NO_AVX2
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        counts = dict(zip(SCENES, pool.map(lambda scene: count(arguments[0], scene, SCENES[scene]), SCENES)))
+    counts = count_all(arguments[0])
     if "--renew" in sys.argv:
         RECORDED.write_text(json.dumps(counts, indent=4) + "\n", encoding="ascii")
     recorded = json.loads(RECORDED.read_text(encoding="ascii"))
     grown = []
-    print(f"{'scene':<14}{'steps':>6}{'recorded':>15}{'now':>15}{'change':>9}")
+    print(f"{'scene':<14}{'steps':>8}{'recorded':>15}{'now':>15}{'change':>9}")
+    steps = {**SCENES, HEAP: f"{HEAP_STEPS[0] + 1}-{HEAP_STEPS[1]}"}
     for scene, now in counts.items():
         change = now / recorded[scene] - 1
-        print(f"{scene:<14}{SCENES[scene]:>6}{recorded[scene]:>15,}{now:>15,}{change:>+9.1%}")
+        print(f"{scene:<14}{steps[scene]:>8}{recorded[scene]:>15,}{now:>15,}{change:>+9.1%}")
         if change > MOST_GROWTH:
             grown.append(scene)
     if grown:
