@@ -434,7 +434,7 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
-    if (stay_together(first, second)) return never;
+    if (from == 0 && to >= 1 && stay_together(first, second)) return never; // all parts of a step could add up
     double time = course_of(first, second, {from, to}, {0, 0, axis}).meeting;
     // What begins too deep goes no deeper than half of that, or up to its middle.
     for (const float part : {0.5f, 0.0f}) {

@@ -236,10 +236,10 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
-    if (std::fabs(way) > c.base_margin) return true;
-    const bool bounces = c.bounces && speed > in.settings.restitution_speed;
-    // What is this near counts as touching.
+    // What is this near counts as touching: what presses it on brings it no nearer.
     const auto is_off = [&] { return least > float(touch_tolerance(half_width_between(in.shapes, c))); };
+    if (std::fabs(way) > c.base_margin && (std::fabs(speed * dt) > c.base_margin || is_off())) return true;
+    const bool bounces = c.bounces && speed > in.settings.restitution_speed;
     // What slides on before it touches may be past the other by then: a contact, whose plane has no end, would stop it.
     const math::Vec3 n = math::to_vec(m.normal), v = in.bodies.motion[c.body_b].v - in.bodies.motion[c.body_a].v;
     const bool slides = dt * math::length(v - math::dot(v, n) * n) > c.base_margin && is_off();

@@ -135,6 +135,13 @@ double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
     return part;
 }
 
+// How long the chord of a parabola may be, s, so that it is nowhere as far from it as a core is deep.
+double Movers::longest_chord(const Mover& m) const {
+    const double pull = math::length(m.acceleration);
+    const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
+    return pull > 0 ? std::sqrt(8 * depth / pull) : std::numeric_limits<double>::infinity();
+}
+
 std::int32_t Movers::add(std::int32_t b) {
     if (of_body(b) != none) return of_body(b);
     const std::int32_t i = append(b);
@@ -193,6 +200,12 @@ void Movers::set_out(std::int32_t i) {
     } else if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_)) {
         redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
     }
+}
+
+void Movers::follow_parabola(std::int32_t i) {
+    const Mover& m = (*this)[i];
+    if (!m.is_free || m.is_redirected || m.path.until < 1 || !(longest_chord(m) < double(dt_))) return;
+    redirect(i, 0, {m.path.first().x, m.path.rotation, m.velocity, m.spin});
 }
 
 // Joints turn a body about the axis of the screw that leads from its first pose to its last (Chasles): it is led by a
@@ -341,7 +354,8 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     const double left = (1 - time) * double(dt_);
     double until = 1;
     if (m.is_free) {
-        const double part = std::max(longest_part(m.body, now.w, now.q) / double(dt_), min_part);
+        const double longest = std::min(longest_part(m.body, now.w, now.q), longest_chord(m));
+        const double part = std::max(longest / double(dt_), min_part);
         until = std::min(time + part, 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;

@@ -47,6 +47,9 @@ class Movers {
     void go_on_freely(std::int32_t i, const MovingState& now, math::DVec3& pull, math::DVec3& spin_change) const;
     // From its body's center of mass to the origin of a shape, m, as the body is turned.
     math::DVec3 arm_of(std::uint32_t shape, math::DQuat q) const;
+    // The path of what is free, from the start on, is made of chords that are nowhere as far from its parabola as a
+    // core is deep: for what may meet something.
+    void follow_parabola(std::int32_t i);
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
     // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
@@ -85,6 +88,7 @@ class Movers {
     std::optional<math::DQuat> end_of_turn(std::int32_t body, math::DQuat from, math::DQuat to, math::DVec3 w,
                                            double duration) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
+    double longest_chord(const Mover& m) const;
     double offset_of_velocity() const;
     int substeps_in(double duration) const;
     void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;

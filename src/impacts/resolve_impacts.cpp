@@ -56,6 +56,8 @@ class ImpactQueue {
         for (const std::int32_t b : step.solver.strayed) movers_[movers_.of_body(b)].has_strayed = true;
         pairs_.find();
         for (std::int32_t i = 0; i < movers_.count(); ++i)
+            if (movers_[i].first_pair != none) movers_.follow_parabola(i);
+        for (std::int32_t i = 0; i < movers_.count(); ++i)
             if (movers_[i].is_redirected) pairs_.find_near(i, 0);
         s.statistics.swept_pairs += std::size_t(pairs_.count());
         step.thread_pool->for_chunks(int(pairs_.count()), pairs_per_chunk, [&](int begin, int end, int) {

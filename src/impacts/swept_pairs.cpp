@@ -150,7 +150,8 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
     bool has_axis = false;
     if (contact != none) {
         const ContactInfo& c = in.contacts.info[contact];
-        pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
+        for_each_patch(in.contacts, std::uint32_t(contact),
+                       [&](std::uint32_t patch) { pair.is_known |= in.contacts.info[patch].point_count > 0; });
         has_axis = c.point_count > 0;
     }
     if (pair.second != none && other < shape) {
