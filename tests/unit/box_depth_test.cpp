@@ -51,7 +51,7 @@ TEST(BoxDepth, IsThatOfEpaAndNoDirectionHasLess) {
         const double whole = depth->depth + radii;
         EXPECT_NEAR(length(depth->normal), 1, 1e-9) << k;
         EXPECT_NEAR(way_out(other, box, depth->normal), whole, 1e-9) << k;
-        EXPECT_LT(depth->depth, (1 + 1.1e-6) * -(truth.distance + radii) + 1e-9) << k;
+        EXPECT_LT(depth->depth + (truth.distance + radii), 1.1e-6 * -(truth.distance + radii) + 1e-9) << k;
         for (int i = 0; i < 20; ++i)
             EXPECT_GT(way_out(other, box, random.direction()), (1 - 1.1e-6) * whole - 1e-9) << k;
         // Those points of the cores come together.

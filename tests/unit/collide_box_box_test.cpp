@@ -76,6 +76,11 @@ Tolerance tolerance_for(const Frame& a, const Frame& b, const SeparatingAxis& tr
     return {rounding, 5.5e-2 * smallest_half(a, b) + 2 * rounding};
 }
 
+bool is_face_of(const Frame& box, const Vec& n) {
+    return std::any_of(box.axis.begin(), box.axis.end(),
+                       [&](const Vec& axis) { return std::fabs(dot(axis, n)) > 1 - 1e-6; });
+}
+
 // What the manifold must say, given the true axis. Empty when it does.
 std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
@@ -86,6 +91,7 @@ std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, doub
     if (m.count == 0) return truth.separation < -tolerance.rounding ? "no contact of boxes that overlap" : "";
 
     const Vec n = normal_of(m);
+    const bool by_edges = truth.edges || (!is_face_of(a, n) && !is_face_of(b, n));
     const double deepest = deepest_of(m);
     if (deepest < truth.separation - tolerance.rounding) return "deeper than the truth";
     if (truth.separation < 0) {
@@ -99,8 +105,7 @@ std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, doub
         const double half_gap = separation_of(m, k) / 2;
         const double on_a = distance_to_box(a, p - half_gap * n), on_b = distance_to_box(b, p + half_gap * n);
         // Edges that are apart may also miss each other sideways, within the margin in all.
-        const double sideways =
-            truth.edges && half_gap > 0 ? std::sqrt(margin * margin / 4 - half_gap * half_gap) : 0.0;
+        const double sideways = by_edges && half_gap > 0 ? std::sqrt(margin * margin / 4 - half_gap * half_gap) : 0.0;
         const double allowed = tolerance.choice + sideways + 2e-4 * std::max(length(a.half), length(b.half));
         if (std::fabs(on_a) > allowed || std::fabs(on_b) > allowed)
             return "point " + std::to_string(k) + " is " + std::to_string(on_a) + " and " + std::to_string(on_b) +
