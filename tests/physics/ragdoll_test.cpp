@@ -193,8 +193,7 @@ TEST(Ragdoll, FliesBackTheSameWhateverElseHitsTheWall) {
         return ragdoll.velocity();
     };
     std::vector<Quat> attitudes = {across, head_first, feet_first};
-    for (int i = 0; i < 24; ++i)
-        attitudes.push_back(glm::angleAxis(0.25f * float(i), glm::normalize(Vec3(1, 2, 3))));
+    for (int i = 0; i < 24; ++i) attitudes.push_back(glm::angleAxis(0.25f * float(i), glm::normalize(Vec3(1, 2, 3))));
     for (const Vec3& thrown : {Vec3(21, -4.2f, 10.6f), Vec3(50, 0, 20)})
         for (const Quat& attitude : attitudes)
             EXPECT_EQ(velocity(attitude, thrown, true), velocity(attitude, thrown, false));
