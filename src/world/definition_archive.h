@@ -180,8 +180,12 @@ struct TriggerEventFields {
     float time;
 };
 inline TriggerEventFields fields_of(const TriggerEvent& e) {
-    return {without_world(e.trigger), without_world(e.other), without_world(e.trigger_body),
-            without_world(e.other_body), e.inside, e.time};
+    return {without_world(e.trigger),
+            without_world(e.other),
+            without_world(e.trigger_body),
+            without_world(e.other_body),
+            e.inside,
+            e.time};
 }
 inline TriggerEvent from_fields(const TriggerEventFields& f) {
     return {f.trigger, f.other, f.trigger_body, f.other_body, f.inside != 0, f.time};
