@@ -360,6 +360,8 @@ bool is_over(const Convex& polygon, DVec3 p) {
 // A push counts as downward where its direction has this against the normal, as in kernels/collide_box_rectangle.cpp.
 constexpr double downward = 1e-3;
 
+constexpr double squared_rounding = 1e-10; // of a unit vector in float that is computed twice
+
 // Where the contact is; one that would push down is none.
 SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
     if (out.count == 0) return {};
@@ -370,7 +372,8 @@ SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
         return {};
     }
     SurfaceContact r;
-    if (cosine < 1 - 1e-6) {
+    const DVec3 off = n + polygon.axes.c1;
+    if (dot(off, off) > squared_rounding) {
         const float* p = out.points[0];
         r = part_of(polygon, DVec3{p[0], p[1], p[2]} + (0.5 * p[3]) * n, a.extent);
     }

@@ -161,11 +161,6 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
     return (sign * growth / std::sqrt(square)) * way;
 }
 
-bool has_corners(const Geometry& g) {
-    return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
-           g.type != ShapeType::cylinder;
-}
-
 // How the surfaces are round where they touch, and how the points move over them: the only one, or those of what is
 // round on a face.
 void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
@@ -173,12 +168,9 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
-    // Hulls on hulls keep their places, as boxes on boxes do, which are never asked.
-    const bool is_smooth = !has_corners(a) || !has_corners(b);
-    const auto by_face = [&](bool second) { return is_smooth && touches_by_face(c.kind, m, second); };
-    const bool on_a = is_flat(a, *at.pose_a, normal) || by_face(c.flipped);
-    const bool on_b = !on_a && (is_flat(b, *at.pose_b, normal) || by_face(!c.flipped));
-    if (!on_a && !on_b) {
+    const TouchingFace touching = touching_face(shapes, c, m, normal, *at.pose_a, *at.pose_b);
+    const bool on_a = touching == TouchingFace::of_a;
+    if (touching == TouchingFace::none) {
         if (m.count > 1) return;
         if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;
         return;

@@ -37,14 +37,10 @@ inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time
     return math::dot(passing, passing) <= farthest * farthest;
 }
 
-// Whether a pair is looked for there: it has met, or it is of what lies on something else and of what does not move, so
-// that all over which it slides is of one moment: the edge of the next tile as well as the tile behind. It does not
-// pass by more than the margin: what slides or rolls on in haste may be over another shape by then.
+// Whether a pair is looked for there: it has met, and does not pass by more than the margin. What slides or rolls on in
+// haste may be over another shape by then.
 inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
-    const bool is_ahead = bodies.settings[c.body_b].type == BodyType::static_ &&
-                          bodies.links[c.body_a].contact_count > (c.point_count > 0 ? 1 : 0);
-    const bool has_met = c.touching && c.point_count > 0;
-    return (has_met || is_ahead) && may_be_midway(bodies, c, time, c.base_margin);
+    return c.touching && c.point_count > 0 && may_be_midway(bodies, c, time, c.base_margin);
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

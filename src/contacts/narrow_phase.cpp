@@ -66,6 +66,9 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
     if (c.touching) {
         const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
         if ((c.flipped ? -along : along) <= 0) return false;
+        if (leaves_face(in.shapes, c, contacts.records[id], m, midway_pose(in.bodies, in.shapes, narrow, c.shape_a),
+                        midway_pose(in.bodies, in.shapes, narrow, c.shape_b)))
+            return false;
     } else if (least_separation(m) > c.base_margin + (1 - time / dt) * (margin - c.base_margin)) {
         return false; // at the start it may be farther than what is asked for
     }

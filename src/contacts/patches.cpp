@@ -92,7 +92,7 @@ Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                  margin, own.surface_at_touch, own.hits_at_touch);
     const Manifold* const found = deepest_of(own.surface_at_touch, own.hits_at_touch, own.triangles);
-    if (!found) return Approach::now; // the edge between it and a deeper one
+    if (!found) return Approach::passes; // the edge between it and a deeper one
     hit = *found;
     return approach;
 }
@@ -161,7 +161,8 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     for (const Manifold& hit : own.hits) {
         const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
         if (patch == none || !contacts.info[patch].touching || stays_apart(in.bodies, in.shapes, group, hit, dt) ||
-            approach_of(in.bodies, in.shapes, group, hit) * time > group.base_margin)
+            approach_of(in.bodies, in.shapes, group, hit) * time > group.base_margin ||
+            leaves_face(in.shapes, group, contacts.records[patch], hit, a_then.pose, b_then.pose))
             return false;
         narrow.patch_outcomes[patch] = tested_patches;
         own.matched.push_back(std::uint32_t(patch));

@@ -15,18 +15,42 @@ math::Vec3 axis_of(const ShapePose& pose, int i) {
 }
 
 bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
-    constexpr float along = 0.99999f; // cosine
+    constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed twice
+    const bool is_rectangle = g.type == ShapeType::rectangle;
     if (g.type == ShapeType::plane) return true;
-    if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
-    if (g.type != ShapeType::box || g.rounding > 0) return false;
+    if (!is_rectangle && (g.type != ShapeType::box || g.rounding > 0)) return false;
     const float* q = pose.q;
-    const math::Vec3 n = math::abs(math::rotate(math::Quat{-q[0], -q[1], -q[2], q[3]}, normal));
-    return std::max(std::max(n.x, n.y), n.z) > along;
+    const math::Vec3 n = math::rotate(math::Quat{-q[0], -q[1], -q[2], q[3]}, normal);
+    const float x = n.x * n.x, y = n.y * n.y, z = n.z * n.z, off_y = x + z;
+    return (is_rectangle ? off_y : std::min({y + z, off_y, x + y})) < squared_rounding;
 }
 
 bool touches_by_face(PairKind kind, const Manifold& m, bool is_second) {
     const bool is_told = kind == PairKind::convex_convex || kind == PairKind::group || kind == PairKind::patch;
     return is_told && (m.features[0] & (is_second ? on_second_face : on_first_face)) != 0;
+}
+
+bool has_corners(const Geometry& g) {
+    return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
+           g.type != ShapeType::cylinder;
+}
+
+TouchingFace touching_face(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal,
+                           const ShapePose& pose_a, const ShapePose& pose_b) {
+    const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
+    // Hulls on hulls keep their places, as boxes on boxes do, which are never asked.
+    const bool is_smooth = !has_corners(a) || !has_corners(b);
+    const auto by_face = [&](bool second) { return is_smooth && touches_by_face(c.kind, m, second); };
+    if (is_flat(a, pose_a, normal) || by_face(c.flipped)) return TouchingFace::of_a;
+    if (is_flat(b, pose_b, normal) || by_face(!c.flipped)) return TouchingFace::of_b;
+    return TouchingFace::none;
+}
+
+bool leaves_face(const Shapes& shapes, const ContactInfo& c, const ContactRecord& last, const Manifold& m,
+                 const ShapePose& pose_a, const ShapePose& pose_b) {
+    if (!may_be_round(c.kind) || (last.radius_a != on_face && last.radius_b != on_face)) return false;
+    const math::Vec3 normal = to_vec(m.normal);
+    return touching_face(shapes, c, m, c.flipped ? -normal : normal, pose_a, pose_b) == TouchingFace::none;
 }
 
 bool is_followed(PairKind kind, const Geometry& g, const Geometry& other, const ShapePose& pose, const Manifold& m,

@@ -15,6 +15,16 @@ bool is_flat(const Geometry& shape, const ShapePose& pose, math::Vec3 normal);
 // meshes and height fields, of which is_flat does not know.
 bool touches_by_face(PairKind kind, const Manifold& m, bool is_second);
 
+bool has_corners(const Geometry& shape);
+
+// Which of two shapes, of which something is round, touches the other by a face. `normal`: from A to B.
+enum class TouchingFace : std::uint8_t { none, of_a, of_b };
+TouchingFace touching_face(const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
+                           math::Vec3 normal, const ShapePose& pose_a, const ShapePose& pose_b);
+// Whether what lay on a face when its record was written is beyond the end of that with this manifold.
+bool leaves_face(const Shapes& shapes, const ContactInfo& contact, const ContactRecord& last, const Manifold& manifold,
+                 const ShapePose& pose_a, const ShapePose& pose_b);
+
 // Whether a shape that is round about an axis touches another on a face, by the only point: the solver follows the
 // place, however it turns about its axis and the normal.
 bool is_followed(PairKind kind, const Geometry& shape, const Geometry& other, const ShapePose& pose_of_other,
