@@ -95,8 +95,9 @@ class Hull {
 };
 
 /// A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise: what
-/// has sunk below a triangle by less than the triangle's size is pushed out along its normal. It never changes, so
-/// that copies share their data, and is cheap to copy.
+/// has sunk below a triangle by less than its own size is pushed out along the triangle's normal. Walls may be as thin
+/// as you like: sheets whose triangles have others on their backs hold on both sides. It never changes, so that copies
+/// share their data, and is cheap to copy.
 class Mesh {
   public:
     /// Three indices a triangle, counterclockwise as seen from outside. Corners at the same place count as one;

@@ -78,7 +78,7 @@ class BoxOnTriangles {
     // As in convex_contact.cpp.
     static constexpr double second_face_tolerance = 1e-4, rounding = 1e-6, downward = 1e-3;
     // At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
-    static constexpr double same_direction = 1 - 1e-6;
+    static constexpr double same_direction = 1 - 5e-11;
 
     struct List {
         int which[most + 3]; // filled up to a multiple of four

@@ -432,7 +432,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         const double top = dot(near_support(a, up).point - polygon.corners[0], up);
         if (-height < size && (polygon.corner_count == 4 || top > 0) && is_over(polygon, m))
             lift(a, polygon, margin, out);
-        return {};
+        return {.is_lifted = true};
     }
     FacePoints found;
     if (contact_by_guess(a, polygon, margin, {}, guess, found, out)) return place_of(a, polygon, out);

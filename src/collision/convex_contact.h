@@ -23,8 +23,9 @@ void collide_plane(const Convex& a, math::DVec3 up, double height, double margin
 struct SurfaceContact {
     enum class Part : std::uint8_t { face, edge, corner };
     Part part = Part::face;
-    int index = 0;     // of the edge (from corner i to the next) or of the corner
-    double cosine = 1; // between the push on the first shape and the normal of the polygon
+    int index = 0;          // of the edge (from corner i to the next) or of the corner
+    double cosine = 1;      // between the push on the first shape and the normal of the polygon
+    bool is_lifted = false; // the middle of the first shape is behind the polygon
 };
 
 // Against one side of a triangle or rectangle (Convex::Kind::polygon): it pushes the first shape only along its normal

@@ -51,12 +51,26 @@ bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, 
     return true;
 }
 
+// A shape on a thin wall, or on a sheet whose triangles have others on their backs, has its middle behind the far side,
+// too, and may reach through it. It is in front of a triangle that lies between: so it is not lifted to the far side.
+void drop_far_sides(SurfaceScratch& scratch, double tolerance) {
+    std::vector<TriangleHit>& hits = scratch.hits;
+    const auto is_far_side = [&](const TriangleHit& hit) {
+        return hit.is_lifted && std::any_of(hits.begin(), hits.end(), [&](const TriangleHit& near) {
+                   return !near.is_lifted && math::dot(near.normal, hit.normal) < 0 &&
+                          math::dot(hit.normal, near.foot - hit.foot) >= -tolerance;
+               });
+    };
+    if (std::any_of(hits.begin(), hits.end(), [](const TriangleHit& hit) { return hit.is_lifted; }))
+        hits.erase(std::remove_if(hits.begin(), hits.end(), is_far_side), hits.end()); // in front all stay
+}
+
 // The hit of one triangle.
 void add_hit(const BoxHit& found, std::uint32_t triangle, SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
     scratch.points.insert(scratch.points.end(), found.points, found.points + found.count);
     scratch.hits.push_back({found.normal, found.foot, -found.separation, first, static_cast<std::uint32_t>(found.count),
-                            triangle, found.on_face, none});
+                            triangle, found.on_face, false, none});
 }
 // Of a manifold in the common frame.
 void add_hit(const Manifold& found, const SurfaceContact& contact, const Placement& frame, std::uint32_t triangle,
@@ -72,7 +86,7 @@ void add_hit(const Manifold& found, const SurfaceContact& contact, const Placeme
     const SurfacePoint& p = scratch.points[first];
     scratch.hits.push_back({normal, p.position + 0.5 * p.separation * normal, -least, first,
                             static_cast<std::uint32_t>(found.count), triangle,
-                            contact.part == SurfaceContact::Part::face, none});
+                            contact.part == SurfaceContact::Part::face, contact.is_lifted, none});
 }
 
 struct Bounds {
@@ -321,14 +335,15 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     HitSearch search(a, surface, margin, frame, scratch);
     const double distance = is_box ? search.search_around_box(kernels, reach) : search.search(reach);
     if (scratch.hits.empty()) return distance;
+    const DVec3 axis = surface.axes.c0;
+    const double size = is_box ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
+    drop_far_sides(scratch, flatness * size);
     scratch.order.resize(scratch.hits.size());
     for (std::uint32_t i = 0; i < scratch.order.size(); ++i) scratch.order[i] = i;
     std::sort(scratch.order.begin(), scratch.order.end(), [&](std::uint32_t i, std::uint32_t k) {
         const TriangleHit &p = scratch.hits[i], &q = scratch.hits[k];
         return p.depth != q.depth ? p.depth > q.depth : p.triangle < q.triangle;
     });
-    const DVec3 axis = surface.axes.c0;
-    const double size = is_box ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
     scratch.patches.clear();
     const LocalMinima minima(surface, frame, scratch, flatness * size);
     for (std::size_t place = 0; place < scratch.order.size(); ++place) {

@@ -26,6 +26,7 @@ struct TriangleHit {
     std::uint32_t first_point, point_count; // in SurfaceScratch::points
     std::uint32_t triangle;
     bool on_face;      // of the triangle, not at its edges
+    bool is_lifted;    // the middle of the shape is behind the triangle
     std::size_t patch; // that it is a part of
 };
 

@@ -9,13 +9,18 @@ namespace cairn {
 
 using math::to_vec;
 
+namespace {
+
+constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed twice
+
+} // namespace
+
 math::Vec3 axis_of(const ShapePose& pose, int i) {
     const float* q = pose.q;
     return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
 }
 
 bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
-    constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed twice
     const bool is_rectangle = g.type == ShapeType::rectangle;
     if (g.type == ShapeType::plane) return true;
     if (!is_rectangle && (g.type != ShapeType::box || g.rounding > 0)) return false;
@@ -49,8 +54,9 @@ TouchingFace touching_face(const Shapes& shapes, const ContactInfo& c, const Man
 bool leaves_face(const Shapes& shapes, const ContactInfo& c, const ContactRecord& last, const Manifold& m,
                  const ShapePose& pose_a, const ShapePose& pose_b) {
     if (!may_be_round(c.kind) || (last.radius_a != on_face && last.radius_b != on_face)) return false;
-    const math::Vec3 normal = to_vec(m.normal);
-    return touching_face(shapes, c, m, c.flipped ? -normal : normal, pose_a, pose_b) == TouchingFace::none;
+    const math::Vec3 normal = c.flipped ? -to_vec(m.normal) : to_vec(m.normal), turn = normal - to_vec(last.normal);
+    return math::dot(turn, turn) >= squared_rounding &&
+           touching_face(shapes, c, m, normal, pose_a, pose_b) == TouchingFace::none;
 }
 
 bool is_followed(PairKind kind, const Geometry& g, const Geometry& other, const ShapePose& pose, const Manifold& m,

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x558956c120688a4b;
-inline constexpr std::uint64_t pyramid = 0x7b4ec3feeb2d4eed;
-inline constexpr std::uint64_t dominoes = 0x8b46dcfbb7222dac;
-inline constexpr std::uint64_t materials = 0x19acac05c2459d42;
-inline constexpr std::uint64_t tumbler = 0x932c3d3673384601;
-inline constexpr std::uint64_t sleep_and_wake = 0x809a34d555187646;
-inline constexpr std::uint64_t compounds = 0x83588062e5a5e697;
+inline constexpr std::uint64_t mixed_pile = 0x094595161f680081;
+inline constexpr std::uint64_t pyramid = 0xcc44ecc828ffd6f9;
+inline constexpr std::uint64_t dominoes = 0x26f2ed50239c042e;
+inline constexpr std::uint64_t materials = 0x735b35d9834bcdf1;
+inline constexpr std::uint64_t tumbler = 0x9675b28b316567fc;
+inline constexpr std::uint64_t sleep_and_wake = 0xbccd28213e9e2a43;
+inline constexpr std::uint64_t compounds = 0xd00c3a24cc40dfff;
 inline constexpr std::uint64_t free_tops = 0xbee2e2957f98eefe;
-inline constexpr std::uint64_t explicit_euler = 0x51324ee441ac2ba4;
-inline constexpr std::uint64_t whirl = 0xdac6b57e5d1ad2bf;
-inline constexpr std::uint64_t changes = 0x4a7bcc612d033767;
-inline constexpr std::uint64_t all_shapes = 0x6a0a04a36687c73e;
-inline constexpr std::uint64_t rounded_shapes = 0xbfbe321c2eb0f7ca;
-inline constexpr std::uint64_t surfaces = 0xc569ac6ef746e34b;
-inline constexpr std::uint64_t all_joints = 0xf2c4a32a1122e604;
+inline constexpr std::uint64_t explicit_euler = 0x14e9245ff2f0dcb7;
+inline constexpr std::uint64_t whirl = 0x048c5c6a72db37b7;
+inline constexpr std::uint64_t changes = 0x87f10e66958c2925;
+inline constexpr std::uint64_t all_shapes = 0xfed842c9b7c4170e;
+inline constexpr std::uint64_t rounded_shapes = 0xe2d255bd1f3174c7;
+inline constexpr std::uint64_t surfaces = 0x34fd8f80c458d8e7;
+inline constexpr std::uint64_t all_joints = 0xba617953e8a511e2;
 inline constexpr std::uint64_t chains = 0x461b668176f89b0a;
 inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 

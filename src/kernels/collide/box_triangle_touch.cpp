@@ -14,7 +14,7 @@ constexpr double face_tolerance = 1e-4, edge_on = 1e-2;
 // As in collision/contact_points.cpp.
 constexpr double tie = 1 + 2e-4, flat_contact = 1e-4;
 // At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
-constexpr double same_direction = 1 - 1e-6;
+constexpr double same_direction = 1 - 5e-11;
 // Of the extent: how far from its border a point is on the face.
 constexpr double off_border = 1e-4;
 constexpr double unlimited = 1e300;
