@@ -35,8 +35,8 @@ struct Box {
 /// A plane through the shape's origin; solid is the side away from `normal`.
 /// Without `half_extents` it is an infinite half-space. With them it is a rectangle, `half_extents[0]` along the
 /// shape's `tangent` and `half_extents[1]` along normal x tangent; the rectangle is one-sided, and pushes along its
-/// normal whatever is above it or has sunk less than its own size below it. Where one half extent is infinite, it is a
-/// strip: without ends along that axis.
+/// normal whatever is above it or has sunk in so that a part of it is still above. Where one half extent is infinite,
+/// it is a strip: without ends along that axis.
 /// Double-sided, it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the
 /// side where its center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays
 /// and casts meet a sheet from either side, and nothing is inside of it.
@@ -95,7 +95,7 @@ class Hull {
 };
 
 /// A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise: what
-/// has sunk below a triangle by less than its own size is pushed out along the triangle's normal. Walls may be as thin
+/// has sunk below a triangle so that a part of it is still above is pushed out along its normal. Walls may be as thin
 /// as you like: sheets whose triangles have others on their backs hold on both sides. It never changes, so that copies
 /// share their data, and is cheap to copy.
 class Mesh {

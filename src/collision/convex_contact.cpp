@@ -424,14 +424,9 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
     const DVec3 up = polygon.axes.c1, m = inside_of(a);
     const double height = dot(m - polygon.corners[0], up);
     if (height < 0) {
-        double size = dot(near_support(a, up).point - near_support(a, -up).point, up);
-        if (polygon.corner_count == 4) // a rectangle
-            size = 0.5 * std::min(math::length(polygon.corners[1] - polygon.corners[0]),
-                                  math::length(polygon.corners[2] - polygon.corners[1]));
         // What does not reach the front is not held: it may stand on the far side of a thin wall.
         const double top = dot(near_support(a, up).point - polygon.corners[0], up);
-        if (-height < size && (polygon.corner_count == 4 || top > 0) && is_over(polygon, m))
-            lift(a, polygon, margin, out);
+        if (top > 0 && is_over(polygon, m)) lift(a, polygon, margin, out);
         return {.is_lifted = true};
     }
     FacePoints found;

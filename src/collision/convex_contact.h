@@ -29,8 +29,8 @@ struct SurfaceContact {
 };
 
 // Against one side of a triangle or rectangle (Convex::Kind::polygon): it pushes the first shape only along its normal
-// or sideways. A shape whose middle is behind it is pushed out along the normal if the middle is over the polygon and
-// not deeper than the shape's own size along the normal; for a rectangle: not deeper than its smaller half extent.
+// or sideways. A shape whose middle is behind it is pushed out along the normal if the middle is over the polygon and a
+// part of the shape is in front.
 SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, math::DVec3 guess, Manifold& out);
 
 // What is known of the best face of a pair of shapes.

@@ -5,6 +5,7 @@
 // - the other thing does not rise above.
 // And what rolls along the seam itself touches both: where one of them carries the whole line, the other is left out.
 // Each counts its friction in the middle of its part, and would turn it aside.
+// Thin walls are made of two surfaces as well, back to back: what is in front of one is behind the other.
 #include "contacts/internal_edges.h"
 
 #include "bodies/bodies.h"
@@ -187,6 +188,35 @@ void drop_own_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narr
     narrow.dropped.push_back(c);
 }
 
+// Whether the middle of the shape is behind the surface, which therefore lifts it.
+bool is_lifted(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t c) {
+    const ContactInfo& info = contacts.info[c];
+    const ContactRecord& r = contacts.records[c];
+    if (!(min_separation(info, r) < -bodies.links[info.body_a].inner_radius)) return false;
+    if (!is_surface(shapes.geometry[info.shape_b].type)) return false;
+    const math::DVec3 middle = inside_of(Extent(bodies, shapes, info.shape_a, info.body_a).solid);
+    return math::dot(math::to_double(to_vec(r.normal)),
+                     middle - math::to_double(other_surface(bodies, contacts, c, 0))) > 0;
+}
+// A shape on a floor, the back of which is a ceiling, is behind that as well, and may reach through it by as much as it
+// is sunk in. It is in front of the floor, which lies between: so the ceiling does not lift it to its own front. Within
+// a mesh: drop_far_sides in collision/surface_contact.cpp.
+void drop_far_sides(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
+                    const std::vector<std::uint32_t>& ids) {
+    for (const std::uint32_t c : ids) {
+        if (!is_lifted(bodies, shapes, contacts, c)) continue;
+        const math::Vec3 n = to_vec(contacts.records[c].normal), foot = other_surface(bodies, contacts, c, 0);
+        const float tolerance = flatness * bodies.links[contacts.info[c].body_a].radius;
+        if (std::any_of(ids.begin(), ids.end(), [&](std::uint32_t near) {
+                return contacts.info[near].shape_a == contacts.info[c].shape_a &&
+                       math::dot(to_vec(contacts.records[near].normal), n) < 0 &&
+                       math::dot(n, other_surface(bodies, contacts, near, 0) - foot) >= -tolerance &&
+                       !is_lifted(bodies, shapes, contacts, near);
+            }))
+            drop_own_edge(bodies, contacts, narrow, c);
+    }
+}
+
 // Whether the points of `c` lie on the line that another contact with the same normal carries.
 bool is_covered(const Bodies& bodies, const Contacts& contacts, std::uint32_t line, std::uint32_t c) {
     const ContactInfo &info = contacts.info[c], &over = contacts.info[line];
@@ -272,6 +302,7 @@ void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScra
 // Drops internal edges among the contacts of one body with what does not move by forces.
 void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
                                  const std::vector<std::uint32_t>& ids) {
+    drop_far_sides(bodies, shapes, contacts, narrow, ids);
     drop_covered(bodies, contacts, narrow, ids);
     const math::Vec3 first = to_vec(contacts.records[ids[0]].normal);
     if (std::all_of(ids.begin(), ids.end(),

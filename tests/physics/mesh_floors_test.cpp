@@ -165,17 +165,26 @@ struct Held {
     int lost = 0;
     double fastest = 0; // m/s
 };
-Held press_on_wall(RandomStart& random, int kind, float thickness) {
+enum class Sheets { one_mesh, two_meshes, rectangles, mesh_and_rectangle };
+Held press_on_wall(RandomStart& random, int kind, Sheets sheets, float thickness) {
     WorldDef settings = without_sleep();
     settings.gravity = {0, 0, 0};
     World world(settings);
     Triangles wall;
     const auto cells = [&] { return 1 + int(random.uniform(0, 4)); };
-    wall.add_grid({-2, -2}, {2, 2}, 0.5f * thickness, cells(), cells(), true);
-    wall.add_grid({-2, -2}, {2, 2}, -0.5f * thickness, cells(), cells(), false);
     const BodyId ground =
         world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0}), .rotation = random.quat()});
-    world.add_shape(ground, wall.mesh());
+    for (const float side : {1.0f, -1.0f}) {
+        if (sheets == Sheets::rectangles || (sheets == Sheets::mesh_and_rectangle && side < 0)) {
+            const Vec3 middle{0, 0.5f * side * thickness, 0};
+            world.add_shape(ground, Plane{{0, side, 0}, {1, 0, 0}, glm::vec2{20, 20}}, {.position = middle});
+            continue;
+        }
+        wall.add_grid({-20, -20}, {20, 20}, 0.5f * side * thickness, cells(), cells(), side > 0);
+        if (sheets == Sheets::one_mesh && side > 0) continue;
+        world.add_shape(ground, wall.mesh());
+        wall = {};
+    }
     std::vector<BodyId> bodies;
     for (const double side : {1.0, -1.0}) {
         BodyDef def;
@@ -231,6 +240,57 @@ double greatest_energy(RandomStart& random, int kind, float thickness) {
     return greatest / first;
 }
 
+// Eight rooms side by side and above each other, each a surface of its own that is seen from inside; 24 bodies in them
+// are in a hurry. How many are in another room after four seconds.
+enum class Walls { one_mesh_a_room, rectangles, one_mesh };
+int count_outside(RandomStart& random, Walls walls, float thickness, double speed) {
+    World world(without_sleep());
+    const BodyId building =
+        world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0}), .rotation = random.quat()});
+    const auto middle_of = [](int room) { return Vec3{room & 1 ? 1 : -1, room & 2 ? 1 : -1, room & 4 ? 1 : -1}; };
+    const float half = 1 - 0.5f * thickness;
+    Triangles all;
+    for (int room = 0; room < 8; ++room) {
+        ShapeDef def;
+        if (walls == Walls::rectangles) {
+            for (int side = 0; side < 6; ++side) {
+                Vec3 normal{0, 0, 0};
+                normal[side / 2] = side % 2 ? 1.0f : -1.0f;
+                def.position = middle_of(room) - half * normal;
+                const Vec3 tangent = side / 2 == 0 ? Vec3{0, 1, 0} : Vec3{1, 0, 0};
+                world.add_shape(building, Plane{normal, tangent, glm::vec2{half, half}}, def);
+            }
+            continue;
+        }
+        const auto first = std::uint32_t(all.corners.size());
+        for (const Vec3& corner : box_corners({half, half, half})) all.corners.push_back(middle_of(room) + corner);
+        for (const std::uint32_t corner : {0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5,
+                                           2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 5, 3, 3, 5, 7})
+            all.indices.push_back(first + corner);
+        if (walls == Walls::one_mesh) continue;
+        world.add_shape(building, all.mesh(), def);
+        all = {};
+    }
+    if (walls == Walls::one_mesh) world.add_shape(building, all.mesh());
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 24; ++i) {
+        BodyDef def;
+        def.position = random.place(middle_of(i % 8) +
+                                    Vec3{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.5 * (i / 8 - 1)});
+        def.linear_velocity = float(speed) * glm::normalize(random_vector(random, 1));
+        def.rotation = RandomStart(std::uint32_t(random.uniform(0, 1e6))).quat();
+        bodies.push_back(add_thrown(world, random, int(random.uniform(0, 4)), def));
+    }
+    for (int i = 0; i < 240; ++i) world.step(1 / 60.0f);
+    int outside = 0;
+    for (int i = 0; i < 24; ++i) {
+        const glm::dvec3 way = world.body(bodies[std::size_t(i)]).position() - random.place({0, 0, 0});
+        const glm::dvec3 off = glm::conjugate(random.rotation()) * way - glm::dvec3(middle_of(i % 8));
+        outside += std::max({std::fabs(off.x), std::fabs(off.y), std::fabs(off.z)}) > 1 ? 1 : 0;
+    }
+    return outside;
+}
+
 } // namespace
 
 TEST(MeshFloors, NothingBumpsWhereTilesOfAnyKindMeet) {
@@ -271,13 +331,24 @@ TEST(MeshFloors, WhatIsRoundSlidesOverCracks) {
 }
 
 TEST(MeshWalls, HoldOnBothSidesHoweverThin) {
-    for (const float thickness : {0.0f, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 1e-2f})
-        for (int kind = 0; kind < thrown_kinds; ++kind)
-            for (std::uint32_t seed = 0; seed < 8; ++seed) {
-                RandomStart random(seed * 31 + std::uint32_t(kind));
-                const Held held = press_on_wall(random, kind, thickness);
-                EXPECT_EQ(held.lost, 0) << thickness << ' ' << kind << ' ' << seed;
-                EXPECT_LT(held.fastest, 8) << thickness << ' ' << kind << ' ' << seed;
+    for (const Sheets sheets : {Sheets::one_mesh, Sheets::two_meshes, Sheets::rectangles, Sheets::mesh_and_rectangle})
+        for (const float thickness : {0.0f, 1e-6f, 1e-4f, 1e-3f, 1e-2f})
+            for (int kind = 0; kind < thrown_kinds; ++kind)
+                for (std::uint32_t seed = 0; seed < 3; ++seed) {
+                    RandomStart random(seed * 31 + std::uint32_t(kind));
+                    const Held held = press_on_wall(random, kind, sheets, thickness);
+                    EXPECT_EQ(held.lost, 0) << int(sheets) << ' ' << thickness << ' ' << kind << ' ' << seed;
+                    EXPECT_LT(held.fastest, 8) << int(sheets) << ' ' << thickness << ' ' << kind << ' ' << seed;
+                }
+}
+
+TEST(MeshWalls, KeepWhatIsInARoomInIt) {
+    for (const Walls walls : {Walls::one_mesh_a_room, Walls::rectangles, Walls::one_mesh})
+        for (const float thickness : {0.0f, 1e-3f})
+            for (const double speed : {2.0, 40.0}) {
+                RandomStart random(std::uint32_t(speed) + 7);
+                EXPECT_EQ(count_outside(random, walls, thickness, speed), 0)
+                    << int(walls) << ' ' << thickness << ' ' << speed;
             }
 }
 

@@ -155,7 +155,8 @@ std::string rectangle_disagreement(const Frame& a, const Frame& b, const Manifol
     if (m.count > 0 && -dot(normal_of(m), b.axis[1]) < -2e-3) return "pushed down";
     if (center[1] < -1e-5) {
         const double over = std::min(b.half[0] - std::fabs(center[0]), b.half[2] - std::fabs(center[2]));
-        const double room = std::min(b.half[0], b.half[2]) + center[1];
+        double room = center[1]; // how far it reaches above
+        for (std::size_t i = 0; i < 3; ++i) room += a.half[i] * std::fabs(dot(a.axis[i], b.axis[1]));
         if (std::fabs(over) < 1e-5 || std::fabs(room) < 1e-5) return {};
         if (over < 0 || room < 0) return m.count == 0 ? "" : "contact below";
         // Its face may still miss the rectangle while its center does not: then there is nothing to lift.
@@ -228,8 +229,8 @@ TEST(CollideBoxRectangle, RestsFlatOnFourPointsAndHangsOverTheRim) {
             run_one(table->box_rectangle, box({0, 0.5 - 1e-4, 0}, no_rotation, {5, 0.5, 5}), table_top, 0.01f);
         ASSERT_EQ(wide.count, 4);
         for (int k = 0; k < 4; ++k) EXPECT_NEAR(std::fabs(wide.points[k][0] * wide.points[k][2]), 2.0, 1e-3);
-        // Beside it, lower than it, and sunk too deep.
-        for (const Vec& at : {Vec{2.6, 0.1, 0}, Vec{2.3, -0.1, 0}, Vec{0, -1.2, 0}})
+        // Beside it, lower than it, and all of it below.
+        for (const Vec& at : {Vec{2.6, 0.1, 0}, Vec{2.3, -0.1, 0}, Vec{0, -0.51, 0}})
             EXPECT_EQ(run_one(table->box_rectangle, box(at, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f).count, 0);
     }
 }

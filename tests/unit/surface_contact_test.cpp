@@ -197,9 +197,9 @@ TEST(RectangleContact, HoldsShapesAboveAndLiftsWhatHasSunk) {
     EXPECT_NEAR(deepest(t.m), -0.001, 1e-6);
     t = touch(capsule(0.5, 0.25), {0.3, 0.249, 0.2}, lying, r);
     EXPECT_EQ(t.m.count, 2);
-    t = touch(capsule(0.5, 0.25), {0.3, -0.9, 0.2}, lying, r); // sunk by less than the smaller half extent
+    t = touch(capsule(0.5, 0.25), {0.3, -0.24, 0.2}, lying, r);
     EXPECT_EQ(t.m.normal[1], -1);
-    EXPECT_EQ(touch(capsule(0.5, 0.25), {0.3, -1.1, 0.2}, lying, r).m.count, 0);
+    EXPECT_EQ(touch(capsule(0.5, 0.25), {0.3, -0.26, 0.2}, lying, r).m.count, 0);
     EXPECT_EQ(touch(ball(0.5), {2.6, 0.1, 0}, {}, r).m.count, 0);
     EXPECT_NEAR(touch(ball(0.5), {2.3, 0.3, 0}, {}, r).m.normal[0], -std::sqrt(0.5), 1e-6);
 }

@@ -40,12 +40,12 @@ CAIRN_C_API cairn_box cairn_default_box(void);
 
 /// A plane through the shape's origin; solid is the side away from `normal`. Without `half_extents` it is an infinite
 /// half-space. With them it is a rectangle, `half_extents[0]` along the shape's `tangent` and `half_extents[1]` along
-/// normal x tangent; the rectangle is one-sided, and pushes along its normal whatever is above it or has sunk less than
-/// its own size below it. Where one half extent is infinite, it is a strip: without ends along that axis. Double-sided,
-/// it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the side where its
-/// center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays and casts meet
-/// a sheet from either side, and nothing is inside of it. Planes have no mass: they may only be added to static and
-/// kinematic bodies.
+/// normal x tangent; the rectangle is one-sided, and pushes along its normal whatever is above it or has sunk in so
+/// that a part of it is still above. Where one half extent is infinite, it is a strip: without ends along that axis.
+/// Double-sided, it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the
+/// side where its center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays
+/// and casts meet a sheet from either side, and nothing is inside of it. Planes have no mass: they may only be added to
+/// static and kinematic bodies.
 typedef struct cairn_plane {
     cairn_vec3 normal; ///< Any non-zero finite vector; it is normalized.
     cairn_vec3 tangent; ///< Only for the rectangle; made orthogonal to `normal`.

@@ -4,8 +4,8 @@
 // the rectangle's normal, the box's three, and the six products of their edges; but the box is only ever pushed
 // up or sideways. Of an axis that would push it down, only the verdict counts: where the box leaves that way over
 // the rim by far less than it would upward, or is already out, there is no contact.
-// A box whose center is below the plane is lifted along the normal while the center is over the rectangle and
-// less deep than the rectangle's smaller half extent. Anything else below does not touch.
+// A box whose center is below the plane is lifted along the normal while the center is over the rectangle and part of
+// the box is above the plane. Anything else below does not touch: it may stand on the far side of a thin wall.
 #include "kernels/collide/box_pair.h"
 #include "kernels/collide/collide.h"
 
@@ -59,7 +59,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
             }
 
         const mask8 above = height >= zero();
-        const mask8 sunk = (abs(q.tb[0]) < p.hb[0]) & (abs(q.tb[2]) < p.hb[2]) & (-height < min(p.hb[0], p.hb[2]));
+        const mask8 sunk = (abs(q.tb[0]) < p.hb[0]) & (abs(q.tb[2]) < p.hb[2]) & (-height < reach);
         face.axis = select(above, face.axis, splat(4.0f));
         greatest = select(above, greatest, lowest);
         const f32x8 edge_separation = select(above, edge.separation, splat(no_separation));

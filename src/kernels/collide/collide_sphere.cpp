@@ -52,14 +52,14 @@ void sphere_plane(CAIRN_COLLIDE_PARAMETERS) {
 
 // The rectangle is one-sided. A center on or above its plane meets the closest point of the rectangle, rim and
 // corners included. A center below the plane is lifted along the rectangle's normal while it is over the
-// rectangle and less deep than the smaller half extent. Anything else below does not touch.
+// rectangle and a part of the sphere is above. Anything else below does not touch.
 void sphere_rectangle(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
         const f32x8 hx = b.size.x, hz = b.size.z;
         const Vec3x8 p = rotate_back(b.q, -offset_between(a, b));
         const mask8 above = p.y >= zero();
-        const mask8 sunk = (abs(p.x) < hx) & (abs(p.z) < hz) & (-p.y < min(hx, hz));
+        const mask8 sunk = (abs(p.x) < hx) & (abs(p.z) < hz) & (-p.y < a.radius);
         const Vec3x8 outward = {p.x - clamp(p.x, -hx, hx), p.y, p.z - clamp(p.z, -hz, hz)};
         f32x8 distance;
         const Vec3x8 away = direction(outward, splat(no_direction), up(), distance);
