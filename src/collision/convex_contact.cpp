@@ -442,6 +442,11 @@ SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, c
     return contact_from_cores(a, polygon, margin, guess, found, out);
 }
 
+void collide_lifted(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
+    clear_manifold(out);
+    lift(a, polygon, margin, out);
+}
+
 void collide_front(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
     clear_manifold(out);
     const double separation = separation_along(a, polygon, -polygon.axes.c1);

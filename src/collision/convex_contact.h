@@ -44,6 +44,10 @@ struct FaceReach {
 SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, const Convex& polygon, double margin,
                                       math::DVec3 guess, Manifold& out);
 
+// Pushed out along the normal of the polygon, whatever is nearest: by the points over it; where there are none, by the
+// middle of the shape.
+void collide_lifted(const Convex& a, const Convex& polygon, double margin, Manifold& out);
+
 // Along the normal of the polygon, whatever is nearest: the points over it that are nearer than the margin.
 void collide_front(const Convex& a, const Convex& polygon, double margin, Manifold& out);
 

@@ -52,13 +52,15 @@ bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, 
 }
 
 // A shape on a thin wall, or on a sheet whose triangles have others on their backs, has its middle behind the far side,
-// too, and may reach through it. It is in front of a triangle that lies between: so it is not lifted to the far side.
+// too, and may reach through it. It is not lifted to the far side if the triangle that it is in front of lies between:
+// at or behind the far side, and on the way from the middle of the shape straight to that.
 void drop_far_sides(SurfaceScratch& scratch, double tolerance) {
     std::vector<TriangleHit>& hits = scratch.hits;
     const auto is_far_side = [&](const TriangleHit& hit) {
         return hit.is_lifted && std::any_of(hits.begin(), hits.end(), [&](const TriangleHit& near) {
+                   const DVec3 way = near.foot - hit.foot; // that of a lifted shape is below its middle
                    return !near.is_lifted && math::dot(near.normal, hit.normal) < 0 &&
-                          math::dot(hit.normal, near.foot - hit.foot) >= -tolerance;
+                          math::dot(hit.normal, way) >= -tolerance && math::dot(near.normal, way) <= tolerance;
                });
     };
     if (std::any_of(hits.begin(), hits.end(), [](const TriangleHit& hit) { return hit.is_lifted; }))
@@ -192,6 +194,25 @@ class HitSearch {
         scratch_.hits.pop_back();
     }
 
+    // A shape that is sunk in beside an edge, beyond which the surface goes on or rises, does not leave over that, but
+    // along the normal: in the corner of a room each wall would push it through the other one.
+    void lift_from_corners(double tolerance) {
+        for (std::uint32_t k = 0; k < scratch_.hits.size(); ++k) {
+            const TriangleHit& hit = scratch_.hits[k];
+            if (hit.on_face || hit.is_lifted || !(hit.depth > tolerance)) continue;
+            const std::uint32_t index = hit.triangle;
+            const Convex triangle = placed(index);
+            const DVec3 normal = frame_.turned(hit.normal), foot = frame_.placed(hit.foot);
+            if (!leaves_over_corner(triangle, index, normal, foot, hit.depth, tolerance)) continue;
+            Manifold found;
+            collide_lifted(a_, triangle, margin_, found);
+            if (found.count == 0) continue;
+            add_hit(found, {}, frame_, index, scratch_);
+            scratch_.hits[k] = scratch_.hits.back();
+            scratch_.hits.pop_back();
+        }
+    }
+
     // What a cylinder or cone has to do with the plane of a face, if all of that is over triangles in it: where its rim
     // meets several of them, each would have the lowest point over it. (Of other shapes those are corners.)
     bool lies_on_plane(std::size_t patch, double tolerance, Manifold& out) const {
@@ -214,6 +235,31 @@ class HitSearch {
             return is_near(-t.axes.c1, face.normal, same_normal) &&
                    is_on({t.corners[0], t.corners[1], t.corners[2]}, foot, tolerance);
         });
+    }
+    // Whether a push leads over an edge at the place where the triangle is touched, beyond which the surface goes on or
+    // rises. At a corner that depends on all triangles there, and is not said. The place is known to within the depth.
+    bool leaves_over_corner(const Convex& triangle, std::uint32_t index, DVec3 normal, DVec3 foot, double depth,
+                            double tolerance) const {
+        const DVec3 up = triangle.axes.c1;
+        int at = -1; // the edge
+        for (int i = 0; i < 3; ++i) {
+            const DVec3 from = triangle.corners[i], edge = triangle.corners[(i + 1) % 3] - from;
+            const DVec3 outward = (1 / math::length(edge)) * math::cross(edge, up);
+            if (math::dot(outward, foot - from) < -depth) continue;
+            if (at >= 0 || !(-math::dot(normal, outward) > same_normal)) return false;
+            at = i;
+        }
+        if (at < 0) return false;
+        bool goes_on = false;
+        with_data(surface_, [&](const auto& data) {
+            const std::uint32_t across = neighbor_of(data, index, at);
+            if (across == no_triangle) return;
+            const Convex other = placed(triangle_of(data, across));
+            goes_on = std::all_of(other.corners, other.corners + 3, [&](const DVec3& corner) {
+                return math::dot(up, corner - triangle.corners[at]) >= -tolerance;
+            });
+        });
+        return goes_on;
     }
     Convex placed(const Triangle& t) const {
         const auto to_common = [&](math::Vec3 v) { return surface_.center + surface_.axes * math::to_double(v); };
@@ -338,6 +384,7 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     const DVec3 axis = surface.axes.c0;
     const double size = is_box ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
     drop_far_sides(scratch, flatness * size);
+    search.lift_from_corners(flatness * size);
     scratch.order.resize(scratch.hits.size());
     for (std::uint32_t i = 0; i < scratch.order.size(); ++i) scratch.order[i] = i;
     std::sort(scratch.order.begin(), scratch.order.end(), [&](std::uint32_t i, std::uint32_t k) {

@@ -188,30 +188,36 @@ void drop_own_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narr
     narrow.dropped.push_back(c);
 }
 
-// Whether the middle of the shape is behind the surface, which therefore lifts it.
-bool is_lifted(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t c) {
+// A surface that lifts a shape, as the middle of that is behind it.
+struct Lift {
+    math::DVec3 normal, foot; // from the shape to the surface; the place on that below the middle
+};
+std::optional<Lift> lift_of(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t c) {
     const ContactInfo& info = contacts.info[c];
     const ContactRecord& r = contacts.records[c];
-    if (!(min_separation(info, r) < -bodies.links[info.body_a].inner_radius)) return false;
-    if (!is_surface(shapes.geometry[info.shape_b].type)) return false;
-    const math::DVec3 middle = inside_of(Extent(bodies, shapes, info.shape_a, info.body_a).solid);
-    return math::dot(math::to_double(to_vec(r.normal)),
-                     middle - math::to_double(other_surface(bodies, contacts, c, 0))) > 0;
+    if (!(min_separation(info, r) < -bodies.links[info.body_a].inner_radius)) return {};
+    if (!is_surface(shapes.geometry[info.shape_b].type)) return {};
+    const math::DVec3 middle = inside_of(Extent(bodies, shapes, info.shape_a, info.body_a).solid),
+                      n = math::to_double(to_vec(r.normal));
+    const double depth = math::dot(n, middle - math::to_double(other_surface(bodies, contacts, c, 0)));
+    if (!(depth > 0)) return {};
+    return Lift{n, middle - depth * n};
 }
 // A shape on a floor, the back of which is a ceiling, is behind that as well, and may reach through it by as much as it
-// is sunk in. It is in front of the floor, which lies between: so the ceiling does not lift it to its own front. Within
-// a mesh: drop_far_sides in collision/surface_contact.cpp.
+// is sunk in. The ceiling does not lift it if the floor lies between: as drop_far_sides in
+// collision/surface_contact.cpp within a mesh.
 void drop_far_sides(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
                     const std::vector<std::uint32_t>& ids) {
     for (const std::uint32_t c : ids) {
-        if (!is_lifted(bodies, shapes, contacts, c)) continue;
-        const math::Vec3 n = to_vec(contacts.records[c].normal), foot = other_surface(bodies, contacts, c, 0);
-        const float tolerance = flatness * bodies.links[contacts.info[c].body_a].radius;
+        const std::optional<Lift> lift = lift_of(bodies, shapes, contacts, c);
+        if (!lift) continue;
+        const double tolerance = double(flatness * bodies.links[contacts.info[c].body_a].radius);
         if (std::any_of(ids.begin(), ids.end(), [&](std::uint32_t near) {
-                return contacts.info[near].shape_a == contacts.info[c].shape_a &&
-                       math::dot(to_vec(contacts.records[near].normal), n) < 0 &&
-                       math::dot(n, other_surface(bodies, contacts, near, 0) - foot) >= -tolerance &&
-                       !is_lifted(bodies, shapes, contacts, near);
+                const math::DVec3 n = math::to_double(to_vec(contacts.records[near].normal)),
+                                  way = math::to_double(other_surface(bodies, contacts, near, 0)) - lift->foot;
+                return contacts.info[near].shape_a == contacts.info[c].shape_a && math::dot(n, lift->normal) < 0 &&
+                       math::dot(lift->normal, way) >= -tolerance && math::dot(n, way) <= tolerance &&
+                       !lift_of(bodies, shapes, contacts, near);
             }))
             drop_own_edge(bodies, contacts, narrow, c);
     }

@@ -291,6 +291,40 @@ int count_outside(RandomStart& random, Walls walls, float thickness, double spee
     return outside;
 }
 
+// A body is made deep in an edge or corner of a room of triangles: how far its center of mass is out of that after two
+// seconds at most, m, and how deep it is in a wall.
+struct Sunk {
+    double outside, depth;
+};
+Sunk sink_into_corner(RandomStart& random, int kind, int walls) {
+    WorldDef settings = without_sleep();
+    settings.gravity = {0, 0, 0};
+    World world(settings);
+    Triangles room;
+    room.corners = box_corners({1, 1, 1});
+    room.indices = {0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5,
+                    2, 3, 6, 3, 7, 6, 0, 2, 4, 2, 6, 4, 1, 5, 3, 3, 5, 7};
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = random.place({0, 0, 0});
+    def.rotation = random.quat();
+    add_body(world, room.mesh(), def, Material{});
+    Vec3 from = random_vector(random, 0.5);
+    for (int wall = 0; wall < walls; ++wall)
+        from[wall] = (random.uniform(-1, 1) < 0 ? -1.0f : 1.0f) * float(1 - random.uniform(0.005, 0.15));
+    def = {};
+    def.position = random.place(from);
+    def.rotation = RandomStart(std::uint32_t(random.uniform(0, 1e6))).quat();
+    const BodyId body = add_thrown(world, random, kind, def);
+    for (int i = 0; i < 120; ++i) world.step(1 / 60.0f);
+    const glm::dvec3 off =
+        glm::conjugate(random.rotation()) * (world.body(body).center_of_mass() - random.place({0, 0, 0}));
+    Sunk sunk{std::max({std::fabs(off.x), std::fabs(off.y), std::fabs(off.z)}) - 1, 0};
+    for (const Contact& c : world.contacts(body))
+        for (int i = 0; i < c.point_count; ++i) sunk.depth = std::max(sunk.depth, -double(c.points[i].separation));
+    return sunk;
+}
+
 } // namespace
 
 TEST(MeshFloors, NothingBumpsWhereTilesOfAnyKindMeet) {
@@ -358,6 +392,17 @@ TEST(MeshWalls, GiveNothingToWhatIsThrownAtThem) {
             for (std::uint32_t seed = 0; seed < 30; ++seed) {
                 RandomStart random(seed * 53 + std::uint32_t(kind));
                 EXPECT_LT(greatest_energy(random, kind, thickness), 1.02) << thickness << ' ' << kind << ' ' << seed;
+            }
+}
+
+TEST(MeshWalls, PushWhatIsSunkIntoACornerBackIntoTheRoom) {
+    for (const int walls : {2, 3})
+        for (int kind = 0; kind < thrown_kinds; ++kind)
+            for (std::uint32_t seed = 0; seed < 30; ++seed) {
+                RandomStart random(seed * 71 + std::uint32_t(kind));
+                const Sunk sunk = sink_into_corner(random, kind, walls);
+                EXPECT_LT(sunk.outside, 0) << walls << ' ' << kind << ' ' << seed;
+                EXPECT_LT(sunk.depth, 0.01) << walls << ' ' << kind << ' ' << seed;
             }
 }
 
