@@ -13,6 +13,7 @@
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "contacts/shared_tests.h"
+#include "contacts/touch.h"
 #include "core/cache.h"
 #include "core/key_tree.h"
 #include "jobs/ordered_list.h"
@@ -118,16 +119,10 @@ class EdgeTest {
 
     // Whether it is an edge in the plane of the other contact.
     bool lies_in(std::uint32_t deeper, float depth) {
-        const ContactRecord& plane = contacts_.records[deeper];
-        if (info_.shape_b == contacts_.info[deeper].shape_b || is_same(to_vec(plane.normal), to_vec(record_.normal)) ||
-            shapes_.geometry[info_.shape_b].type == ShapeType::plane)
-            return false;
-        const math::Vec3 up = -to_vec(plane.normal), origin = other_surface(bodies_, contacts_, deeper, 0);
-        bool is_in_plane = true;
-        for (int i = 0; i < info_.point_count; ++i) {
-            const float height = math::dot(up, points_[i] - origin);
-            is_in_plane = is_in_plane && height <= tolerance_ && height >= -depth - tolerance_;
-        }
+        if (!may_be_seam(deeper)) return false;
+        const math::Vec3 up = -to_vec(contacts_.records[deeper].normal),
+                         origin = other_surface(bodies_, contacts_, deeper, 0);
+        const bool is_in_plane = has_points_in(deeper, depth);
         const math::DVec3 n = math::to_double(up), from = math::to_double(origin);
         if (other().reach(n, from) > double(tolerance_)) return false;
         // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the
@@ -135,8 +130,15 @@ class EdgeTest {
         return is_in_plane || own().reach(-n, from) <= double(depth + tolerance_);
     }
 
-    // False where it lies in none of the planes with such keys.
-    bool may_lie_in(const KeyTree<6>::Bounds& planes) {
+    // Whether all of its points are in the plane of the other contact, but for what that is sunk in. If the other thing
+    // rises above that plane, it is a wall or a ramp that begins there.
+    bool stands_on(std::uint32_t deeper, float depth) const {
+        return may_be_seam(deeper) && has_points_in(deeper, depth);
+    }
+    float tolerance() const { return tolerance_; }
+
+    // False where it lies in none of the planes with such keys. `may_rise`: the other thing above them.
+    bool may_lie_in(const KeyTree<6>::Bounds& planes, bool may_rise = false) {
         if (shapes_.geometry[info_.shape_b].type == ShapeType::plane) return false;
         if (greatest_difference(planes, -to_vec(record_.normal)) < square(double(flatness) - rounding)) return false;
         math::DVec3 up, spread;
@@ -154,17 +156,31 @@ class EdgeTest {
         const auto greatest_height = [&](math::DVec3 p) {
             return math::dot(up, p) + math::dot(spread, math::abs(p)) - planes.lo[plane_offset] + slack(p);
         };
-        if (least_height(support(other().solid, up)) > 0) return false;
+        if (!may_rise && least_height(support(other().solid, up)) > 0) return false;
         const double depth = std::max(planes.hi[plane_depth], 0.0);
         bool may_be_in_plane = true;
         for (int i = 0; i < info_.point_count; ++i) {
             const math::DVec3 p = math::to_double(points_[i]);
             may_be_in_plane = may_be_in_plane && least_height(p) <= 0 && greatest_height(p) >= -depth;
         }
-        return may_be_in_plane || greatest_height(support(own().solid, -up)) >= -depth;
+        return may_be_in_plane || (!may_rise && greatest_height(support(own().solid, -up)) >= -depth);
     }
 
   private:
+    bool may_be_seam(std::uint32_t deeper) const {
+        return info_.shape_b != contacts_.info[deeper].shape_b &&
+               !is_same(to_vec(contacts_.records[deeper].normal), to_vec(record_.normal)) &&
+               shapes_.geometry[info_.shape_b].type != ShapeType::plane;
+    }
+    bool has_points_in(std::uint32_t deeper, float depth) const {
+        const math::Vec3 up = -to_vec(contacts_.records[deeper].normal),
+                         origin = other_surface(bodies_, contacts_, deeper, 0);
+        return std::all_of(points_, points_ + info_.point_count, [&](const math::Vec3& p) {
+            const float height = math::dot(up, p - origin);
+            return height <= tolerance_ && height >= -depth - tolerance_;
+        });
+    }
+
     // Made when they are needed, as they seldom are.
     const Extent& extent(std::optional<Extent>& extent, std::uint32_t shape) {
         if (!extent) extent.emplace(bodies_, shapes_, shape, info_.body_a);
@@ -305,9 +321,31 @@ void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScra
     narrow.plane_tree.build(keys, {radius, radius, radius, 1, 1, by_rank});
 }
 
+// What lies on the ground is sunk into it by some micrometers. A ramp that begins there would be met by its edge, from
+// the side, and stop it. So it is asked how the two meet with the body lifted out of the ground: by the ramp itself, or
+// not in this step, which is false.
+bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
+                const DepthOfContact& ground, float tolerance, float dt) {
+    const ContactInfo& c = contacts.info[id];
+    const math::DVec3 up = -math::to_double(to_vec(contacts.records[ground.contact].normal)),
+                      lift = double(std::max(ground.depth, 0.0f) + tolerance) * up,
+                      axis = math::to_double(to_vec(contacts.records[id].normal));
+    const float margin = contact_margin(in.bodies, narrow, c, dt);
+    Touch touch;
+    const Approach approach = c.kind == PairKind::patch ? find_lifted_touch(in, contacts.info[c.related], lift, dt,
+                                                                            margin, narrow.at_work[0], touch)
+                                                        : find_lifted_touch(in, c, lift, axis, dt, margin, touch);
+    if (approach == Approach::passes) return false;
+    if (approach == Approach::later || !touch.is_beside)
+        take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);
+    return true;
+}
+
 // Drops internal edges among the contacts of one body with what does not move by forces.
-void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                                 const std::vector<std::uint32_t>& ids) {
+void drop_internal_edges_of_body(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
+                                 const std::vector<std::uint32_t>& ids, float dt) {
+    const Bodies& bodies = in.bodies;
+    const Shapes& shapes = in.shapes;
     drop_far_sides(bodies, shapes, contacts, narrow, ids);
     drop_covered(bodies, contacts, narrow, ids);
     const math::Vec3 first = to_vec(contacts.records[ids[0]].normal);
@@ -337,10 +375,25 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
         tree.remove(k);
     };
     const std::uint32_t count = std::uint32_t(planes.size());
-    for (std::uint32_t k = 1; k < count; ++k)
+    for (std::uint32_t k = 1; k < count; ++k) {
         drop_if_internal(
             k, [&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k); },
             [&](std::uint32_t j) { return j < k; });
+        if (is_dropped(k)) continue;
+        EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
+        std::uint32_t ground = k;
+        tree.any([&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k) && edge.may_lie_in(b, true); },
+                 [&](std::uint32_t j) {
+                     const bool stands =
+                         j < k && !is_dropped(j) && edge.stands_on(planes[j].contact, std::max(planes[j].depth, 0.0f));
+                     if (stands) ground = j;
+                     return stands;
+                 });
+        if (ground != k && !meets_from(in, contacts, narrow, planes[k].contact, planes[ground], edge.tolerance(), dt)) {
+            drop_own_edge(bodies, contacts, narrow, planes[k].contact);
+            tree.remove(k);
+        }
+    }
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
     const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
     for (std::uint32_t k = 0; k + 1 < count; ++k) {
@@ -370,8 +423,9 @@ void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch&
     stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
 }
 
-void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool, Communicator* ranks) {
+void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
+                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool, Communicator* ranks, float dt) {
+    const Bodies& bodies = in.bodies;
     list_in_order(&thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
                   [&](int begin, int end, std::uint32_t* next) {
                       for (int k = begin; k < end; ++k) {
@@ -407,7 +461,7 @@ void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& c
         if (fixed[last].on_several && contacts.records.has(fixed[last].contact)) { // which its body's others go with
             narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);
-            drop_internal_edges_of_body(bodies, shapes, contacts, narrow, narrow.of_body);
+            drop_internal_edges_of_body(in, contacts, narrow, narrow.of_body, dt);
         }
         last = none;
     }

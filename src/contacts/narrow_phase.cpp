@@ -421,7 +421,7 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     if (ranks) exchange_tests(in, follow, narrow.shared, dt);
     follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);
-    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool, ranks);
+    drop_internal_edges(in, contacts, narrow, step.solved, thread_pool, ranks, dt);
     color_begun(bodies, contacts, narrow);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });

@@ -90,12 +90,13 @@ struct PosedBody {
     math::Vec3 arm;
     ShapePose pose;
 };
-PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const ExpectedPath& way,
+// `from`: where the body is, as seen from the origin of the path.
+PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const ExpectedPath& way, DVec3 from,
                    double time) {
     const RigidPath::Pose body = way.at(time);
     const Geometry& g = shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    PosedBody p{body.x - way.at(0).x, {}, shapes.poses[shape]};
+    PosedBody p{body.x - from, {}, shapes.poses[shape]};
     p.arm = math::rotate(q, g.position - bodies.mass[shapes.links[shape].body].center);
     pose_shape(p.pose, g, bodies.motion[shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
@@ -142,9 +143,10 @@ Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const Posed
 // Of a pair, seen from A.
 class ExpectedWays {
   public:
-    ExpectedWays(const NarrowInput& in, const ContactInfo& c, float dt)
-        : in(in), c_(c), dt_(dt), a_(expected_path(in, c.body_a, in.bodies.motion[c.body_a].x, dt)),
-          b_(expected_path(in, c.body_b, in.bodies.motion[c.body_a].x, dt)) {}
+    ExpectedWays(const NarrowInput& in, const ContactInfo& c, float dt, DVec3 lift = {})
+        : in(in), c_(c), dt_(dt), a_(expected_path(in, c.body_a, in.bodies.motion[c.body_a].x - lift, dt)),
+          b_(expected_path(in, c.body_b, in.bodies.motion[c.body_a].x, dt)), from_a_(a_.at(0).x - lift),
+          from_b_(b_.at(0).x) {}
     SweptShape of_a() const { return swept(in.bodies, in.shapes, c_.shape_a, a_); }
     SweptShape of_b() const { return swept(in.bodies, in.shapes, c_.shape_b, b_); }
 
@@ -153,7 +155,7 @@ class ExpectedWays {
         if (!(found.distance <= double(c_.base_margin))) return Approach::passes;
         touch.is_beside = found.distance > 0;
         const bool any_led = is_led(in.bodies, c_.body_a) || is_led(in.bodies, c_.body_b);
-        if (!(found.time > 0) || (any_led && !touch.is_beside)) return Approach::now;
+        const bool is_now = !(found.time > 0) || (any_led && !touch.is_beside);
         const PosedBody at_a = posed_a(found), at_b = posed_b(found);
         touch.passed = at_a.moved - at_b.moved;
         const DVec3 from_b = (in.bodies.motion[c_.body_a].x - in.bodies.motion[c_.body_b].x) + touch.passed;
@@ -162,7 +164,7 @@ class ExpectedWays {
         touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
         touch.arm_a = at_a.arm;
         if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, c_, at_a, at_b, found);
-        return Approach::later;
+        return is_now ? Approach::now : Approach::later;
     }
     Manifold manifold_at_touch(const Nearness& found, float margin) const {
         return manifold_at(in.shapes, c_, posed_a(found), posed_b(found), found.normal, margin);
@@ -170,16 +172,24 @@ class ExpectedWays {
 
   private:
     PosedBody posed_a(const Nearness& found) const {
-        return posed_at(in.bodies, in.shapes, c_.shape_a, a_, found.time);
+        return posed_at(in.bodies, in.shapes, c_.shape_a, a_, from_a_, found.time);
     }
     PosedBody posed_b(const Nearness& found) const {
-        return posed_at(in.bodies, in.shapes, c_.shape_b, b_, found.time);
+        return posed_at(in.bodies, in.shapes, c_.shape_b, b_, from_b_, found.time);
     }
     const NarrowInput& in;
     const ContactInfo& c_;
     const float dt_;
     const ExpectedPath a_, b_;
+    const DVec3 from_a_, from_b_; // where the bodies are
 };
+
+// Of what was found with A displaced by `lift`: as far apart as it is without.
+void lower(const ContactInfo& c, DVec3 lift, Manifold& m) {
+    const math::Vec3 normal = math::to_vec(m.normal);
+    const float nearer = math::dot(c.flipped ? -normal : normal, math::to_float(lift));
+    for (int i = 0; i < m.count; ++i) m.points[i][3] += nearer;
+}
 
 float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimited_extent : g.bounding_radius; }
 
@@ -229,6 +239,41 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, flo
     const Nearness found = nearness_of(ways.of_a(), ways.of_b(), double(c.base_margin), axis);
     const Approach approach = ways.take(found, touch);
     if (approach == Approach::later && !touch.is_beside) touch.manifold = ways.manifold_at_touch(found, margin);
+    return approach;
+}
+
+Approach find_lifted_touch(const NarrowInput& in, const ContactInfo& c, DVec3 lift, DVec3 axis, float pass,
+                           float margin, Touch& touch) {
+    const ExpectedWays ways(in, c, looked_at(in, pass), lift);
+    const Nearness found = nearness_of(ways.of_a(), ways.of_b(), double(c.base_margin), axis);
+    const Approach approach = ways.take(found, touch);
+    if (approach == Approach::passes) return approach;
+    if (!touch.is_beside) touch.manifold = ways.manifold_at_touch(found, margin);
+    lower(c, lift, touch.manifold);
+    return approach;
+}
+
+Approach find_lifted_touch(const NarrowInput& in, const ContactInfo& group, DVec3 lift, float pass, float margin,
+                           NarrowBatch& own, Touch& touch) {
+    const ExpectedWays ways(in, group, looked_at(in, pass), lift);
+    const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
+    ShapePose lifted = a.pose;
+    for (int i = 0; i < 3; ++i) lifted.low[i] += float(lift[i]);
+    find_patches({a.geometry, a.data, lifted, a.arm}, b, margin, margin, own.surface, own.hits);
+    own.triangles.clear();
+    for (const TriangleHit& hit : own.surface.hits) own.triangles.push_back(hit.triangle);
+    if (own.triangles.empty()) return Approach::passes;
+    const std::span<const std::uint32_t> triangles = own.triangles;
+    const Approach approach =
+        ways.take(nearness_of(ways.of_a(), ways.of_b(), triangles, double(group.base_margin)), touch);
+    if (approach == Approach::passes) return approach;
+    if (!touch.is_beside) {
+        find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
+                     margin, own.surface, own.hits);
+        if (own.hits.empty()) return Approach::passes;
+        touch.manifold = own.hits.front(); // the deepest
+    }
+    lower(group, lift, touch.manifold);
     return approach;
 }
 

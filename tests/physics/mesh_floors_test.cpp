@@ -100,6 +100,47 @@ Bump bump_on_tiles(RandomStart& random, int kind, int other_kind, bool rolls) {
     return bump;
 }
 
+// A rectangle of 4 m, about its middle, of any kind but the hull that add_tile knows.
+void add_ramp_part(World& world, BodyId body, int kind, const Quat& turn, const Vec3& way) {
+    ShapeDef def;
+    def.material = surface(0, 0);
+    def.rotation = turn;
+    def.position = turn * way;
+    Triangles grid;
+    grid.add_grid({-2, -2}, {2, 2}, 0, 1, 1, true);
+    if (kind == 0) def.position = def.position - turn * Vec3{0, 0.2f, 0};
+    if (kind == 0) world.add_shape(body, Box{{2, 0.2f, 2}}, def);
+    if (kind == 1) world.add_shape(body, grid.mesh(), def);
+    if (kind == 2) world.add_shape(body, HeightField(2, 2, {4, 4}, std::vector<float>(4, 0.0f)), def);
+    if (kind == 3) world.add_shape(body, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2{2, 2}}, def);
+}
+// A box slides from a floor onto a ramp: how much of its speed, without what it has climbed, is left on it.
+double speed_on_ramp(RandomStart& random, int floor_kind, int ramp_kind, double angle) {
+    WorldDef settings = without_sleep();
+    settings.gravity = Vec3(random.turned({0, -gravity, 0}));
+    World world(settings);
+    const BodyId ground =
+        world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0}), .rotation = random.quat()});
+    const Quat turn = glm::angleAxis(float(angle), Vec3{0, 0, 1});
+    add_ramp_part(world, ground, floor_kind, Quat{1, 0, 0, 0}, {-2, 0, 0});
+    add_ramp_part(world, ground, ramp_kind, turn, {2, 0, 0});
+    const double half = random.uniform(0.05, 0.3), speed = std::exp(random.uniform(0.5, 2.3));
+    BodyDef def;
+    def.position = random.place({-half - random.uniform(0.5, 0.9), half, 0});
+    def.rotation = random.quat();
+    def.linear_velocity = Vec3(random.turned({speed, 0, 0}));
+    const BodyId box = add_body(world, Box{{float(half), float(half), float(half)}}, def, surface(0, 0));
+    for (int i = 0; i < 120; ++i) {
+        world.step(1 / 60.0f);
+        const glm::dvec3 at =
+            glm::conjugate(random.rotation()) * (world.body(box).position() - random.place({0, 0, 0}));
+        if (at.x < half + 0.05) continue;
+        const double v = double(glm::length(world.body(box).linear_velocity()));
+        return std::sqrt(v * v + 2 * gravity * (at.y - half)) / speed;
+    }
+    return 0;
+}
+
 // The quarters of a rectangle, the quarters of some of these, and so on, each with its own corners: along an edge there
 // may be more triangles on one side than on the other. Heights are the same wherever two corners are in one place.
 class CrackedFloor {
@@ -336,6 +377,18 @@ TEST(MeshFloors, NothingBumpsWhereTilesOfAnyKindMeet) {
                     const Bump bump = bump_on_tiles(random, kind, other, rolls);
                     EXPECT_LT(bump.up, 0.01) << kind << ' ' << other << ' ' << rolls << ' ' << seed;
                     EXPECT_LT(bump.turn, 0.003) << kind << ' ' << other << ' ' << rolls << ' ' << seed;
+                }
+}
+
+// A box is sunk into its floor by some micrometers, but does not meet the edge of the ramp from the side.
+TEST(MeshFloors, BoxesSlideOntoRampsOfAnyKind) {
+    for (int floor = 0; floor < 4; ++floor)
+        for (int ramp = 0; ramp < 4; ++ramp)
+            for (const double degrees : {2.0, 10.0})
+                for (std::uint32_t seed = 0; seed < 6; ++seed) {
+                    RandomStart random(seed * 61 + std::uint32_t(floor * 4 + ramp));
+                    const double angle = degrees * pi / 180, left = speed_on_ramp(random, floor, ramp, angle);
+                    EXPECT_NEAR(left, std::cos(angle), 0.04) << floor << ' ' << ramp << ' ' << degrees << ' ' << seed;
                 }
 }
 
