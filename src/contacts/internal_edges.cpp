@@ -336,8 +336,10 @@ bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
                                                                             margin, narrow.at_work[0], touch)
                                                         : find_lifted_touch(in, c, lift, axis, dt, margin, touch);
     if (approach == Approach::passes) return false;
-    if (approach == Approach::later || !touch.is_beside)
-        take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);
+    if (touch.manifold.count == 0 || (approach == Approach::now && touch.is_beside)) return true;
+    take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);
+    test_again(in.bodies, contacts, id);
+    narrow.lifted.push_back(id);
     return true;
 }
 
@@ -423,6 +425,12 @@ void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch&
     stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
 }
 
+void test_again(const Bodies& bodies, Contacts& contacts, std::uint32_t c) {
+    drop_answer(bodies, contacts, c);
+    if (contacts.info[c].kind == PairKind::patch)
+        drop_answer(bodies, contacts, std::uint32_t(contacts.info[c].related));
+}
+
 void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
                          std::vector<std::uint32_t>& solved, ThreadPool& thread_pool, Communicator* ranks, float dt) {
     const Bodies& bodies = in.bodies;
@@ -442,6 +450,7 @@ void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratc
     narrow.is_internal_edge.resize(contacts.info.size());
     fixed.clear();
     narrow.dropped.clear();
+    narrow.lifted.clear();
     narrow.any_internal_edges = false;
     for (const std::uint32_t id : narrow.fixed_ids) {
         const ContactInfo& c = contacts.info[id];

@@ -13,6 +13,8 @@ namespace cairn {
 // StepScratch::solved what is an edge of one in the plane of another.
 void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
                          std::vector<std::uint32_t>& solved, ThreadPool& thread_pool, Communicator* ranks, float dt);
+// The contact, or the group that it is a patch of, is to be tested in the next step, however little moves.
+void test_again(const Bodies& bodies, Contacts& contacts, std::uint32_t contact);
 // The contact is such an edge.
 void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t contact);
 

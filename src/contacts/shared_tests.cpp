@@ -167,17 +167,26 @@ void exchange_tests(const NarrowInput& in, const FollowUpContext& s, std::span<c
 }
 
 void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, Communicator& ranks) {
-    std::erase_if(narrow.dropped, [&](std::uint32_t id) { return owner_of(contacts, id) == every_rank; });
-    if (ranks.sum(narrow.dropped.size()) == 0) return;
+    for (std::vector<std::uint32_t>* list : {&narrow.dropped, &narrow.lifted})
+        std::erase_if(*list, [&](std::uint32_t id) { return owner_of(contacts, id) == every_rank; });
+    if (ranks.sum(narrow.dropped.size() + narrow.lifted.size()) == 0) return;
     for (int root = 0; root < ranks.size(); ++root) {
         Stream stream;
         if (root == ranks.rank()) {
             for (const std::uint32_t id : narrow.dropped) stream.put(true), stream.put(id);
             stream.put(false);
+            for (const std::uint32_t id : narrow.lifted)
+                stream.put(true), stream.put(id), stream.put(contacts.info[id].point_count);
+            stream.put(false);
         }
         stream.broadcast(root, ranks);
         if (root == ranks.rank()) continue;
         while (stream.take<bool>()) drop_internal_edge(bodies, contacts, narrow, stream.take<std::uint32_t>());
+        while (stream.take<bool>()) {
+            const auto id = stream.take<std::uint32_t>();
+            contacts.info[id].point_count = stream.take<std::uint8_t>();
+            test_again(bodies, contacts, id);
+        }
     }
 }
 

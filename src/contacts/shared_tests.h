@@ -17,7 +17,8 @@ void leave_pairs_to_owners(const Contacts& contacts, NarrowScratch& narrow);
 void exchange_tests(const NarrowInput& in, const FollowUpContext& context, std::span<const std::uint32_t> places,
                     float dt);
 
-// Internal edges, NarrowScratch::dropped, which each rank has found among the contacts of its bodies.
+// Internal edges, NarrowScratch::dropped, and what was found anew, NarrowScratch::lifted, which each rank has found
+// among the contacts of its bodies.
 void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, Communicator& ranks);
 
 // After the solver: NarrowScratch::touches, of the contacts that begin to touch, in the order of

@@ -156,6 +156,7 @@ struct NarrowScratch {
     std::vector<std::uint8_t> is_internal_edge; // by contact, of those with what does not move by forces
     bool any_internal_edges = false;            // among those
     std::vector<std::uint32_t> dropped;         // those that are
+    std::vector<std::uint32_t> lifted;          // those of which the points are others, of what stands on the ground
 };
 
 } // namespace cairn
