@@ -182,16 +182,12 @@ class HitSearch {
     // A triangle in the plane of a face that is touched deeper goes on with it: what leans toward that is nearest to
     // its edge there, but may lie over all of it.
     void go_on_with(const SurfacePatch& face, std::uint32_t hit) {
-        const std::uint32_t index = scratch_.hits[hit].triangle;
-        const Convex triangle = placed(index);
+        const Convex triangle = placed(scratch_.hits[hit].triangle);
         const DVec3 n = -triangle.axes.c1;
         if (!is_near(frame_.turned(face.normal), n, same_normal)) return;
         Manifold found;
         collide_front(a_, triangle, margin_, found);
-        if (found.count == 0) return;
-        add_hit(found, {}, frame_, index, scratch_);
-        scratch_.hits[hit] = scratch_.hits.back();
-        scratch_.hits.pop_back();
+        replace(hit, found);
     }
 
     // A shape that is sunk in beside an edge, beyond which the surface goes on or rises, does not leave over that, but
@@ -200,16 +196,12 @@ class HitSearch {
         for (std::uint32_t k = 0; k < scratch_.hits.size(); ++k) {
             const TriangleHit& hit = scratch_.hits[k];
             if (hit.on_face || hit.is_lifted || !(hit.depth > tolerance)) continue;
-            const std::uint32_t index = hit.triangle;
-            const Convex triangle = placed(index);
+            const Convex triangle = placed(hit.triangle);
             const DVec3 normal = frame_.turned(hit.normal), foot = frame_.placed(hit.foot);
-            if (!leaves_over_corner(triangle, index, normal, foot, hit.depth, tolerance)) continue;
+            if (!leaves_over_corner(triangle, hit.triangle, normal, foot, hit.depth, tolerance)) continue;
             Manifold found;
             collide_lifted(a_, triangle, margin_, found);
-            if (found.count == 0) continue;
-            add_hit(found, {}, frame_, index, scratch_);
-            scratch_.hits[k] = scratch_.hits.back();
-            scratch_.hits.pop_back();
+            replace(k, found);
         }
     }
 
@@ -235,6 +227,13 @@ class HitSearch {
             return is_near(-t.axes.c1, face.normal, same_normal) &&
                    is_on({t.corners[0], t.corners[1], t.corners[2]}, foot, tolerance);
         });
+    }
+    // By what was found of the same triangle, if there is anything.
+    void replace(std::uint32_t hit, const Manifold& found) {
+        if (found.count == 0) return;
+        add_hit(found, {}, frame_, scratch_.hits[hit].triangle, scratch_);
+        scratch_.hits[hit] = scratch_.hits.back();
+        scratch_.hits.pop_back();
     }
     // Whether a push leads over an edge at the place where the triangle is touched, beyond which the surface goes on or
     // rises. At a corner that depends on all triangles there, and is not said. The place is known to within the depth.

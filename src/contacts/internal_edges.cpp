@@ -364,49 +364,49 @@ void drop_internal_edges_of_body(const NarrowInput& in, Contacts& contacts, Narr
     build_plane_tree(bodies, contacts, narrow, planes);
     KeyTree<6>& tree = narrow.plane_tree;
     const auto is_dropped = [&](std::uint32_t k) { return narrow.is_internal_edge[planes[k].contact] != 0; };
-    const auto drop_if_internal = [&](std::uint32_t k, auto&& may_count, auto&& counts) {
-        if (is_dropped(k)) return;
-        EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
-        if (!tree.any([&](const KeyTree<6>::Bounds& b) { return may_count(b) && edge.may_lie_in(b); },
-                      [&](std::uint32_t j) {
-                          return counts(j) && !is_dropped(j) &&
-                                 edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
-                      }))
-            return;
+    const auto drop = [&](std::uint32_t k) {
         drop_own_edge(bodies, contacts, narrow, planes[k].contact);
         tree.remove(k);
     };
+    const auto is_internal = [&](EdgeTest& edge, auto&& may_count, auto&& counts) {
+        return tree.any([&](const KeyTree<6>::Bounds& b) { return may_count(b) && edge.may_lie_in(b); },
+                        [&](std::uint32_t j) {
+                            return counts(j) && !is_dropped(j) &&
+                                   edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
+                        });
+    };
     const std::uint32_t count = std::uint32_t(planes.size());
     for (std::uint32_t k = 1; k < count; ++k) {
-        drop_if_internal(
-            k, [&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k); },
-            [&](std::uint32_t j) { return j < k; });
         if (is_dropped(k)) continue;
         EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
+        const auto may_be_deeper = [&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k); };
+        if (is_internal(edge, may_be_deeper, [&](std::uint32_t j) { return j < k; })) {
+            drop(k);
+            continue;
+        }
         std::uint32_t ground = k;
-        tree.any([&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k) && edge.may_lie_in(b, true); },
+        tree.any([&](const KeyTree<6>::Bounds& b) { return may_be_deeper(b) && edge.may_lie_in(b, true); },
                  [&](std::uint32_t j) {
                      const bool stands =
                          j < k && !is_dropped(j) && edge.stands_on(planes[j].contact, std::max(planes[j].depth, 0.0f));
                      if (stands) ground = j;
                      return stands;
                  });
-        if (ground != k && !meets_from(in, contacts, narrow, planes[k].contact, planes[ground], edge.tolerance(), dt)) {
-            drop_own_edge(bodies, contacts, narrow, planes[k].contact);
-            tree.remove(k);
-        }
+        if (ground != k && !meets_from(in, contacts, narrow, planes[k].contact, planes[ground], edge.tolerance(), dt))
+            drop(k);
     }
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
     const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
     for (std::uint32_t k = 0; k + 1 < count; ++k) {
         const auto is_as_deep = [&](float depth) { return depth + slack > planes[k].depth; };
         if (!is_as_deep(planes[k + 1].depth)) continue;
-        drop_if_internal(
-            k,
-            [&](const KeyTree<6>::Bounds& b) {
-                return b.hi[plane_rank] > double(k) && is_as_deep(float(b.hi[plane_depth]));
-            },
-            [&](std::uint32_t j) { return j > k && is_as_deep(planes[j].depth); });
+        if (is_dropped(k)) continue;
+        EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
+        const auto may_be_as_deep = [&](const KeyTree<6>::Bounds& b) {
+            return b.hi[plane_rank] > double(k) && is_as_deep(float(b.hi[plane_depth]));
+        };
+        if (is_internal(edge, may_be_as_deep, [&](std::uint32_t j) { return j > k && is_as_deep(planes[j].depth); }))
+            drop(k);
     }
 }
 

@@ -12,6 +12,12 @@
 namespace cairn_test {
 namespace {
 
+WorldDef with_gravity(const Vec3& gravity) {
+    WorldDef def = without_sleep();
+    def.gravity = gravity;
+    return def;
+}
+
 struct Triangles {
     std::vector<Vec3> corners;
     std::vector<std::uint32_t> indices;
@@ -65,9 +71,7 @@ struct Bump {
 };
 // A ball over two rows of tiles of two kinds.
 Bump bump_on_tiles(RandomStart& random, int kind, int other_kind, bool rolls) {
-    WorldDef settings = without_sleep();
-    settings.gravity = Vec3(random.turned({0, -gravity, 0}));
-    World world(settings);
+    World world(with_gravity(Vec3(random.turned({0, -gravity, 0}))));
     const BodyId floor =
         world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0}), .rotation = random.quat()});
     ShapeDef tile;
@@ -116,9 +120,7 @@ void add_ramp_part(World& world, BodyId body, int kind, const Quat& turn, const 
 }
 // A box slides from a floor onto a ramp: how much of its speed, without what it has climbed, is left on it.
 double speed_on_ramp(RandomStart& random, int floor_kind, int ramp_kind, double angle) {
-    WorldDef settings = without_sleep();
-    settings.gravity = Vec3(random.turned({0, -gravity, 0}));
-    World world(settings);
+    World world(with_gravity(Vec3(random.turned({0, -gravity, 0}))));
     const BodyId ground =
         world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0}), .rotation = random.quat()});
     const Quat turn = glm::angleAxis(float(angle), Vec3{0, 0, 1});
@@ -208,9 +210,7 @@ struct Held {
 };
 enum class Sheets { one_mesh, two_meshes, rectangles, mesh_and_rectangle };
 Held press_on_wall(RandomStart& random, int kind, Sheets sheets, float thickness) {
-    WorldDef settings = without_sleep();
-    settings.gravity = {0, 0, 0};
-    World world(settings);
+    World world(with_gravity({0, 0, 0}));
     Triangles wall;
     const auto cells = [&] { return 1 + int(random.uniform(0, 4)); };
     const BodyId ground =
@@ -254,9 +254,7 @@ Held press_on_wall(RandomStart& random, int kind, Sheets sheets, float thickness
 
 // The greatest energy of a body that is thrown at a closed plate of triangles, of what it had.
 double greatest_energy(RandomStart& random, int kind, float thickness) {
-    WorldDef settings = without_sleep();
-    settings.gravity = {0, 0, 0};
-    World world(settings);
+    World world(with_gravity({0, 0, 0}));
     const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                                   2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
     BodyDef plate;
@@ -338,9 +336,7 @@ struct Sunk {
     double outside, depth;
 };
 Sunk sink_into_corner(RandomStart& random, int kind, int walls) {
-    WorldDef settings = without_sleep();
-    settings.gravity = {0, 0, 0};
-    World world(settings);
+    World world(with_gravity({0, 0, 0}));
     Triangles room;
     room.corners = box_corners({1, 1, 1});
     room.indices = {0, 1, 2, 1, 3, 2, 4, 6, 5, 5, 6, 7, 0, 4, 1, 1, 4, 5,
