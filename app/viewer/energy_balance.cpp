@@ -79,7 +79,8 @@ void EnergyBalance::add_contact(const World& world, const Contact& contact, std:
         const Body body = world.body(bodies[i]);
         velocities[i] = mean_velocity(world, bodies[i], middle);
         if (!can_be_pushed(body)) // the surface of a conveyor moves, its body does not
-            velocities[i] += glm::dvec3(body.rotation() * world.shape_def(shapes[i]).surface_velocity);
+            velocities[i] += glm::dvec3(
+                body.rotation() * (world.shape_def(shapes[i]).rotation * world.shape_def(shapes[i]).surface_velocity));
     }
     flow.friction -= glm::dot(friction, velocities[1] - velocities[0]);
     for (int i = 0; i < 2; ++i) {

@@ -57,7 +57,6 @@ void read_touches(BodyFacts& facts, const World& world, double step_length) {
 struct CarryOut {
     World& world;
     Body body;
-    std::vector<std::pair<ShapeId, ShapeId>> replaced;
 
     void operator()(const edit::Name& name) { body.set_name(name.name); }
     void operator()(const edit::Type& type) { body.set_type(type.type); }
@@ -70,19 +69,17 @@ struct CarryOut {
         body.set_angular_velocity(Vec3(0.0f));
     }
     void operator()(const edit::Scale& scale) {
-        scale_body(world, body.id(), scale.factors, replaced);
+        scale_body(world, body.id(), scale.factors);
         body.wake();
     }
     void operator()(const edit::Velocity& velocity) { body.set_linear_velocity(velocity.velocity); }
     void operator()(const edit::Turning& turning) { body.set_angular_velocity(turning.turning); }
     void operator()(const edit::Trigger& trigger) {
-        const std::vector<ShapeId> old = body.shapes();
-        for (const ShapeId shape : old) {
+        for (const ShapeId shape : body.shapes()) {
             ShapeDef def = world.shape_def(shape);
             def.is_trigger = trigger.on;
-            replaced.emplace_back(shape, world.add_shape(body.id(), Shape(world.shape(shape)), def));
+            world.set_shape_def(shape, def);
         }
-        for (const ShapeId shape : old) world.remove_shape(shape);
         body.wake();
     }
     void operator()(const edit::Surface& surface) {
@@ -157,11 +154,7 @@ Material with_preset(Material material, const MaterialPreset& preset) {
 
 const char* name_of(const BodyEdit& edit) { return std::visit(EditNames{}, edit); }
 
-std::vector<std::pair<ShapeId, ShapeId>> carry_out(World& world, BodyId body, const BodyEdit& edit) {
-    CarryOut carry{world, world.body(body), {}};
-    std::visit(carry, edit);
-    return std::move(carry.replaced);
-}
+void carry_out(World& world, BodyId body, const BodyEdit& edit) { std::visit(CarryOut{world, world.body(body)}, edit); }
 
 BodyId duplicate(World& world, BodyId id, const Position& shift, std::vector<ShapeId>& copies) {
     const Body body = std::as_const(world).body(id);
@@ -181,7 +174,7 @@ BodyId duplicate(World& world, BodyId id, const Position& shift, std::vector<Sha
     const std::vector<ShapeId> shapes = body.shapes();
     const BodyId copy = world.create_body(def);
     for (const ShapeId shape : shapes)
-        copies.push_back(world.add_shape(copy, Shape(world.shape(shape)), ShapeDef(world.shape_def(shape))));
+        copies.push_back(world.add_shape(copy, world.shape(shape), world.shape_def(shape)));
     if (body.is_character()) {
         world.body(copy).set_character(body.character());
         world.body(copy).set_walk_velocity(body.walk_velocity());

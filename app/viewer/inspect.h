@@ -101,8 +101,8 @@ struct Trigger {
 using BodyEdit = std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Pose, edit::Scale, edit::Velocity,
                               edit::Turning, edit::Surface, edit::Trigger>;
 const char* name_of(const BodyEdit& edit); ///< For undoing it.
-/// Throws as the calls of `Body` do. Shapes that are replaced: their old and new ids.
-std::vector<std::pair<ShapeId, ShapeId>> carry_out(World& world, BodyId body, const BodyEdit& edit);
+/// Throws as the calls of `Body` do.
+void carry_out(World& world, BodyId body, const BodyEdit& edit);
 
 /// A copy of a body, `shift` away, with its shapes; their ids are in `copies`, in the order of the original's.
 BodyId duplicate(World& world, BodyId body, const Position& shift, std::vector<ShapeId>& copies);

@@ -5,7 +5,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -78,20 +80,22 @@ bool can_be_stretched(const World& world, BodyId body) {
     return true;
 }
 
-void scale_body(World& world, BodyId id, const Vec3& factors, std::vector<std::pair<ShapeId, ShapeId>>& replaced) {
+void scale_body(World& world, BodyId id, const Vec3& factors) {
     Body body = world.body(id);
-    const std::vector<ShapeId> old = body.shapes();
     std::vector<std::pair<Shape, ShapeDef>> shapes; // all, before anything changes
-    for (const ShapeId shape : old) {
+    for (const ShapeId shape : body.shapes()) {
         ShapeDef def = world.shape_def(shape);
         shapes.emplace_back(std::visit(Scaled{factors, def.rotation}, world.shape(shape)), def);
         shapes.back().second.position = def.position * factors;
     }
     const bool has_mass = body.type() == BodyType::dynamic && std::isfinite(body.mass());
     const MassProperties before = has_mass ? body.mass_properties() : MassProperties{};
-    for (std::size_t i = 0; i < old.size(); ++i)
-        replaced.emplace_back(old[i], world.add_shape(id, shapes[i].first, shapes[i].second));
-    for (const ShapeId shape : old) world.remove_shape(shape);
+    std::size_t next = 0;
+    for (const ShapeId shape : body.shapes()) {
+        const auto& [geometry, def] = shapes[next++];
+        world.set_shape(shape, geometry);
+        world.set_shape_def(shape, def);
+    }
     if (!has_mass || body.mass_properties().mass != before.mass) return;
     // It had been given, and so did not follow.
     const float volume = factors.x * factors.y * factors.z;

@@ -4,9 +4,6 @@
 
 #include <cairn/world.h>
 
-#include <utility>
-#include <vector>
-
 namespace cairn::viewer {
 
 /// Whether it can be scaled along one axis alone: all of its shapes are sharp boxes along the axes of the body, sharp
@@ -14,8 +11,8 @@ namespace cairn::viewer {
 bool can_be_stretched(const World& world, BodyId body);
 
 /// Scales a body about its origin by factors > 0 along its axes, which must be equal unless it can be stretched. Its
-/// shapes are replaced: `replaced` gets their old and new ids. Its mass follows its shapes, or, if it had been given,
-/// its volume. Throws what the world's calls throw, and `Error` (unsupported) for infinite planes.
-void scale_body(World& world, BodyId body, const Vec3& factors, std::vector<std::pair<ShapeId, ShapeId>>& replaced);
+/// mass follows its shapes, or, if it had been given, its volume. Throws what the world's calls throw, and `Error`
+/// (unsupported) for infinite planes.
+void scale_body(World& world, BodyId body, const Vec3& factors);
 
 } // namespace cairn::viewer

@@ -182,7 +182,6 @@ class Stage {
     template <class Go> bool travel(const Go& go);
     void remove(const std::vector<BodyId>& bodies);
     void all_or_nothing(const std::function<void()>& change);
-    void edit_body(BodyId body, const BodyEdit& edit);
     std::vector<BodyId> copy_bodies(const std::vector<BodyId>& bodies, double shift);
     const std::vector<BodyId>* group_of(BodyId body) const;
     std::vector<BodyId> with_group(BodyId body) const;

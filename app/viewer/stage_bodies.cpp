@@ -12,7 +12,7 @@ void Stage::operator()(const command::SelectBody& select) { this->select(select.
 
 void Stage::operator()(const command::EditBody& change) {
     if (!scene_.world.is_valid(change.body)) return say("The body is gone.");
-    all_or_nothing([&] { edit_body(change.body, change.edit); });
+    all_or_nothing([&] { carry_out(scene_.world, change.body, change.edit); });
     refresh_layout();
 }
 
@@ -25,14 +25,6 @@ void Stage::all_or_nothing(const std::function<void()>& change) {
         scene_.appearances.resize(colors);
         scene_.strings.resize(strings);
         throw;
-    }
-}
-
-void Stage::edit_body(BodyId body, const BodyEdit& edit) {
-    for (const auto& [old, replaced] : carry_out(scene_.world, body, edit)) {
-        const auto look = std::find_if(scene_.appearances.begin(), scene_.appearances.end(),
-                                       [id = old](const Appearance& known) { return known.shape == id; });
-        if (look != scene_.appearances.end()) scene_.appearances.push_back({replaced, look->color});
     }
 }
 

@@ -135,7 +135,7 @@ void Stage::operator()(const command::EditBodies& change) {
     try {
         all_or_nothing([&] {
             for (const auto& [body, edit] : change.edits)
-                if (scene_.world.is_valid(at = body)) edit_body(body, edit);
+                if (scene_.world.is_valid(at = body)) carry_out(scene_.world, body, edit);
         });
         refresh_layout();
     } catch (const std::bad_alloc&) {

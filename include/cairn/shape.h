@@ -183,6 +183,11 @@ struct ShapeDef {
     /// its part along the surface counts. Static and kinematic bodies only.
     Vec3 surface_velocity{0.0f, 0.0f, 0.0f};
     std::uint64_t user_data = 0; ///< Not touched by the engine.
+    /// A direction in the shape's frame, of any length. Not zero: the shape holds only what came from there. What is
+    /// not wholly beyond it in that direction when the two meet goes through it, until it is: onto such a platform one
+    /// jumps from below. Static and kinematic bodies only; infinite planes, meshes and height fields have none. Rays,
+    /// casts and other queries meet it from all sides.
+    Vec3 one_way{0.0f, 0.0f, 0.0f};
 };
 
 } // namespace cairn

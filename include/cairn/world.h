@@ -4,6 +4,7 @@
 
 #include <cairn/body.h>
 #include <cairn/commands.h>
+#include <cairn/debug_lines.h>
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>
@@ -152,6 +153,15 @@ class World {
     /// dynamic bodies.
     ShapeId add_shape(BodyId body, const Shape& shape, const ShapeDef& def = {});
     void remove_shape(ShapeId shape);
+    /// Gives a shape another geometry, in place: its handle and all that its definition says stay. The mass of the body
+    /// follows as in `add_shape`. What it touches then goes on touching it, without events, as long as it is of the
+    /// same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster than
+    /// `WorldDef::recovery_speed`: ground that rises carries what is on it if it rises more slowly than that, and by
+    /// less than the height of that in one call. Wakes its body and what is around the shape, before and after.
+    void set_shape(ShapeId shape, const Shape& geometry);
+    /// Likewise gives it another definition: place on its body, density, material, filter, and what else that says. Its
+    /// contacts end and begin anew where `is_trigger` or `filter` is not what it was.
+    void set_shape_def(ShapeId shape, const ShapeDef& def);
     bool is_valid(ShapeId shape) const noexcept;
     BodyId body_of(ShapeId shape) const;
     const Shape& shape(ShapeId shape) const;
@@ -238,6 +248,10 @@ class World {
 
     /// How each touching pair of shapes is solved, in the order of `contacts()`.
     std::vector<SolverContact> solver_contacts() const;
+
+    /// What it consists of as lines, for programs that draw it themselves: bodies in order of slot index, then
+    /// contacts, then joints. As many as there are edges: of large meshes and height fields that takes its time.
+    std::vector<DebugLine> debug_lines(const DebugLinesDef& what = {}) const;
 
     // --- bulk reads, for renderers and bindings
     /// Writes the transform of each body of `ids`; `out` must have the same size.

@@ -304,6 +304,20 @@ class World:
         """Takes a shape off its body, whose mass properties follow unless they were given. Raises: invalid_handle,
         wrong_state.
         """
+    def set_shape(self, shape: ShapeId, geometry: Shape) -> None:
+        """Gives a shape another geometry, in place: its handle and all that its definition says stay. The mass of the
+        body follows as when a shape is added. What it touches then goes on touching it, without events, as long as it
+        is of the same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster than
+        `WorldDef.recovery_speed`: ground that rises carries what is on it if it rises more slowly than that, and by
+        less than the height of that in one call. Wakes its body and what is around the shape, before and after. Raises:
+        invalid_handle, invalid_value, wrong_state.
+        """
+    def set_shape_def(self, shape: ShapeId, definition: ShapeDef | None = None, **members: Any) -> None:
+        """Gives a shape another definition, in place: place on its body, density, material, filter, and what else that
+        says; to change a part of it, begin with the one that it has. Its contacts end and begin anew where `is_trigger`
+        or `filter` is not what it was; else as when its geometry is set. Raises: invalid_handle, invalid_value,
+        wrong_state.
+        """
     def body_of(self, shape: ShapeId) -> BodyId:
         """The body that a shape is on. Raises: invalid_handle, wrong_state."""
     def shape(self, shape: ShapeId) -> Shape:
@@ -383,6 +397,11 @@ class World:
     @property
     def solver_contacts(self) -> list[SolverContact]:
         """How each touching pair of shapes is solved, in the order of `world_get_contacts`."""
+    def debug_lines(self, what: DebugLinesDef | None = None, **members: Any) -> list[DebugLine]:
+        """What the world consists of as lines, for programs that draw it themselves: bodies in order of slot index,
+        then contacts, then joints. As many as there are edges: of large meshes and height fields that takes its time.
+        Raises: invalid_value, wrong_state.
+        """
     @property
     def contact_begins(self) -> list[ContactBegin]:
         """Shapes that began to touch in the last step."""

@@ -162,10 +162,21 @@ void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, st
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
-    const DBounds bounds = shape_bounds(shapes, shape);
-    broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic, is_trigger);
-    broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(shapes, shape, turn_reach(bodies, body, usual_step))),
+    broad_phase.add(shape, shape_bounds(shapes, shape), mobility, type == BodyType::kinematic, is_trigger);
+    broad_phase.set_bounds(shape, bounds_of(shapes, shape, turn_reach(bodies, body, usual_step)),
                            usual_step * bodies.motion[body].v);
+}
+
+void renew_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
+    const std::int32_t body = shapes.links[shape].body;
+    bodies.boxes_until[body] = bodies.travel[body];
+    if (shapes.geometry[shape].type == ShapeType::plane) {
+        const ShapePose& pose = shapes.poses[shape];
+        broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
+        return;
+    }
+    broad_phase.renew_bounds(shape, bounds_of(shapes, shape, turn_reach(bodies, body, usual_step)),
+                             usual_step * bodies.motion[body].v);
 }
 
 void update_proxies(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b) {

@@ -33,5 +33,7 @@ void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
 
 // Puts a shape into the broad phase, by its type and its body's.
 void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
+// Of one that is there, and has another geometry of its type now, or another place on its body.
+void renew_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
 
 } // namespace cairn

@@ -1,6 +1,7 @@
 #include "character/obstacles.h"
 
 #include "bodies/bodies.h"
+#include "collision/one_way.h"
 #include "math/rotation.h"
 #include "queries/query_frame.h"
 #include "shapes/convex_query.h"
@@ -119,6 +120,12 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     const bool moves = other == all.end() && o.type != BodyType::static_;
     if (const ShapeTraits& traits = input_.shapes.traits[shape]; traits.has_surface_velocity)
         o.belt = within_numbers(input_.dt * math::rotate(posed.rotation, math::to_double(traits.surface_velocity)));
+    if (const ShapeTraits& traits = input_.shapes.traits[shape]; traits.is_one_way) {
+        const DVec3 direction = math::rotate(posed.rotation, math::to_double(traits.one_way));
+        const Convex other = posed.convex(middle(scratch_.parts[0].sharp), math::length(near.hi - near.lo));
+        for (const CharacterPart& part : scratch_.parts)
+            if (!is_beyond(part.sharp, other, direction)) return; // it goes through
+    }
     const auto push = [&] {
         scratch_.obstacles.push_back(o);
         if (moves) set_motion(scratch_.obstacles.size() - 1);

@@ -248,7 +248,10 @@ void BroadPhase::write_box(std::uint32_t shape) {
 }
 
 void BroadPhase::set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) {
-    if (room(shape, tight, displacement) >= 0) return;
+    if (room(shape, tight, displacement) < 0) renew_bounds(shape, tight, displacement);
+}
+
+void BroadPhase::renew_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) {
     fat_[shape] = new_fat(tight, displacement);
     write_box(shape);
 }

@@ -86,6 +86,8 @@ class BroadPhase {
     // A shape of any kind but a plane has moved. `displacement` is the motion expected over the next step, m: the
     // pairs cover it.
     void set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement = {});
+    // Likewise of one that has become another: its fat box fits these bounds, even if the old one contains them.
+    void renew_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement);
     // set_bounds would change nothing, as the fat box still contains them, until these bounds and the displacement have
     // changed by so much together, m; less than 0 if it would. May be asked from many threads.
     double room(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {

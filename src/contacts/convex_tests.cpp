@@ -3,6 +3,7 @@
 
 #include "collision/convex_contact.h"
 #include "collision/one_place.h"
+#include "collision/one_way.h"
 #include "collision/surface_contact.h"
 #include "contacts/contact_update.h"
 #include "contacts/pairs.h"
@@ -55,6 +56,17 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
 }
 
 } // namespace
+
+bool goes_through(const Shapes& shapes, const ContactInfo& c) {
+    const PosedShape a = posed_shape(shapes, c.shape_a), b = posed_shape(shapes, c.shape_b);
+    const Convex first = convex_of(a, {});
+    DVec3 center = offset_between(a.pose, b.pose);
+    const math::DQuat rotation = rotation_of(b.pose);
+    const Geometry part =
+        near_part(b.geometry, center, rotation, middle(first), 2 * double(a.geometry.bounding_radius));
+    return !is_beyond(first, make_convex(part, b.data, center, rotation),
+                      math::rotate(rotation, to_double(shapes.traits[c.shape_b].one_way)));
+}
 
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
                           ContactMemory& memory) {

@@ -29,6 +29,10 @@ Manifold test_posed_pair(PairKind kind, const PosedShape& first, const PosedShap
 float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
                    std::vector<Manifold>& hits);
 
+// Of a contact with a one-way shape that holds nothing so far: whether A is not wholly beyond that, and so goes
+// through.
+bool goes_through(const Shapes& shapes, const ContactInfo& contact);
+
 inline PosedShape posed_shape(const Shapes& shapes, std::uint32_t shape) {
     return {shapes.geometry[shape], shapes.data[shape], shapes.poses[shape], shapes.links[shape].arm};
 }

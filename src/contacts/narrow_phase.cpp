@@ -243,8 +243,10 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
     return going_on(bodies, islands, contacts.info[id]);
 }
 
-std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
+std::uint8_t before_test(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
+                         std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
+    if (c.is_one_way && c.point_count == 0 && goes_through(shapes, c)) return c.touching ? ended : apart;
     const bool rests = !c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b);
     if (rests && bodies.is_dynamic(c.body_a)) // else a trigger and something kinematic
         return c.point_count > 0 ? skipped : apart;
@@ -311,8 +313,8 @@ std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts,
 }
 
 // Lists the pairs that may have moved, by kind, and counts them.
-std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
-                       NarrowScratch& narrow, ThreadPool& thread_pool) {
+std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
+                       const BroadPhase& broad_phase, NarrowScratch& narrow, ThreadPool& thread_pool) {
     broad_phase.list_contacts(narrow.candidates, narrow.parts, thread_pool);
     list_open_pairs(bodies, contacts, narrow, thread_pool);
     set_size_anew(narrow.outcomes, narrow.candidates.size());
@@ -330,7 +332,7 @@ std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& 
             if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
-            const std::uint8_t outcome = before_test(bodies, contacts, islands, id);
+            const std::uint8_t outcome = before_test(bodies, shapes, contacts, islands, id);
             outcomes[places[i]] = outcome;
             if (outcome >= to_test) ++kinds[std::size_t(outcome - to_test)];
         }
@@ -414,7 +416,7 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
-    const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, narrow, thread_pool);
+    const std::size_t tested = list_pairs(bodies, shapes, contacts, islands, broad_phase, narrow, thread_pool);
     if (ranks) leave_pairs_to_owners(contacts, narrow);
     pose_midway(bodies, shapes, narrow, thread_pool, midway_time(in.substeps, dt));
     test_all(in, contacts, narrow, thread_pool, dt);

@@ -44,6 +44,16 @@ float combine_values(float a, float b, CombineRule rule) {
     return 0;
 }
 
+// What a contact has of the sizes of its shapes.
+void size_contact(const Shapes& shapes, ContactInfo& c) {
+    const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
+    c.base_margin =
+        margin_of(std::min(smallest_extent(a, shapes.data[c.shape_a]), smallest_extent(b, shapes.data[c.shape_b])));
+    c.is_round = is_round(a) || is_round(b);
+    c.is_one_way = shapes.traits[c.shape_b].is_one_way && !c.is_trigger;
+    c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
+}
+
 struct Sink final : PairSink {
     Bodies& bodies;
     const Shapes& shapes;
@@ -122,11 +132,7 @@ struct Sink final : PairSink {
         const ShapeTraits &traits_a = shapes.traits[shape_a], &traits_b = shapes.traits[shape_b];
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
-        const Geometry &a = shapes.geometry[shape_a], &b = shapes.geometry[shape_b];
-        c.base_margin =
-            margin_of(std::min(smallest_extent(a, shapes.data[shape_a]), smallest_extent(b, shapes.data[shape_b])));
-        c.is_round = is_round(a) || is_round(b);
-        c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
+        size_contact(shapes, c);
         contacts.answers[id] = {0, c.body_a, c.body_b};
         drop_answer(bodies, contacts, id);
         combine_materials(shapes, contacts, id);
@@ -205,6 +211,16 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
     r.restitution = m.restitution;
     r.rolling_radius = m.rolling_radius;
     r.torsion_radius = m.torsion_radius;
+}
+
+void renew_contacts(const Shapes& shapes, Contacts& contacts, std::uint32_t shape) {
+    for (std::uint32_t id = 0; id < contacts.info.size(); ++id) {
+        ContactInfo& c = contacts.info[id];
+        if (!c.in_use || (c.shape_a != shape && c.shape_b != shape)) continue;
+        size_contact(shapes, c);
+        c.is_conveyor = shapes.traits[c.shape_b].has_surface_velocity;
+        combine_materials(shapes, contacts, id);
+    }
 }
 
 void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,

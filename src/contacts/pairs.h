@@ -26,6 +26,9 @@ PairMaterial combined_material(const Material& a, const Material& b);
 // Those of the shapes of a contact, into its record.
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 
+// What the contacts of a shape have of it, when it has changed but is tested as before.
+void renew_contacts(const Shapes& shapes, Contacts& contacts, std::uint32_t shape);
+
 // Wide kernels know balls, sharp boxes, capsules with equal ends, and surfaces that have ends and one side.
 bool has_wide_kernels(const Geometry& geometry);
 // How the two are tested; nothing for two surfaces. By their types, and whether wide kernels know each of them.

@@ -1,6 +1,7 @@
 #include "impacts/swept_pairs.h"
 
 #include "bodies/motion_budget.h"
+#include "collision/one_way.h"
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "state/joint_links.h"
@@ -422,6 +423,12 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
         swept(pair.shape, first.turns_over ? ball_a : in.shapes.geometry[pair.shape], path_a, first.until);
     const SweptShape b =
         swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
+    const auto lets_through = [&](const SweptShape& shape, const SweptShape& other, std::uint32_t number) {
+        const ShapeTraits& traits = in.shapes.traits[number];
+        return traits.is_one_way && !begins_beyond(shape, other, traits.one_way);
+    };
+    if (!pair.is_known && !pair.touches && (lets_through(a, b, pair.other) || lets_through(b, a, pair.shape)))
+        return never;
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside. (A pair that
     // flies may have a body that got hold of something else in this step.)
     const bool catches = !pair.flies && !first.is_free && !(second && in.bodies.is_dynamic(second->body));

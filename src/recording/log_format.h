@@ -54,4 +54,11 @@ inline float step_length(std::span<const std::byte> command) {
     return std::bit_cast<float>(bits);
 }
 
+// Whether what is seen of a body may be other than before, though its shapes are the same ones.
+inline bool changes_looks(std::span<const std::byte> command) {
+    const std::string_view name = command_name(command);
+    return name == "World::set_shape" || name == "World::set_shape_def" || name == "Body::set_type" ||
+           name == "Body::set_name";
+}
+
 } // namespace cairn::recording

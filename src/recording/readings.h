@@ -21,6 +21,8 @@ class ReadingsWriter {
     ReadingsWriter(McapWriter& file, const Readings& which, double interval);
     // To be called after each step, of that length; `time`: s since the recording began.
     void add(McapWriter::Chunk& chunk, const World& world, double time, double step_length);
+    // Something is not what it was sent as: the next call of `add` sends all of it.
+    void forget_looks() { shapes_.clear(); }
 
   private:
     struct Channel {

@@ -59,6 +59,7 @@ class Recorder::Listener final : public CommandListener {
             if (batch_.empty()) append_leb128(batch_, steps_);
             append_leb128(batch_, command.size());
             batch_ += as_text(command);
+            if (readings_ && changes_looks(command)) readings_->forget_looks();
         } catch (...) {
             file_.reset(); // with what is in it
             throw;

@@ -139,11 +139,10 @@ std::size_t DefinitionWriter::material(const Shape& shape, const ShapeDef& def) 
     if (m.torsional_friction != Material{}.torsional_friction) {
         own["torsional_friction"] = shortest(m.torsional_friction);
     }
-    if (def.surface_velocity != Vec3(0.0f)) {
-        const std::optional<Quat> turn = turn_of_plane(shape);
-        own["surface_velocity"] =
-            number_array(turn ? glm::conjugate(*turn) * def.surface_velocity : def.surface_velocity);
-    }
+    const std::optional<Quat> turn = turn_of_plane(shape);
+    const auto in_node = [&](const Vec3& v) { return number_array(turn ? glm::conjugate(*turn) * v : v); };
+    if (def.surface_velocity != Vec3(0.0f)) own["surface_velocity"] = in_node(def.surface_velocity);
+    if (def.one_way != Vec3(0.0f)) own["one_way"] = in_node(def.one_way);
     if (!own.empty()) {
         json["extensions"]["CAIRN_material"] = std::move(own);
         uses_material_extension_ = true;

@@ -208,6 +208,7 @@ Substance Definitions::substance(const Value& index) const {
     if (const auto value = own->find("torsional_friction"))
         material.torsional_friction = value->real(nonnegative_float);
     if (const auto value = own->find("surface_velocity")) result.surface_velocity = value->float_vector3();
+    if (const auto value = own->find("one_way")) result.one_way = value->float_vector3();
     return result;
 }
 

@@ -18,6 +18,7 @@ struct Substance {
     Material material;
     float density = 1000.0f; // kg/m^3
     Vec3 surface_velocity{0.0f, 0.0f, 0.0f};
+    Vec3 one_way{0.0f, 0.0f, 0.0f};
 };
 
 // A shape, and how it is turned in the node's frame.

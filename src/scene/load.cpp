@@ -373,6 +373,11 @@ class Builder {
             def.density = substance.density;
             def.material = substance.material;
             def.surface_velocity = substance.surface_velocity;
+            def.one_way = substance.one_way;
+            if (def.one_way != Vec3(0.0f) && scene_.world.body(body).type() == BodyType::dynamic) {
+                index->refuse(
+                    "a surface that holds things from one side may only belong to static and kinematic bodies");
+            }
             if (def.surface_velocity != Vec3(0.0f) && scene_.world.body(body).type() == BodyType::dynamic) {
                 index->refuse("a surface that moves by itself may only belong to static and kinematic bodies");
             }

@@ -116,7 +116,8 @@ const std::map<std::string, Kind>& kinds() {
            {"air_acceleration"},
            {"flies"},
            {"walk_velocity"}}}},
-        {"CAIRN_material", {{{"density"}, {"rolling_friction"}, {"torsional_friction"}, {"surface_velocity"}}}},
+        {"CAIRN_material",
+         {{{"density"}, {"rolling_friction"}, {"torsional_friction"}, {"surface_velocity"}, {"one_way"}}}},
         {"CAIRN_shape", {{{"rounding"}}}},
         {"CAIRN_height_field", {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}}}},
     };

@@ -33,6 +33,8 @@ inline bool is_surface(ShapeType type) {
            type == ShapeType::height_field;
 }
 
+inline bool is_plane(ShapeType type) { return type == ShapeType::plane || type == ShapeType::rectangle; }
+
 // Half the length of a strip, a rectangle that is infinite along one axis, m: farther than positions reach.
 inline constexpr float endless = 4e15f;
 

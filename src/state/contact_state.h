@@ -56,10 +56,10 @@ struct alignas(64) ContactInfo {
     std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
     std::uint8_t is_conveyor = 0; // B's surface moves
     std::uint8_t is_round = 0;    // of either shape: places of touch move over both bodies, and are found anew
-    std::uint8_t padding = 0;
-    Travel placed_at = 0;        // of both bodies, when the pair was tested
-    std::int32_t related = none; // group: its first patch; patch: its group
-    std::int32_t next = none;    // patch: the next one of its group
+    std::uint8_t is_one_way = 0;  // B holds only what comes from one side
+    Travel placed_at = 0;         // of both bodies, when the pair was tested
+    std::int32_t related = none;  // group: its first patch; patch: its group
+    std::int32_t next = none;     // patch: the next one of its group
 };
 inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 

@@ -24,10 +24,12 @@ struct alignas(32) ShapeLinks {
 // What decides with whom a shape makes contacts.
 struct ShapeTraits {
     CollisionFilter filter;
-    math::Vec3 surface_velocity; // in the shape's frame, m/s
+    math::Vec3 surface_velocity; // in the frame of its geometry, m/s
+    math::Vec3 one_way;          // likewise, the direction from where it holds things; zero: from all
     std::uint8_t is_trigger = 0;
     std::uint8_t has_surface_velocity = 0;
-    std::uint8_t padding[2] = {};
+    std::uint8_t is_one_way = 0;
+    std::uint8_t padding[5] = {};
 };
 inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
     return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;

@@ -281,6 +281,9 @@ void Body::set_type(BodyType type) {
         if (type == BodyType::dynamic && s.shapes.traits[i].has_surface_velocity)
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a surface velocity cannot be dynamic");
+        if (type == BodyType::dynamic && s.shapes.traits[i].is_one_way)
+            throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
+                        "a body with a one-way shape cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
     }
     change.begin();

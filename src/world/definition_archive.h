@@ -131,7 +131,7 @@ inline Material from_fields(const MaterialFields& f) {
             f.numbers[4], f.friction_combine, f.restitution_combine};
 }
 
-CAIRN_ARCHIVES_MEMBERS(8, ShapeDef);
+CAIRN_ARCHIVES_MEMBERS(9, ShapeDef);
 struct ShapeDefFields {
     CollisionFilter filter;
     std::uint64_t user_data;
@@ -140,15 +140,17 @@ struct ShapeDefFields {
     float density;
     MaterialFields material;
     math::Vec3 surface_velocity;
-    std::uint32_t is_trigger;
+    std::uint32_t is_trigger, padding;
+    math::Vec3 one_way;
 };
 inline ShapeDefFields fields_of(const ShapeDef& d) {
     return {d.filter,  d.user_data,           to_math(d.position),         to_math(d.rotation),
-            d.density, fields_of(d.material), to_math(d.surface_velocity), d.is_trigger ? 1u : 0u};
+            d.density, fields_of(d.material), to_math(d.surface_velocity), d.is_trigger ? 1u : 0u,
+            0u,        to_math(d.one_way)};
 }
 inline ShapeDef from_fields(const ShapeDefFields& f) {
-    return {to_public(f.position), to_public(f.rotation),         f.density,  from_fields(f.material), f.filter,
-            f.is_trigger != 0,     to_public(f.surface_velocity), f.user_data};
+    return {to_public(f.position), to_public(f.rotation),         f.density,   from_fields(f.material), f.filter,
+            f.is_trigger != 0,     to_public(f.surface_velocity), f.user_data, to_public(f.one_way)};
 }
 
 CAIRN_ARCHIVES_MEMBERS(6, ForceField);

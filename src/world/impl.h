@@ -55,6 +55,11 @@ struct World::Impl {
         return whole(call);
     }
 
+    // What a shape is, but for its body. `def`: with a unit rotation.
+    void define_shape(std::uint32_t shape, Shape&& geometry, const ShapeDef& def);
+    // Makes one that is there another one; `def` may be that of any shape of this world.
+    void replace_shape(std::uint32_t shape, Shape geometry, const ShapeDef& def);
+
     // For snapshots: those of the last one if nothing has changed. May be called from many threads.
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;

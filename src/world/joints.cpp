@@ -137,18 +137,19 @@ JointId World::create_joint(const JointDef& def) {
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
     require_slot(s.joints.slots, "World::create_joint");
+    JointDef given(def); // it may be one of this world, whose list grows
+    given.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
+    given.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
     change.begin();
     const std::uint32_t index = s.joints.slots.create();
     make_room(s.joints.info, index), make_room(s.joints.axes, index), make_room(impl_->joint_defs, index);
-    JointDef& own = impl_->joint_defs[index] = def;
-    own.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
-    own.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
+    JointDef& own = impl_->joint_defs[index] = std::move(given);
     fill_frames(info, own);
     info.in_use = 1;
-    info.enable_collision = def.enable_collision;
-    info.solver = std::uint8_t(def.solver);
-    info.break_force = def.break_force;
-    info.break_torque = def.break_torque;
+    info.enable_collision = own.enable_collision;
+    info.solver = std::uint8_t(own.solver);
+    info.break_force = own.break_force;
+    info.break_torque = own.break_torque;
     s.joints.info[index] = info;
     s.joints.axes[index] = {};
     const float length = pulley_length(s.bodies, info, own.joint);

@@ -1,6 +1,7 @@
 // Shapes: adding, changing and removing them. Every argument is checked before anything changes.
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
+#include "bodies/motion_budget.h"
 #include "contacts/pairs.h"
 #include "islands/islands.h"
 #include "state/state.h"
@@ -38,14 +39,15 @@ void link_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape, std::int32_
     owner.last_shape = std::int32_t(shape);
 }
 
-// What a density makes of the body's mass must be a mass that could have been given.
-void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, const Shape& shape,
-                           const ShapeDef& def) {
+// What a density makes of the body's mass must be a mass that could have been given. `replaced`: the shape of the body
+// that goes, or none.
+void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, std::int32_t replaced,
+                           const Shape& shape, const ShapeDef& def) {
     const BodyMass& mass = bodies.mass[body];
     if (!bodies.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
     double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
     for (std::int32_t i = bodies.links[body].first_shape; i != none; i = shapes.links[i].next)
-        sum += geometry_mass(shapes.geometry[i], shapes.data[i], shapes.links[i].density).mass;
+        if (i != replaced) sum += geometry_mass(shapes.geometry[i], shapes.data[i], shapes.links[i].density).mass;
     if (!(sum >= smallest_mass && sum <= largest_mass))
         refuse("ShapeDef.density", to_text(def.density),
                "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
@@ -57,13 +59,63 @@ void require_still_surface(const char* field, const Vec3& velocity) {
                     "must be zero on a dynamic body: only surfaces of static and kinematic ones may move");
 }
 
-ShapeTraits make_traits(const ShapeDef& def) {
+// What holds things from one side has that side as a whole, and does not move by forces.
+void require_ends(ShapeType type, bool is_dynamic, const Vec3& one_way) {
+    if (one_way == Vec3(0.0f)) return;
+    if (is_dynamic)
+        throw Error(ErrorCode::wrong_state, "ShapeDef.one_way", to_text(one_way),
+                    "must be zero on a dynamic body: only shapes of static and kinematic ones let things through");
+    if (type == ShapeType::plane || type >= ShapeType::mesh)
+        throw Error(ErrorCode::wrong_state, "ShapeDef.one_way", to_text(one_way),
+                    "must be zero for infinite planes, meshes and height fields");
+}
+
+// The frame of the geometry is that of the shape, but for planes, whose normal is its y axis.
+ShapeTraits make_traits(const Geometry& geometry, const ShapeDef& def) {
+    const auto in_geometry = [&](const Vec3& v) {
+        if (v == Vec3(0.0f)) return math::Vec3{};
+        return is_plane(geometry.type)
+                   ? math::rotate_back(geometry.rotation, math::rotate(to_math(def.rotation), to_math(v)))
+                   : to_math(v);
+    };
     ShapeTraits traits;
     traits.filter = def.filter;
     traits.is_trigger = def.is_trigger;
-    traits.surface_velocity = to_math(def.surface_velocity);
+    traits.surface_velocity = in_geometry(def.surface_velocity);
     traits.has_surface_velocity = !(traits.surface_velocity == math::Vec3{});
+    traits.one_way = in_geometry(def.one_way);
+    traits.is_one_way = !(traits.one_way == math::Vec3{});
     return traits;
+}
+
+// Whether a body may have that shape. `replaced`: as above.
+void require_fit(const State& s, std::int32_t body, std::int32_t replaced, const Shape& shape, const ShapeDef& def,
+                 const char* argument) {
+    validate(shape);
+    validate(def);
+    if (is_surface(make_geometry(shape, {}).type) && s.bodies.is_dynamic(body))
+        throw Error(ErrorCode::wrong_state, argument, shape_name(shape),
+                    "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
+    if (s.bodies.is_dynamic(body)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
+    require_ends(make_geometry(shape, {}).type, s.bodies.is_dynamic(body), def.one_way);
+    require_mass_in_range(s.bodies, s.shapes, body, replaced, shape, def);
+}
+
+Transform place_of(const ShapeDef& def) { return {Position(def.position), def.rotation}; }
+
+ShapeDef with_unit_rotation(const ShapeDef& def) {
+    ShapeDef result = def;
+    result.rotation = checked_rotation("ShapeDef.rotation", def.rotation);
+    return result;
+}
+
+bool is_same(const CollisionFilter& a, const CollisionFilter& b) {
+    return a.layers == b.layers && a.collides_with == b.collides_with;
+}
+
+// Whether what meets a shape is found and tested as before when it becomes another.
+bool is_tested_alike(const Geometry& a, const Geometry& b) {
+    return a.type == b.type && has_wide_kernels(a) == has_wide_kernels(b) && a.is_double_sided == b.is_double_sided;
 }
 
 } // namespace
@@ -76,33 +128,31 @@ void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& character
     shapes.dead.push_back(shape);
 }
 
+void World::Impl::define_shape(std::uint32_t i, Shape&& shape, const ShapeDef& def) {
+    state.shapes.geometry[i] = make_geometry(shape, place_of(def));
+    state.shapes.data[i] = make_shape_data(shape);
+    state.shapes.materials[i] = def.material;
+    state.shapes.traits[i] = make_traits(state.shapes.geometry[i], def);
+    state.shapes.links[i].density = def.density;
+    shape_of[i] = std::move(shape);
+    def_of[i] = def;
+}
+
 ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     Impl::Change change(*impl_, commands::world_add_shape, id, shape, def);
     const std::int32_t b = impl_->index_of(id);
-    validate(shape);
-    validate(def);
     State& s = impl_->state;
-    if (is_surface(make_geometry(shape, {}).type) && s.bodies.is_dynamic(b))
-        throw Error(ErrorCode::wrong_state, "World::add_shape shape", shape_name(shape),
-                    "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
-    if (s.bodies.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
+    require_fit(s, b, none, shape, def, "World::add_shape shape");
     require_slot(s.shapes.slots, "World::add_shape");
-    require_mass_in_range(s.bodies, s.shapes, b, shape, def);
+    Shape own(shape); // both may be a part of this world, whose lists grow
+    const ShapeDef own_def = with_unit_rotation(def);
     change.begin();
     const std::uint32_t i = s.shapes.slots.create();
     make_room(s.shapes.geometry, i), make_room(s.shapes.data, i), make_room(s.shapes.poses, i),
         make_room(s.shapes.links, i), make_room(s.shapes.materials, i), make_room(s.shapes.traits, i);
     make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
-    impl_->shape_of[i] = shape;
-    impl_->def_of[i] = def;
-    impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
-    const Transform pose{Position(def.position), impl_->def_of[i].rotation};
-    s.shapes.geometry[i] = make_geometry(shape, pose);
-    s.shapes.data[i] = make_shape_data(shape);
-    s.shapes.materials[i] = def.material;
-    s.shapes.traits[i] = make_traits(def);
     s.shapes.links[i] = {};
-    s.shapes.links[i].density = def.density;
+    impl_->define_shape(i, std::move(own), own_def);
     link_shape(s.bodies, s.shapes, i, b);
     refresh_mass(s.bodies, s.shapes, s.joints, b);
     place_shapes(s.bodies, s.shapes, b);
@@ -110,6 +160,51 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     add_proxy(s.bodies, s.shapes, s.broad_phase, i);
     if (!s.bodies.is_dynamic(b)) wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     return s.shapes.slots.id(i);
+}
+
+void World::set_shape(ShapeId id, const Shape& shape) {
+    Impl::Change change(*impl_, commands::world_set_shape, id, shape);
+    const std::uint32_t i = impl_->index_of(id);
+    const State& s = impl_->state;
+    require_fit(s, s.shapes.links[i].body, std::int32_t(i), shape, impl_->def_of[i], "World::set_shape geometry");
+    change.begin();
+    impl_->replace_shape(i, shape, impl_->def_of[i]);
+}
+
+void World::set_shape_def(ShapeId id, const ShapeDef& def) {
+    Impl::Change change(*impl_, commands::world_set_shape_def, id, def);
+    const std::uint32_t i = impl_->index_of(id);
+    const State& s = impl_->state;
+    require_fit(s, s.shapes.links[i].body, std::int32_t(i), impl_->shape_of[i], def, "World::set_shape_def");
+    change.begin();
+    impl_->replace_shape(i, impl_->shape_of[i], with_unit_rotation(def));
+}
+
+void World::Impl::replace_shape(std::uint32_t i, Shape shape, const ShapeDef& given) {
+    State& s = state;
+    const std::int32_t b = s.shapes.links[i].body;
+    const ShapeDef def(given);
+    const ShapeTraits traits = s.shapes.traits[i];
+    const bool stays = is_tested_alike(s.shapes.geometry[i], make_geometry(shape, place_of(def))) &&
+                       traits.is_trigger == def.is_trigger;
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    wake_body(s.bodies, s.islands, s.events, b);
+    if (!stays) { // its contacts end, and are found anew at the next step
+        s.broad_phase.remove(i);
+        update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
+    }
+    define_shape(i, std::move(shape), def);
+    refresh_mass(s.bodies, s.shapes, s.joints, b);
+    place_shapes(s.bodies, s.shapes, b);
+    spend_budget(s.bodies, b); // all that it may meet is tested anew
+    if (stays) {
+        renew_contacts(s.shapes, s.contacts, i);
+        renew_proxy(s.bodies, s.shapes, s.broad_phase, i);
+        if (!is_same(traits.filter, def.filter)) s.broad_phase.refilter(i);
+    } else {
+        add_proxy(s.bodies, s.shapes, s.broad_phase, i);
+    }
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
 }
 
 void World::remove_shape(ShapeId id) {
@@ -183,7 +278,7 @@ void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
         require_still_surface("World::set_surface_velocity velocity", velocity);
     change.begin();
     impl_->def_of[i].surface_velocity = velocity;
-    s.shapes.traits[i] = make_traits(impl_->def_of[i]);
+    s.shapes.traits[i] = make_traits(s.shapes.geometry[i], impl_->def_of[i]);
     wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     for (ContactInfo& c : s.contacts.info)
         if (c.in_use && c.shape_b == i) c.is_conveyor = s.shapes.traits[i].has_surface_velocity;

@@ -134,6 +134,12 @@ void validate(const BodyDef& def) {
 
 namespace {
 
+void require_direction(std::string_view field, const Vec3& v) {
+    require_finite(field, v);
+    if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
+        refuse(field, to_text(v), "must not be zero");
+}
+
 struct ShapeValidator {
     void operator()(const Sphere& sphere) const { require_size("Sphere.radius", sphere.radius); }
     void operator()(const Box& box) const {
@@ -171,11 +177,6 @@ struct ShapeValidator {
     void operator()(const HeightField& field) const { require_data("HeightField", field.data() != nullptr); }
 
   private:
-    static void require_direction(std::string_view field, const Vec3& v) {
-        require_finite(field, v);
-        if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
-            refuse(field, to_text(v), "must not be zero");
-    }
     static void require_rounding(std::string_view field, float radius) {
         if (!(radius >= 0 && radius <= largest_size))
             refuse(field, to_text(radius), "must be a radius in meters from 0 (sharp) to 1e9");
@@ -215,6 +216,7 @@ void validate(const ShapeDef& def) {
     checked_rotation("ShapeDef.rotation", def.rotation);
     require_at_least("ShapeDef.density", def.density, 0);
     require_finite("ShapeDef.surface_velocity", def.surface_velocity);
+    if (def.one_way != Vec3(0.0f)) require_direction("ShapeDef.one_way", def.one_way);
     validate("ShapeDef.material", def.material);
 }
 

@@ -241,10 +241,11 @@ ForceFieldId World::add_force_field(const ForceField& field) {
     validate(field);
     State& s = impl_->state;
     require_slot(s.fields.slots, "World::add_force_field");
+    const ForceField own(field); // it may be one of this world, whose list grows
     change.begin();
     const std::uint32_t i = s.fields.slots.create();
     make_room(s.fields.all, i);
-    s.fields.all[i] = field;
+    s.fields.all[i] = own;
     wake_all(s);
     return s.fields.slots.id(i);
 }

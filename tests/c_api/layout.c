@@ -63,6 +63,7 @@ int main(void) {
     MEMBER(cairn_shape_def, is_trigger);
     MEMBER(cairn_shape_def, surface_velocity);
     MEMBER(cairn_shape_def, user_data);
+    MEMBER(cairn_shape_def, one_way);
     SIZE(cairn_mass_properties);
     MEMBER(cairn_mass_properties, mass);
     MEMBER(cairn_mass_properties, center_of_mass);
@@ -242,6 +243,20 @@ int main(void) {
     MEMBER(cairn_solver_contact, body_b);
     MEMBER(cairn_solver_contact, color);
     MEMBER(cairn_solver_contact, substeps);
+    SIZE(cairn_debug_lines_def);
+    MEMBER(cairn_debug_lines_def, struct_size);
+    MEMBER(cairn_debug_lines_def, shapes);
+    MEMBER(cairn_debug_lines_def, bounds);
+    MEMBER(cairn_debug_lines_def, centers);
+    MEMBER(cairn_debug_lines_def, velocities);
+    MEMBER(cairn_debug_lines_def, contacts);
+    MEMBER(cairn_debug_lines_def, joints);
+    MEMBER(cairn_debug_lines_def, size);
+    MEMBER(cairn_debug_lines_def, impulse_scale);
+    SIZE(cairn_debug_line);
+    MEMBER(cairn_debug_line, begin);
+    MEMBER(cairn_debug_line, end);
+    MEMBER(cairn_debug_line, color);
     SIZE(cairn_query_filter);
     MEMBER(cairn_query_filter, struct_size);
     MEMBER(cairn_query_filter, layers);

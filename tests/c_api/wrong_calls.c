@@ -48,9 +48,10 @@ static cairn_result world_add_shape(const struct wrong_context* c, int wrong) {
     if (wrong == 33) { def_value.material.restitution_combine = -1; }
     if (wrong == 34) { def_value.material.restitution_combine = 4; }
     if (wrong == 35) { def_value.surface_velocity.y = NAN; }
+    if (wrong == 36) { def_value.one_way.y = NAN; }
     cairn_shape_id result_room[4];
     cairn_shape_id* result = result_room;
-    if (wrong == 36) { result = NULL; }
+    if (wrong == 37) { result = NULL; }
     return cairn_world_add_shape(world, body, shape, def, result);
 }
 
@@ -60,6 +61,62 @@ static cairn_result world_remove_shape(const struct wrong_context* c, int wrong)
     cairn_shape_id shape = c->shape;
     if (wrong == 1) { shape = c->stale_shape; }
     return cairn_world_remove_shape(world, shape);
+}
+
+static cairn_result world_set_shape(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_shape_id shape = c->shape;
+    if (wrong == 1) { shape = c->stale_shape; }
+    cairn_shape geometry_value = cairn_default_shape(1);
+    const cairn_shape* geometry = &geometry_value;
+    if (wrong == 2) { geometry = NULL; }
+    if (wrong == 3) { geometry_value.kind = -1; }
+    if (wrong == 4) { geometry_value.kind = 8; }
+    if (wrong == 5) { geometry_value = cairn_default_shape(CAIRN_SHAPE_SPHERE); geometry_value.as.sphere.radius = NAN; }
+    if (wrong == 6) { geometry_value = cairn_default_shape(CAIRN_SHAPE_BOX); geometry_value.as.box.half_extents.y = NAN; }
+    if (wrong == 7) { geometry_value = cairn_default_shape(CAIRN_SHAPE_BOX); geometry_value.as.box.rounding = NAN; }
+    if (wrong == 8) { geometry_value = cairn_default_shape(CAIRN_SHAPE_PLANE); geometry_value.as.plane.normal.y = NAN; }
+    if (wrong == 9) { geometry_value = cairn_default_shape(CAIRN_SHAPE_PLANE); geometry_value.as.plane.has_half_extents = true; geometry_value.as.plane.half_extents.x = NAN; }
+    if (wrong == 10) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CAPSULE); geometry_value.as.capsule.half_height = NAN; }
+    if (wrong == 11) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CAPSULE); geometry_value.as.capsule.radius = NAN; }
+    if (wrong == 12) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CAPSULE); geometry_value.as.capsule.has_radius_top = true; geometry_value.as.capsule.radius_top = NAN; }
+    if (wrong == 13) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CYLINDER); geometry_value.as.cylinder.half_height = NAN; }
+    if (wrong == 14) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CYLINDER); geometry_value.as.cylinder.radius = NAN; }
+    if (wrong == 15) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CYLINDER); geometry_value.as.cylinder.has_radius_top = true; geometry_value.as.cylinder.radius_top = NAN; }
+    if (wrong == 16) { geometry_value = cairn_default_shape(CAIRN_SHAPE_CYLINDER); geometry_value.as.cylinder.rounding = NAN; }
+    if (wrong == 17) { geometry_value = cairn_default_shape(CAIRN_SHAPE_HULL); geometry_value.as.hull.geometry = NULL; }
+    if (wrong == 18) { geometry_value = cairn_default_shape(CAIRN_SHAPE_HULL); geometry_value.as.hull.rounding = NAN; }
+    if (wrong == 19) { geometry_value = cairn_default_shape(CAIRN_SHAPE_MESH); geometry_value.as.mesh.geometry = NULL; }
+    if (wrong == 20) { geometry_value = cairn_default_shape(CAIRN_SHAPE_HEIGHT_FIELD); geometry_value.as.height_field.geometry = NULL; }
+    return cairn_world_set_shape(world, shape, geometry);
+}
+
+static cairn_result world_set_shape_def(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_shape_id shape = c->shape;
+    if (wrong == 1) { shape = c->stale_shape; }
+    cairn_shape_def def_value = cairn_default_shape_def();
+    const cairn_shape_def* def = &def_value;
+    if (wrong == 2) { def = NULL; }
+    if (wrong == 3) { def_value.struct_size = 0; }
+    if (wrong == 4) { def_value.struct_size = sizeof(cairn_shape_def) + 8; }
+    if (wrong == 5) { def_value.position.y = NAN; }
+    if (wrong == 6) { def_value.rotation.w = NAN; }
+    if (wrong == 7) { def_value.density = NAN; }
+    if (wrong == 8) { def_value.material.static_friction = NAN; }
+    if (wrong == 9) { def_value.material.dynamic_friction = NAN; }
+    if (wrong == 10) { def_value.material.restitution = NAN; }
+    if (wrong == 11) { def_value.material.rolling_friction = NAN; }
+    if (wrong == 12) { def_value.material.torsional_friction = NAN; }
+    if (wrong == 13) { def_value.material.friction_combine = -1; }
+    if (wrong == 14) { def_value.material.friction_combine = 4; }
+    if (wrong == 15) { def_value.material.restitution_combine = -1; }
+    if (wrong == 16) { def_value.material.restitution_combine = 4; }
+    if (wrong == 17) { def_value.surface_velocity.y = NAN; }
+    if (wrong == 18) { def_value.one_way.y = NAN; }
+    return cairn_world_set_shape_def(world, shape, def);
 }
 
 static cairn_result shape_get_body(const struct wrong_context* c, int wrong) {
@@ -1405,6 +1462,25 @@ static cairn_result world_solver_contacts(const struct wrong_context* c, int wro
     return cairn_world_solver_contacts(world, result, capacity, count);
 }
 
+static cairn_result world_debug_lines(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_debug_lines_def what_value = cairn_default_debug_lines_def();
+    const cairn_debug_lines_def* what = &what_value;
+    if (wrong == 1) { what_value.struct_size = 0; }
+    if (wrong == 2) { what_value.struct_size = sizeof(cairn_debug_lines_def) + 8; }
+    if (wrong == 3) { what_value.size = NAN; }
+    if (wrong == 4) { what_value.impulse_scale = NAN; }
+    cairn_debug_line result_room[4];
+    cairn_debug_line* result = result_room;
+    if (wrong == 5) { result = NULL; }
+    size_t capacity = 4;
+    size_t count_room[4];
+    size_t* count = count_room;
+    if (wrong == 6) { count = NULL; }
+    return cairn_world_debug_lines(world, what, result, capacity, count);
+}
+
 static cairn_result world_get_contact_begins(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -1759,9 +1835,50 @@ const struct wrong_call wrong_calls[] = {
     {"world_add_shape", "def_value.material.restitution_combine is -1", world_add_shape, 33, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_shape", "def_value.material.restitution_combine is 4", world_add_shape, 34, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_shape", "def_value.surface_velocity.y is NaN", world_add_shape, 35, CAIRN_ERROR_INVALID_VALUE},
-    {"world_add_shape", "result is null", world_add_shape, 36, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_shape", "def_value.one_way.y is NaN", world_add_shape, 36, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_shape", "result is null", world_add_shape, 37, CAIRN_ERROR_INVALID_VALUE},
     {"world_remove_shape", "world is null", world_remove_shape, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_remove_shape", "shape is stale", world_remove_shape, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_shape", "world is null", world_set_shape, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_shape", "shape is stale", world_set_shape, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_shape", "geometry is null", world_set_shape, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.kind is -1", world_set_shape, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.kind is 8", world_set_shape, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.sphere.radius is NaN", world_set_shape, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.box.half_extents.y is NaN", world_set_shape, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.box.rounding is NaN", world_set_shape, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.plane.normal.y is NaN", world_set_shape, 8, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.plane.half_extents.x is NaN", world_set_shape, 9, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.capsule.half_height is NaN", world_set_shape, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.capsule.radius is NaN", world_set_shape, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.capsule.radius_top is NaN", world_set_shape, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.cylinder.half_height is NaN", world_set_shape, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.cylinder.radius is NaN", world_set_shape, 14, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.cylinder.radius_top is NaN", world_set_shape, 15, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.cylinder.rounding is NaN", world_set_shape, 16, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.hull.geometry is null", world_set_shape, 17, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.hull.rounding is NaN", world_set_shape, 18, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.mesh.geometry is null", world_set_shape, 19, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape", "geometry_value.as.height_field.geometry is null", world_set_shape, 20, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "world is null", world_set_shape_def, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_shape_def", "shape is stale", world_set_shape_def, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_shape_def", "def is null", world_set_shape_def, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.struct_size is 0", world_set_shape_def, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.struct_size is sizeof(cairn_shape_def) + 8", world_set_shape_def, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.position.y is NaN", world_set_shape_def, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.rotation.w is NaN", world_set_shape_def, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.density is NaN", world_set_shape_def, 7, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.static_friction is NaN", world_set_shape_def, 8, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.dynamic_friction is NaN", world_set_shape_def, 9, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.restitution is NaN", world_set_shape_def, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.rolling_friction is NaN", world_set_shape_def, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.torsional_friction is NaN", world_set_shape_def, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.friction_combine is -1", world_set_shape_def, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.friction_combine is 4", world_set_shape_def, 14, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.restitution_combine is -1", world_set_shape_def, 15, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.material.restitution_combine is 4", world_set_shape_def, 16, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.surface_velocity.y is NaN", world_set_shape_def, 17, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_shape_def", "def_value.one_way.y is NaN", world_set_shape_def, 18, CAIRN_ERROR_INVALID_VALUE},
     {"shape_get_body", "world is null", shape_get_body, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"shape_get_body", "shape is stale", shape_get_body, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"shape_get_body", "result is null", shape_get_body, 2, CAIRN_ERROR_INVALID_VALUE},
@@ -2430,6 +2547,13 @@ const struct wrong_call wrong_calls[] = {
     {"world_solver_contacts", "world is null", world_solver_contacts, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_solver_contacts", "result is null", world_solver_contacts, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_solver_contacts", "count is null", world_solver_contacts, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "world is null", world_debug_lines, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_debug_lines", "what_value.struct_size is 0", world_debug_lines, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "what_value.struct_size is sizeof(cairn_debug_lines_def) + 8", world_debug_lines, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "what_value.size is NaN", world_debug_lines, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "what_value.impulse_scale is NaN", world_debug_lines, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "result is null", world_debug_lines, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_debug_lines", "count is null", world_debug_lines, 6, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "world is null", world_get_contact_begins, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_contact_begins", "contact_begins is null", world_get_contact_begins, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "count is null", world_get_contact_begins, 2, CAIRN_ERROR_INVALID_VALUE},

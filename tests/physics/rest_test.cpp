@@ -1,6 +1,8 @@
 // Bodies at rest that do not sleep: their contacts are not found anew, and nothing about them may be stale.
 #include "support.h"
 
+#include "validation/random_starts.h"
+
 #include <algorithm>
 
 namespace cairn_test {
@@ -180,6 +182,31 @@ TEST(Rest, ABeltDoesNotCarryContactPointsAway) {
     }
     EXPECT_EQ(seen, 4);
     EXPECT_NEAR(world.body(box).position().x, 0.5, 0.01);
+}
+
+// Its frame is that of the shape, not of the normal.
+TEST(Rest, ABeltOnAPlaneCarriesAlongItsOwnAxes) {
+    for (std::uint32_t seed = 0; seed < 24; ++seed) {
+        RandomStart random(seed);
+        const glm::dvec3 up(0, 1, 0), along(0, 0, 1);
+        WorldDef settings = without_sleep();
+        settings.gravity = Vec3(random.turned(-gravity * up));
+        World world(settings);
+        const BodyId ground = world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0})});
+        // In the shape's frame the normal is `normal`, and the belt moves along `belt`.
+        const RandomStart frame(seed + 100);
+        ShapeDef def;
+        def.rotation = glm::normalize(Quat(random.rotation() * glm::conjugate(frame.rotation())));
+        def.surface_velocity = Vec3(frame.turned(along));
+        Plane plane{Vec3(frame.turned(up)), Vec3(frame.turned(along)), {}};
+        if (seed % 2) plane.half_extents = glm::vec2(5, 5);
+        world.add_shape(ground, plane, def);
+        const BodyId box = world.create_body({.position = random.place(0.3 * up), .rotation = random.quat()});
+        world.add_shape(box, Box{{0.3f, 0.3f, 0.3f}});
+        run(world, 1.0f / 60, 120);
+        const glm::dvec3 velocity = random.back(world.body(box).linear_velocity());
+        EXPECT_LT(glm::length(velocity - along), 0.01) << "start " << seed;
+    }
 }
 
 // What was once moved along with its bodies instead of tested was moved along for ever, however still they lay.

@@ -166,7 +166,17 @@ void RandomChanges::change_shapes(World& world, BodyId id) {
     Material material;
     material.dynamic_friction = 0.1f * float(pick(5));
     material.friction_combine = CombineRule(pick(4));
-    switch (pick(5)) {
+    switch (pick(7)) {
+    case 5:
+        return world.set_shape(shape, solid());
+    case 6: {
+        ShapeDef def = world.shape_def(shape);
+        def.position = vector(0.2f);
+        def.density = 500.0f + 100.0f * float(pick(9));
+        def.is_trigger = pick(4) == 0;
+        if (std::as_const(world).body(id).type() != BodyType::dynamic) def.one_way = {0, float(pick(2)), 0};
+        return world.set_shape_def(shape, def);
+    }
     case 0:
         return world.set_material(shape, material);
     case 1:

@@ -277,6 +277,13 @@ export interface ShapeDef {
     surfaceVelocity?: Vec3Like;
     /** Not touched by the engine. */
     userData?: bigint | number;
+    /**
+     * A direction in the shape's frame, of any length. Not zero: the shape holds only what came from there. What is not
+     * wholly beyond it in that direction when the two meet goes through it, until it is: onto such a platform one jumps
+     * from below. Static and kinematic bodies only; infinite planes, meshes and height fields have none. Rays, casts
+     * and other queries meet it from all sides.
+     */
+    oneWay?: Vec3Like;
 }
 
 /**
@@ -702,6 +709,39 @@ export interface SolverContact {
     color: number;
     /** Of its island in the last step in which that was awake; 0: not solved yet. */
     substeps: number;
+}
+
+/** What debug lines show. */
+export interface DebugLinesDef {
+    /**
+     * Edges of shapes; of infinite planes a grid of 20 m. Bodies that are static, kinematic, awake and asleep, and
+     * triggers, have colors of their own.
+     */
+    shapes?: boolean;
+    /** Boxes around shapes, along the axes of the world. */
+    bounds?: boolean;
+    /** The axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue. */
+    centers?: boolean;
+    /** From each center of mass of what moves to where it is in a tenth of a second. */
+    velocities?: boolean;
+    /** At each point that touches, the normal. */
+    contacts?: boolean;
+    /** From both centers of mass to the anchors, and the axes of the joint there. */
+    joints?: boolean;
+    /** The length of axes, and of normals. (> 0) */
+    size?: number;
+    /** Not 0: a normal is as long as this times the impulse at its point. (m/(N s), >= 0) */
+    impulseScale?: number;
+}
+
+/** A straight line. */
+export interface DebugLine {
+    /** In world space. (m) */
+    begin: Vec3;
+    /** In world space. (m) */
+    end: Vec3;
+    /** Red, green and blue, 0 to 1. */
+    color: Vec3;
 }
 
 /** Which shapes a query sees: those that pass all of it. */
@@ -1269,6 +1309,21 @@ export class World {
      * wrongState.
      */
     removeShape(shape: ShapeId | null): void;
+    /**
+     * Gives a shape another geometry, in place: its handle and all that its definition says stay. The mass of the body
+     * follows as when a shape is added. What it touches then goes on touching it, without events, as long as it is of
+     * the same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster than
+     * `WorldDef.recoverySpeed`: ground that rises carries what is on it if it rises more slowly than that, and by less
+     * than the height of that in one call. Wakes its body and what is around the shape, before and after. Throws
+     * invalidHandle, invalidValue, wrongState.
+     */
+    setShape(shape: ShapeId | null, geometry: Shape): void;
+    /**
+     * Gives a shape another definition, in place: place on its body, density, material, filter, and what else that
+     * says; to change a part of it, begin with the one that it has. Its contacts end and begin anew where `isTrigger`
+     * or `filter` is not what it was; else as when its geometry is set. Throws invalidHandle, invalidValue, wrongState.
+     */
+    setShapeDef(shape: ShapeId | null, definition: ShapeDef): void;
     /** The body that a shape is on. Throws invalidHandle, wrongState. */
     bodyOf(shape: ShapeId | null): BodyId;
     /** What was added. Throws invalidHandle, wrongState. */
@@ -1346,6 +1401,12 @@ export class World {
     broadPhaseNodes(maxDepth: number, maxCount: number): BroadPhaseNode[];
     /** How each touching pair of shapes is solved, in the order of `worldGetContacts`. */
     get solverContacts(): SolverContact[];
+    /**
+     * What the world consists of as lines, for programs that draw it themselves: bodies in order of slot index, then
+     * contacts, then joints. As many as there are edges: of large meshes and height fields that takes its time. Throws
+     * invalidValue, wrongState.
+     */
+    debugLines(what?: DebugLinesDef): DebugLine[];
     /** Shapes that began to touch in the last step. */
     get contactBegins(): ContactBegin[];
     /** Shapes that ceased to touch in the last step. */

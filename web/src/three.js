@@ -6,8 +6,8 @@ const FIXED = 0xb8bcc4;
 
 /**
  * Draws the shapes of a world. `THREE` is the module of three.js, so that there is one copy of it in the page.
- * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came or
- * went.
+ * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came,
+ * went or were changed.
  */
 export class WorldView {
     constructor(THREE, world) {

@@ -71,6 +71,29 @@ typedef struct cairn_solver_contact {
     int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
 } cairn_solver_contact;
 
+/// What debug lines show. Begin from `cairn_default_debug_lines_def()`.
+typedef struct cairn_debug_lines_def {
+    uint32_t struct_size; ///< Bytes, as `cairn_default_debug_lines_def` sets it.
+    /// Edges of shapes; of infinite planes a grid of 20 m. Bodies that are static, kinematic, awake and asleep, and
+    /// triggers, have colors of their own.
+    bool shapes;
+    bool bounds; ///< Boxes around shapes, along the axes of the world.
+    bool centers; ///< The axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue.
+    bool velocities; ///< From each center of mass of what moves to where it is in a tenth of a second.
+    bool contacts; ///< At each point that touches, the normal.
+    bool joints; ///< From both centers of mass to the anchors, and the axes of the joint there.
+    float size; ///< The length of axes, and of normals. (> 0)
+    float impulse_scale; ///< Not 0: a normal is as long as this times the impulse at its point. (m/(N s), >= 0)
+} cairn_debug_lines_def;
+CAIRN_C_API cairn_debug_lines_def cairn_default_debug_lines_def(void);
+
+/// A straight line.
+typedef struct cairn_debug_line {
+    cairn_position begin; ///< In world space. (m)
+    cairn_position end; ///< In world space. (m)
+    cairn_vec3 color; ///< Red, green and blue, 0 to 1.
+} cairn_debug_line;
+
 /// Which shapes a query sees: those that pass all of it. Begin from `cairn_default_query_filter()`.
 typedef struct cairn_query_filter {
     uint32_t struct_size; ///< Bytes, as `cairn_default_query_filter` sets it.
@@ -140,6 +163,13 @@ CAIRN_C_API cairn_result cairn_world_broad_phase_nodes(const cairn_world* world,
 /// the first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_solver_contacts(const cairn_world* world, cairn_solver_contact* result,
                                                      size_t capacity, size_t* count);
+
+/// What the world consists of as lines, for programs that draw it themselves: bodies in order of slot index, then
+/// contacts, then joints. As many as there are edges: of large meshes and height fields that takes its time. `count`
+/// gets how many there are; the first `capacity` of them are written. Null for `what`: the default. Errors:
+/// invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_debug_lines(const cairn_world* world, const cairn_debug_lines_def* what,
+                                                 cairn_debug_line* result, size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

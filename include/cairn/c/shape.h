@@ -129,6 +129,11 @@ typedef struct cairn_shape_def {
     /// its part along the surface counts. Static and kinematic bodies only.
     cairn_vec3 surface_velocity;
     uint64_t user_data; ///< Not touched by the engine.
+    /// A direction in the shape's frame, of any length. Not zero: the shape holds only what came from there. What is
+    /// not wholly beyond it in that direction when the two meet goes through it, until it is: onto such a platform one
+    /// jumps from below. Static and kinematic bodies only; infinite planes, meshes and height fields have none. Rays,
+    /// casts and other queries meet it from all sides.
+    cairn_vec3 one_way;
 } cairn_shape_def;
 CAIRN_C_API cairn_shape_def cairn_default_shape_def(void);
 
@@ -171,6 +176,20 @@ CAIRN_C_API cairn_result cairn_world_add_shape(cairn_world* world, cairn_body_id
 /// Takes a shape off its body, whose mass properties follow unless they were given. Errors: invalid_handle,
 /// wrong_state.
 CAIRN_C_API cairn_result cairn_world_remove_shape(cairn_world* world, cairn_shape_id shape);
+
+/// Gives a shape another geometry, in place: its handle and all that its definition says stay. The mass of the body
+/// follows as when a shape is added. What it touches then goes on touching it, without events, as long as it is of the
+/// same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster than
+/// `WorldDef.recovery_speed`: ground that rises carries what is on it if it rises more slowly than that, and by less
+/// than the height of that in one call. Wakes its body and what is around the shape, before and after. Errors:
+/// invalid_handle, invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_set_shape(cairn_world* world, cairn_shape_id shape, const cairn_shape* geometry);
+
+/// Gives a shape another definition, in place: place on its body, density, material, filter, and what else that says;
+/// to change a part of it, begin with the one that it has. Its contacts end and begin anew where `is_trigger` or
+/// `filter` is not what it was; else as when its geometry is set. Errors: invalid_handle, invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_set_shape_def(cairn_world* world, cairn_shape_id shape,
+                                                   const cairn_shape_def* def);
 
 /// Whether the handle names a shape that exists.
 CAIRN_C_API bool cairn_shape_is_valid(const cairn_world* world, cairn_shape_id shape);

@@ -7,7 +7,8 @@ from .joint import (BallJoint, CylindricalJoint, DistanceJoint, FixedJoint, Gear
                     JointAxis, JointControl, JointDef, JointDrive, JointLimit, JointMotor, JointRange, JointSolver,
                     JointSpring, JointState, PulleyJoint, RackJoint, ServoJoint, SliderJoint, UniversalJoint,
                     WheelJoint)
-from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, QueryFilter, RayHit, ShapeCastHit, SolverContact)
+from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, DebugLine, DebugLinesDef, QueryFilter, RayHit,
+                    ShapeCastHit, SolverContact)
 from .events import (Contact, ContactBegin, ContactEnd, ContactHit, ContactPoint, JointEvent, SleepEvent, TriggerEvent)
 from .world import (ForceField, ForceFieldKind, Integrator, SnapshotSizes, StageTimes, Statistics, WorldDef)
 
@@ -33,6 +34,8 @@ __all__ = [
     "ContactPoint",
     "Cylinder",
     "CylindricalJoint",
+    "DebugLine",
+    "DebugLinesDef",
     "DistanceJoint",
     "FixedJoint",
     "ForceField",

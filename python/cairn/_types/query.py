@@ -112,6 +112,44 @@ class SolverContact:
 
 @lists_members
 @dataclass(slots=True, eq=False)
+class DebugLinesDef:
+    """What debug lines show."""
+
+    shapes: bool = True
+    """Edges of shapes; of infinite planes a grid of 20 m. Bodies that are static, kinematic, awake and asleep, and
+    triggers, have colors of their own.
+    """
+    bounds: bool = False
+    """Boxes around shapes, along the axes of the world."""
+    centers: bool = False
+    """The axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue."""
+    velocities: bool = False
+    """From each center of mass of what moves to where it is in a tenth of a second."""
+    contacts: bool = True
+    """At each point that touches, the normal."""
+    joints: bool = True
+    """From both centers of mass to the anchors, and the axes of the joint there."""
+    size: float = 0.2
+    """The length of axes, and of normals. (> 0)"""
+    impulse_scale: float = 0.0
+    """Not 0: a normal is as long as this times the impulse at its point. (m/(N s), >= 0)"""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class DebugLine:
+    """A straight line."""
+
+    begin: Vector = (0.0, 0.0, 0.0)
+    """In world space. (m)"""
+    end: Vector = (0.0, 0.0, 0.0)
+    """In world space. (m)"""
+    color: Vector = (0.0, 0.0, 0.0)
+    """Red, green and blue, 0 to 1."""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
 class QueryFilter:
     """Which shapes a query sees: those that pass all of it."""
 

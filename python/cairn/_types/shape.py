@@ -162,6 +162,12 @@ class ShapeDef:
     """
     user_data: int = 0
     """Not touched by the engine."""
+    one_way: Vector = (0.0, 0.0, 0.0)
+    """A direction in the shape's frame, of any length. Not zero: the shape holds only what came from there. What is not
+    wholly beyond it in that direction when the two meet goes through it, until it is: onto such a platform one jumps
+    from below. Static and kinematic bodies only; infinite planes, meshes and height fields have none. Rays, casts and
+    other queries meet it from all sides.
+    """
 
 
 Shape = Union[

@@ -33,6 +33,26 @@ py::object write(const SolverContact& x) {
         write(x.color), write(x.substeps)));
 }
 
+void read(py::handle o, DebugLinesDef& x, const Where& where) {
+    if (!is_a(o, "DebugLinesDef")) refuse_type(where, "a DebugLinesDef", o);
+    read(o.attr("shapes"), x.shapes, {"DebugLinesDef", "shapes"});
+    read(o.attr("bounds"), x.bounds, {"DebugLinesDef", "bounds"});
+    read(o.attr("centers"), x.centers, {"DebugLinesDef", "centers"});
+    read(o.attr("velocities"), x.velocities, {"DebugLinesDef", "velocities"});
+    read(o.attr("contacts"), x.contacts, {"DebugLinesDef", "contacts"});
+    read(o.attr("joints"), x.joints, {"DebugLinesDef", "joints"});
+    read(o.attr("size"), x.size, {"DebugLinesDef", "size"});
+    read(o.attr("impulse_scale"), x.impulse_scale, {"DebugLinesDef", "impulse_scale"});
+}
+py::object write(const DebugLinesDef& x) {
+    return make("DebugLinesDef", py::make_tuple(write(x.shapes), write(x.bounds), write(x.centers), write(x.velocities),
+        write(x.contacts), write(x.joints), write(x.size), write(x.impulse_scale)));
+}
+
+py::object write(const DebugLine& x) {
+    return make("DebugLine", py::make_tuple(write(x.begin), write(x.end), write(x.color)));
+}
+
 void read(py::handle o, QueryFilter& x, const Where& where) {
     if (!is_a(o, "QueryFilter")) refuse_type(where, "a QueryFilter", o);
     read(o.attr("layers"), x.layers, {"QueryFilter", "layers"});

@@ -95,10 +95,11 @@ void read(py::handle o, ShapeDef& x, const Where& where) {
     read(o.attr("is_trigger"), x.is_trigger, {"ShapeDef", "is_trigger"});
     read(o.attr("surface_velocity"), x.surface_velocity, {"ShapeDef", "surface_velocity"});
     read(o.attr("user_data"), x.user_data, {"ShapeDef", "user_data"});
+    read(o.attr("one_way"), x.one_way, {"ShapeDef", "one_way"});
 }
 py::object write(const ShapeDef& x) {
     return make("ShapeDef", py::make_tuple(write(x.position), write(x.rotation), write(x.density), write(x.material),
-        write(x.filter), write(x.is_trigger), write(x.surface_velocity), write(x.user_data)));
+        write(x.filter), write(x.is_trigger), write(x.surface_velocity), write(x.user_data), write(x.one_way)));
 }
 
 void read(py::handle o, Shape& x, const Where& where) {

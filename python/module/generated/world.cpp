@@ -25,6 +25,28 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         w.update();
     }, py::arg("shape"), "remove_shape(shape: ShapeId) -> None\n\nTakes a shape off its body, whose mass properties "
         "follow unless they were given.");
+    c.def("set_shape", [](PyWorld& w, py::object o_shape, py::object o_geometry) {
+        const auto shape = take<ShapeId>(o_shape, "shape");
+        const auto geometry = take<Shape>(o_geometry, "geometry");
+        w.use("World.set_shape").set_shape(shape, geometry);
+        w.update();
+    }, py::arg("shape"), py::arg("geometry"), "set_shape(shape: ShapeId, geometry: Shape) -> None\n\nGives a shape "
+        "another geometry, in place: its handle and all that its definition says stay. The mass of the body follows "
+            "as when a shape is added. What it touches then goes on touching it, without events, as long as it is of "
+                "the same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster "
+                    "than `WorldDef.recovery_speed`: ground that rises carries what is on it if it rises more slowly "
+                        "than that, and by less than the height of that in one call. Wakes its body and what is "
+                            "around the shape, before and after.");
+    c.def("set_shape_def", [](PyWorld& w, py::object o_shape, py::object o_definition, py::kwargs members) {
+        const auto shape = take<ShapeId>(o_shape, "shape");
+        const auto def = take_definition<ShapeDef>(o_definition, members, "ShapeDef");
+        w.use("World.set_shape_def").set_shape_def(shape, def);
+        w.update();
+    }, py::arg("shape"), py::arg("definition") = py::none(), "set_shape_def(shape: ShapeId, definition: ShapeDef | "
+        "None = None, **members: Any) -> None\n\nGives a shape another definition, in place: place on its "
+            "body, density, material, filter, and what else that says; to change a part of it, begin with the one "
+                "that it has. Its contacts end and begin anew where `is_trigger` or `filter` is not what it was; else "
+                    "as when its geometry is set.");
     c.def("body_of", [](PyWorld& w, py::object o_shape) {
         const auto shape = take<ShapeId>(o_shape, "shape");
         const auto answer = w.use("World.body_of").body_of(shape);
@@ -223,6 +245,14 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         return write(answer);
     },
         "How each touching pair of shapes is solved, in the order of `world_get_contacts`.");
+    c.def("debug_lines", [](PyWorld& w, py::object o_what, py::kwargs members) {
+        const auto what = take_definition<DebugLinesDef>(o_what, members, "DebugLinesDef");
+        const auto answer = w.use("World.debug_lines").debug_lines(what);
+        return write(answer);
+    }, py::arg("what") = py::none(), "debug_lines(what: DebugLinesDef | None = None, **members: Any) -> "
+        "list[DebugLine]\n\nWhat the world consists of as lines, for programs that draw it themselves: bodies in "
+            "order of slot index, then contacts, then joints. As many as there are edges: of large meshes and height "
+                "fields that takes its time.");
     c.def_property_readonly("contact_begins", [](PyWorld& w) {
         const auto answer = w.use("World.contact_begins").contact_begins();
         return write(answer);

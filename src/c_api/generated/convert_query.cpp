@@ -64,6 +64,40 @@ cairn_solver_contact to_c(const SolverContact& x) {
     return c;
 }
 
+DebugLinesDef to_cpp(const cairn_debug_lines_def& c) {
+    DebugLinesDef x;
+    x.shapes = c.shapes;
+    x.bounds = c.bounds;
+    x.centers = c.centers;
+    x.velocities = c.velocities;
+    x.contacts = c.contacts;
+    x.joints = c.joints;
+    x.size = c.size;
+    x.impulse_scale = c.impulse_scale;
+    return x;
+}
+cairn_debug_lines_def to_c(const DebugLinesDef& x) {
+    cairn_debug_lines_def c{};
+    c.struct_size = sizeof c;
+    c.shapes = x.shapes;
+    c.bounds = x.bounds;
+    c.centers = x.centers;
+    c.velocities = x.velocities;
+    c.contacts = x.contacts;
+    c.joints = x.joints;
+    c.size = x.size;
+    c.impulse_scale = x.impulse_scale;
+    return c;
+}
+
+cairn_debug_line to_c(const DebugLine& x) {
+    cairn_debug_line c{};
+    c.begin = to_c(x.begin);
+    c.end = to_c(x.end);
+    c.color = to_c(x.color);
+    return c;
+}
+
 QueryFilter to_cpp(const cairn_query_filter& c) {
     QueryFilter x;
     x.layers = c.layers;

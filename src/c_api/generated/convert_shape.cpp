@@ -135,6 +135,7 @@ ShapeDef to_cpp(const cairn_shape_def& c) {
     x.is_trigger = c.is_trigger;
     x.surface_velocity = to_cpp(c.surface_velocity);
     x.user_data = c.user_data;
+    x.one_way = to_cpp(c.one_way);
     return x;
 }
 cairn_shape_def to_c(const ShapeDef& x) {
@@ -148,6 +149,7 @@ cairn_shape_def to_c(const ShapeDef& x) {
     c.is_trigger = x.is_trigger;
     c.surface_velocity = to_c(x.surface_velocity);
     c.user_data = x.user_data;
+    c.one_way = to_c(x.one_way);
     return c;
 }
 

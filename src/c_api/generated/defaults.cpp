@@ -114,6 +114,9 @@ cairn_general_joint cairn_default_general_joint(void) {
 cairn_joint_def cairn_default_joint_def(void) {
     return to_c(cairn::JointDef{});
 }
+cairn_debug_lines_def cairn_default_debug_lines_def(void) {
+    return to_c(cairn::DebugLinesDef{});
+}
 cairn_query_filter cairn_default_query_filter(void) {
     return to_c(cairn::QueryFilter{});
 }

@@ -95,3 +95,13 @@ cairn_result cairn_world_solver_contacts(const cairn_world* world, cairn_solver_
         write_list(world_of(world).solver_contacts(), result, capacity, count, [](const auto& x) { return to_c(x); });
     });
 }
+
+cairn_result cairn_world_debug_lines(const cairn_world* world, const cairn_debug_lines_def* what,
+                                     cairn_debug_line* result, size_t capacity, size_t* count) {
+    return guarded([&] {
+        require_room(result, capacity, count, "result");
+        write_list(world_of(world).debug_lines(what ? to_cpp(versioned(*what, "what",
+            cairn_default_debug_lines_def())) : DebugLinesDef{}), result, capacity, count,
+            [](const auto& x) { return to_c(x); });
+    });
+}

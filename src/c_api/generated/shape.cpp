@@ -23,6 +23,19 @@ cairn_result cairn_world_remove_shape(cairn_world* world, cairn_shape_id shape) 
     });
 }
 
+cairn_result cairn_world_set_shape(cairn_world* world, cairn_shape_id shape, const cairn_shape* geometry) {
+    return guarded([&] {
+        world_of(world).set_shape(to_cpp(shape), to_cpp(required(geometry, "geometry")));
+    });
+}
+
+cairn_result cairn_world_set_shape_def(cairn_world* world, cairn_shape_id shape, const cairn_shape_def* def) {
+    return guarded([&] {
+        world_of(world).set_shape_def(to_cpp(shape), to_cpp(versioned(required(def, "def"), "def",
+            cairn_default_shape_def())));
+    });
+}
+
 bool cairn_shape_is_valid(const cairn_world* world, cairn_shape_id shape) {
     return world && world_of(world).is_valid(to_cpp(shape));
 }

@@ -311,5 +311,19 @@ struct BodyJump {
     using Arguments = std::tuple<BodyId, float>;
 };
 inline constexpr BodyJump body_jump{};
+struct WorldSetShape {
+    static constexpr std::uint32_t code = 42;
+    static constexpr const char* name = "World::set_shape";
+    static constexpr bool moves_only = false;
+    using Arguments = std::tuple<ShapeId, Shape>;
+};
+inline constexpr WorldSetShape world_set_shape{};
+struct WorldSetShapeDef {
+    static constexpr std::uint32_t code = 43;
+    static constexpr const char* name = "World::set_shape_def";
+    static constexpr bool moves_only = false;
+    using Arguments = std::tuple<ShapeId, ShapeDef>;
+};
+inline constexpr WorldSetShapeDef world_set_shape_def{};
 
 } // namespace cairn::commands

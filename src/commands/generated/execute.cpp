@@ -146,6 +146,24 @@ static bool execute_world(World& world, std::uint64_t code, CommandReader& from)
         world.set_joint_strength(joint, break_force, break_torque);
         return true;
     }
+    case WorldSetShape::code: {
+        ShapeId shape{};
+        read(from, shape);
+        Shape geometry{};
+        read(from, geometry);
+        from.finish();
+        world.set_shape(shape, geometry);
+        return true;
+    }
+    case WorldSetShapeDef::code: {
+        ShapeId shape{};
+        read(from, shape);
+        ShapeDef def{};
+        read(from, def);
+        from.finish();
+        world.set_shape_def(shape, def);
+        return true;
+    }
     default: return false;
     }
 }
@@ -424,6 +442,8 @@ std::string_view name_of(std::uint64_t code) {
     case 39: return "Body::remove_character";
     case 40: return "Body::set_walk_velocity";
     case 41: return "Body::jump";
+    case 42: return "World::set_shape";
+    case 43: return "World::set_shape_def";
     default: return {};
     }
 }

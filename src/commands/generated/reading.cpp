@@ -64,7 +64,7 @@ void read(CommandReader& from, CollisionFilter& x) {
 }
 
 void read(CommandReader& from, ShapeDef& x) {
-    const std::size_t members = from.member_count(8, "ShapeDef");
+    const std::size_t members = from.member_count(9, "ShapeDef");
     if (members > 0) read(from, x.position);
     if (members > 1) read(from, x.rotation);
     if (members > 2) read(from, x.density);
@@ -73,6 +73,7 @@ void read(CommandReader& from, ShapeDef& x) {
     if (members > 5) read(from, x.is_trigger);
     if (members > 6) read(from, x.surface_velocity);
     if (members > 7) read(from, x.user_data);
+    if (members > 8) read(from, x.one_way);
 }
 
 void read(CommandReader& from, MassProperties& x) {

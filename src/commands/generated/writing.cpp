@@ -64,7 +64,7 @@ void write(CommandWriter& to, const CollisionFilter& x) {
 }
 
 void write(CommandWriter& to, const ShapeDef& x) {
-    to.number(8);
+    to.number(9);
     write(to, x.position);
     write(to, x.rotation);
     write(to, x.density);
@@ -73,6 +73,7 @@ void write(CommandWriter& to, const ShapeDef& x) {
     write(to, x.is_trigger);
     write(to, x.surface_velocity);
     write(to, x.user_data);
+    write(to, x.one_way);
 }
 
 void write(CommandWriter& to, const MassProperties& x) {

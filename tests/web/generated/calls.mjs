@@ -3,6 +3,8 @@ export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CharacterSupport', 'Combine
 export const CALLS = [
     { owner: 'World', name: 'addShape', isSetter: false, types: ['BodyId', 'Shape', 'ShapeDef'] },
     { owner: 'World', name: 'removeShape', isSetter: false, types: ['ShapeId'] },
+    { owner: 'World', name: 'setShape', isSetter: false, types: ['ShapeId', 'Shape'] },
+    { owner: 'World', name: 'setShapeDef', isSetter: false, types: ['ShapeId', 'ShapeDef'] },
     { owner: 'World', name: 'bodyOf', isSetter: false, types: ['ShapeId'] },
     { owner: 'World', name: 'shape', isSetter: false, types: ['ShapeId'] },
     { owner: 'World', name: 'shapeDef', isSetter: false, types: ['ShapeId'] },
@@ -25,6 +27,7 @@ export const CALLS = [
     { owner: 'World', name: 'overlap', isSetter: false, types: ['Shape', 'Transform', 'QueryFilter'] },
     { owner: 'World', name: 'overlapBounds', isSetter: false, types: ['Bounds', 'QueryFilter'] },
     { owner: 'World', name: 'broadPhaseNodes', isSetter: false, types: ['int', 'int'] },
+    { owner: 'World', name: 'debugLines', isSetter: false, types: ['DebugLinesDef'] },
     { owner: 'World', name: 'settings', isSetter: true, types: ['WorldDef'] },
     { owner: 'World', name: 'usualSubsteps', isSetter: false, types: ['float'] },
     { owner: 'World', name: 'threads', isSetter: true, types: ['int'] },

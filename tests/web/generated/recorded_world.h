@@ -71,6 +71,7 @@ std::string js(const JointLimit& x);
 std::string js(const JointDrive& x);
 std::string js(const GeneralJoint& x);
 std::string js(const JointDef& x);
+std::string js(const DebugLinesDef& x);
 std::string js(const QueryFilter& x);
 std::string js(const WorldDef& x);
 std::string js(const ForceField& x);
@@ -85,7 +86,7 @@ inline std::string js(const Capsule& x) { return object({{"halfHeight", js(x.hal
 inline std::string js(const Cylinder& x) { return object({{"halfHeight", js(x.half_height)}, {"radius", js(x.radius)}, {"radiusTop", js(x.radius_top)}, {"rounding", js(x.rounding)}}); }
 inline std::string js(const Material& x) { return object({{"staticFriction", js(x.static_friction)}, {"dynamicFriction", js(x.dynamic_friction)}, {"restitution", js(x.restitution)}, {"rollingFriction", js(x.rolling_friction)}, {"torsionalFriction", js(x.torsional_friction)}, {"frictionCombine", js(x.friction_combine)}, {"restitutionCombine", js(x.restitution_combine)}}); }
 inline std::string js(const CollisionFilter& x) { return object({{"layers", js(x.layers)}, {"collidesWith", js(x.collides_with)}}); }
-inline std::string js(const ShapeDef& x) { return object({{"position", js(x.position)}, {"rotation", js(x.rotation)}, {"density", js(x.density)}, {"material", js(x.material)}, {"filter", js(x.filter)}, {"isTrigger", js(x.is_trigger)}, {"surfaceVelocity", js(x.surface_velocity)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const ShapeDef& x) { return object({{"position", js(x.position)}, {"rotation", js(x.rotation)}, {"density", js(x.density)}, {"material", js(x.material)}, {"filter", js(x.filter)}, {"isTrigger", js(x.is_trigger)}, {"surfaceVelocity", js(x.surface_velocity)}, {"userData", js(x.user_data)}, {"oneWay", js(x.one_way)}}); }
 inline std::string js(const MassProperties& x) { return object({{"mass", js(x.mass)}, {"centerOfMass", js(x.center_of_mass)}, {"inertiaDiagonal", js(x.inertia_diagonal)}, {"inertiaOrientation", js(x.inertia_orientation)}}); }
 inline std::string js(const BodyDef& x) { return object({{"type", js(x.type)}, {"position", js(x.position)}, {"rotation", js(x.rotation)}, {"linearVelocity", js(x.linear_velocity)}, {"angularVelocity", js(x.angular_velocity)}, {"linearDamping", js(x.linear_damping)}, {"angularDamping", js(x.angular_damping)}, {"gravityScale", js(x.gravity_scale)}, {"allowSleep", js(x.allow_sleep)}, {"mass", js(x.mass)}, {"massProperties", js(x.mass_properties)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
 inline std::string js(const CharacterDef& x) { return object({{"up", js(x.up)}, {"maxSlope", js(x.max_slope)}, {"stepHeight", js(x.step_height)}, {"stickDistance", js(x.stick_distance)}, {"skin", js(x.skin)}, {"mass", js(x.mass)}, {"maxPushForce", js(x.max_push_force)}, {"airAcceleration", js(x.air_acceleration)}, {"flies", js(x.flies)}}); }
@@ -109,6 +110,7 @@ inline std::string js(const JointLimit& x) { return object({{"kind", js(x.kind)}
 inline std::string js(const JointDrive& x) { return object({{"kind", js(x.kind)}, {"isAcceleration", js(x.is_acceleration)}, {"axis", js(x.axis)}, {"maxForce", js(x.max_force)}, {"positionTarget", js(x.position_target)}, {"velocityTarget", js(x.velocity_target)}, {"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}}); }
 inline std::string js(const GeneralJoint& x) { return object({{"limits", js(x.limits)}, {"drives", js(x.drives)}}); }
 inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)}, {"bodyB", js(x.body_b)}, {"frameA", js(x.frame_a)}, {"frameB", js(x.frame_b)}, {"joint", js(x.joint)}, {"enableCollision", js(x.enable_collision)}, {"breakForce", js(x.break_force)}, {"breakTorque", js(x.break_torque)}, {"solver", js(x.solver)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const DebugLinesDef& x) { return object({{"shapes", js(x.shapes)}, {"bounds", js(x.bounds)}, {"centers", js(x.centers)}, {"velocities", js(x.velocities)}, {"contacts", js(x.contacts)}, {"joints", js(x.joints)}, {"size", js(x.size)}, {"impulseScale", js(x.impulse_scale)}}); }
 inline std::string js(const QueryFilter& x) { return object({{"layers", js(x.layers)}, {"ownLayers", js(x.own_layers)}, {"staticBodies", js(x.static_bodies)}, {"kinematicBodies", js(x.kinematic_bodies)}, {"dynamicBodies", js(x.dynamic_bodies)}, {"triggers", js(x.triggers)}, {"any", js(x.any)}, {"ignoredBodies", js(x.ignored_bodies)}}); }
 inline std::string js(const WorldDef& x) { return object({{"gravity", js(x.gravity)}, {"substeps", js(x.substeps)}, {"adaptiveSubsteps", js(x.adaptive_substeps)}, {"integrator", js(x.integrator)}, {"enableSleep", js(x.enable_sleep)}, {"sleepSpeed", js(x.sleep_speed)}, {"sleepTime", js(x.sleep_time)}, {"restitutionSpeed", js(x.restitution_speed)}, {"hitSpeed", js(x.hit_speed)}, {"recoverySpeed", js(x.recovery_speed)}, {"maxLinearSpeed", js(x.max_linear_speed)}, {"maxAngularSpeed", js(x.max_angular_speed)}}); }
 inline std::string js(const ForceField& x) { return object({{"kind", js(x.kind)}, {"direction", js(x.direction)}, {"center", js(x.center)}, {"strength", js(x.strength)}, {"exponent", js(x.exponent)}, {"isForce", js(x.is_force)}}); }
@@ -135,6 +137,14 @@ class RecordedWorld : public Recording {
     auto remove_shape(ShapeId shape) {
         world_.remove_shape(shape);
         note("world.removeShape(" + js(shape) + ")" + ";");
+    }
+    auto set_shape(ShapeId shape, const Shape& geometry) {
+        world_.set_shape(shape, geometry);
+        note("world.setShape(" + js(shape) + ", " + js(geometry) + ")" + ";");
+    }
+    auto set_shape_def(ShapeId shape, const ShapeDef& def) {
+        world_.set_shape_def(shape, def);
+        note("world.setShapeDef(" + js(shape) + ", " + js(def) + ")" + ";");
     }
     auto body_of(ShapeId shape) const { return world_.body_of(shape); }
     auto shape(ShapeId shape) const { return world_.shape(shape); }
@@ -195,6 +205,7 @@ class RecordedWorld : public Recording {
     auto overlap_bounds(const Bounds& bounds, const QueryFilter& filter = {}) const { return world_.overlap_bounds(bounds, filter); }
     auto broad_phase_nodes(int max_depth, int max_count) const { return world_.broad_phase_nodes(max_depth, max_count); }
     auto solver_contacts() const { return world_.solver_contacts(); }
+    auto debug_lines(const DebugLinesDef& what = {}) const { return world_.debug_lines(what); }
     auto contact_begins() const { return world_.contact_begins(); }
     auto contact_ends() const { return world_.contact_ends(); }
     auto contact_hits() const { return world_.contact_hits(); }

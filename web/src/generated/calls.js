@@ -12,7 +12,7 @@ export class WorldCalls {
             const $body = handleOf(body, 'body');
             const $shape = room(100);
             values.putShape($shape, shape, 'Shape');
-            const $def = room(104);
+            const $def = room(120);
             M._cairn_default_shape_def($def);
             values.putShapeDef($def, definition, 'ShapeDef');
             const out = room(8);
@@ -28,6 +28,31 @@ export class WorldCalls {
         try {
             const $shape = handleOf(shape, 'shape');
             check(M._cairn_world_remove_shape(use(this), $shape[0], $shape[1]));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    setShape(shape, geometry) {
+        const mark = enter();
+        try {
+            const $shape = handleOf(shape, 'shape');
+            const $geometry = room(100);
+            values.putShape($geometry, geometry, 'Shape');
+            check(M._cairn_world_set_shape(use(this), $shape[0], $shape[1], $geometry));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    setShapeDef(shape, definition) {
+        const mark = enter();
+        try {
+            const $shape = handleOf(shape, 'shape');
+            const $def = room(120);
+            M._cairn_default_shape_def($def);
+            values.putShapeDef($def, definition, 'ShapeDef');
+            check(M._cairn_world_set_shape_def(use(this), $shape[0], $shape[1], $def));
         } finally {
             leave(mark);
         }
@@ -61,7 +86,7 @@ export class WorldCalls {
         const mark = enter();
         try {
             const $shape = handleOf(shape, 'shape');
-            const out = room(104);
+            const out = room(120);
             M._cairn_default_shape_def(out);
             check(M._cairn_world_get_shape_def(use(this), $shape[0], $shape[1], out));
             return values.getShapeDef(out);
@@ -355,6 +380,18 @@ export class WorldCalls {
         const mark = enter();
         try {
             return listOf(40, (list, capacity, count) => M._cairn_world_solver_contacts(use(this), list, capacity, count), (at) => values.getSolverContact(at));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    debugLines(what = {}) {
+        const mark = enter();
+        try {
+            const $what = room(20);
+            M._cairn_default_debug_lines_def($what);
+            values.putDebugLinesDef($what, what, 'DebugLinesDef');
+            return listOf(64, (list, capacity, count) => M._cairn_world_debug_lines(use(this), $what, list, capacity, count), (at) => values.getDebugLine(at));
         } finally {
             leave(mark);
         }

@@ -310,7 +310,8 @@ export function putShapeDef(p, value, where) {
         case 'isTrigger': putBool(p + 80, x, 'ShapeDef.isTrigger'); break;
         case 'surfaceVelocity': putVec3(p + 84, x, 'ShapeDef.surfaceVelocity'); break;
         case 'userData': putU64(p + 96, x, 'ShapeDef.userData'); break;
-        default: unknown('ShapeDef', key, ['position', 'rotation', 'density', 'material', 'filter', 'isTrigger', 'surfaceVelocity', 'userData']);
+        case 'oneWay': putVec3(p + 104, x, 'ShapeDef.oneWay'); break;
+        default: unknown('ShapeDef', key, ['position', 'rotation', 'density', 'material', 'filter', 'isTrigger', 'surfaceVelocity', 'userData', 'oneWay']);
         }
     }
 }
@@ -325,6 +326,7 @@ export function getShapeDef(p) {
         isTrigger: getBool(p + 80),
         surfaceVelocity: getVec3(p + 84),
         userData: getU64(p + 96),
+        oneWay: getVec3(p + 104),
     };
 }
 
@@ -925,6 +927,45 @@ export function getSolverContact(p) {
         bodyB: getU64(p + 24),
         color: getInt(p + 32),
         substeps: getInt(p + 36),
+    };
+}
+
+export function putDebugLinesDef(p, value, where) {
+    for (const key of keysOf(value, where)) {
+        const x = value[key];
+        if (x === undefined) continue;
+        switch (key) {
+        case 'shapes': putBool(p + 4, x, 'DebugLinesDef.shapes'); break;
+        case 'bounds': putBool(p + 5, x, 'DebugLinesDef.bounds'); break;
+        case 'centers': putBool(p + 6, x, 'DebugLinesDef.centers'); break;
+        case 'velocities': putBool(p + 7, x, 'DebugLinesDef.velocities'); break;
+        case 'contacts': putBool(p + 8, x, 'DebugLinesDef.contacts'); break;
+        case 'joints': putBool(p + 9, x, 'DebugLinesDef.joints'); break;
+        case 'size': putFloat(p + 12, x, 'DebugLinesDef.size'); break;
+        case 'impulseScale': putFloat(p + 16, x, 'DebugLinesDef.impulseScale'); break;
+        default: unknown('DebugLinesDef', key, ['shapes', 'bounds', 'centers', 'velocities', 'contacts', 'joints', 'size', 'impulseScale']);
+        }
+    }
+}
+
+export function getDebugLinesDef(p) {
+    return {
+        shapes: getBool(p + 4),
+        bounds: getBool(p + 5),
+        centers: getBool(p + 6),
+        velocities: getBool(p + 7),
+        contacts: getBool(p + 8),
+        joints: getBool(p + 9),
+        size: getFloat(p + 12),
+        impulseScale: getFloat(p + 16),
+    };
+}
+
+export function getDebugLine(p) {
+    return {
+        begin: getPosition(p),
+        end: getPosition(p + 24),
+        color: getVec3(p + 48),
     };
 }
 
