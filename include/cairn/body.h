@@ -97,6 +97,11 @@ class Body {
     /// Mass properties follow the shapes' densities again, scaled to `mass` if given.
     void set_mass_from_shapes(std::optional<float> mass = std::nullopt);
     void wake();
+    /// Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before
+    /// anything moves, provided that all that touches it or is joined to it was told so, too, and all may sleep. A
+    /// level that is made asleep costs nothing until something comes; then it settles like anything that is made. What
+    /// moves or pushes the body in between wakes it, as ever.
+    void sleep();
 
     void add_force(const Vec3& force); ///< N, at the center of mass; acts during the next step only.
     void add_force_at(const Vec3& force, const Position& point); ///< N, at a world point; next step only.

@@ -198,6 +198,12 @@ class Body:
         """
     def wake(self) -> None:
         """Wakes the body and its island. Raises: invalid_handle, wrong_state."""
+    def sleep(self) -> None:
+        """Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before
+        anything moves, provided that all that touches it or is joined to it was told so, too, and may sleep. A level
+        that is made asleep costs nothing until something comes; then it settles like anything that is made. What moves
+        or pushes the body in between wakes it, as ever. Raises: invalid_handle, wrong_state.
+        """
     def add_force(self, force: Vector) -> None:
         """N, at the center of mass; acts during the next step only. Raises: invalid_handle, invalid_value, wrong_state.
         """

@@ -185,7 +185,7 @@ void Movers::set_out(std::int32_t i) {
     const bool flies_anew = !end && links.joint_count == 0;
     m.turns_over = !end && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));
-    m.acceleration = acceleration_on(m.path, b);
+    if (is_awake(s.bodies, s.islands, b)) m.acceleration = acceleration_on(m.path, b);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));

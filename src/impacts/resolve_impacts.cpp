@@ -198,7 +198,7 @@ class ImpactQueue {
     void ask_again(std::int32_t i, double time) { ask_again(std::span(&i, 1), time); }
 
     bool can_go_on(std::int32_t b) const {
-        return s.bodies.is_dynamic(b) && is_awake(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
+        return s.bodies.is_dynamic(b) && is_on_its_own(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
     }
 
     MovingState state_of(std::int32_t mover, std::int32_t body, double time) const {

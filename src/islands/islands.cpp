@@ -132,7 +132,7 @@ void split_island(Bodies& bodies, const Contacts& contacts, Islands& islands, co
 
 void measure_rest(const Bodies& bodies, Islands& islands, std::int32_t i) {
     Island& island = islands.all[i];
-    float least = 1e30f, greatest = 0;
+    float least = told_to_sleep, greatest = 0;
     bool allowed = true;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         const float quiet = bodies.links[b].quiet_time;
@@ -218,6 +218,23 @@ void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_
     if (island == none) return;
     bodies.links[body].quiet_time = 0;
     wake_island(bodies, islands, events, island);
+}
+
+void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
+                       std::vector<std::uint32_t>& solved) {
+    if (islands.told.empty()) return;
+    bool any = false;
+    for (const std::int32_t told : islands.told) {
+        const std::int32_t i = bodies.is_dynamic(told) ? bodies.links[told].island : none;
+        if (i == none || islands.all[i].position == none) continue;
+        measure_rest(bodies, islands, i);
+        if (islands.all[i].min_quiet_time < told_to_sleep) continue;
+        put_to_sleep(bodies, islands, events, i);
+        any = true;
+    }
+    islands.told.clear();
+    if (any)
+        std::erase_if(solved, [&](std::uint32_t id) { return !is_awake(bodies, islands, contacts.info[id].body_a); });
 }
 
 void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,

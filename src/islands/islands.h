@@ -19,6 +19,11 @@ void link_islands(Bodies& bodies, Islands& islands, StepEvents& events, std::int
 void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body);
 void wake_island(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t island);
 
+// Islands of which all bodies were told to sleep (Islands::told) do so, now that it is known what touches what, and
+// before anything has moved. The contacts of those are no longer among the solved ones.
+void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
+                       std::vector<std::uint32_t>& solved);
+
 // Wakes what may rest on a body, or on one shape, that is about to change.
 void wake_around(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
                  StepEvents& events, std::int32_t body);

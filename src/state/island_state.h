@@ -5,6 +5,7 @@
 #include "state/none.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace cairn {
@@ -26,17 +27,27 @@ struct Island {
     float min_quiet_time = 0, greatest_quiet_time = 0;
 };
 
+// As BodyLinks::quiet_time: the body was told to sleep, and nothing has moved it since then.
+inline constexpr float told_to_sleep = std::numeric_limits<float>::max();
+
 struct Islands {
     std::vector<Island> all;
     std::vector<std::int32_t> free; // those that are not in use
     std::vector<std::int32_t> awake;
     std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
     std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
+    std::vector<std::int32_t> told;           // bodies that were told to sleep since the last step
 };
 
 inline bool is_awake(const Bodies& bodies, const Islands& islands, std::int32_t body) {
     const std::int32_t island = bodies.links[body].island;
     return island != none && islands.all[island].position != none;
+}
+
+// Whether a dynamic body moves by itself in this step when something strikes it. What sleeps on something does so in the
+// next one, by the solver.
+inline bool is_on_its_own(const Bodies& bodies, const Islands& islands, std::int32_t body) {
+    return is_awake(bodies, islands, body) || bodies.links[body].contact_count == 0;
 }
 
 } // namespace cairn

@@ -346,6 +346,20 @@ void Body::wake() {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
+void Body::sleep() {
+    CAIRN_CHANGE(body_sleep);
+    change.begin();
+    const bool may_sleep = s.settings.enable_sleep && s.bodies.is_dynamic(a.index());
+    if (!may_sleep || !cairn::is_awake(s.bodies, s.islands, a.index())) return;
+    BodyMotion& motion = a.motion();
+    motion.v = motion.w = motion.v_rest = motion.w_rest = {};
+    s.bodies.forces[a.b] = {};
+    std::erase(s.bodies.pushed, a.index());
+    if (s.bodies.links[a.b].quiet_time == told_to_sleep) return;
+    s.bodies.links[a.b].quiet_time = told_to_sleep;
+    s.islands.told.push_back(a.index());
+}
+
 void Body::add_force(const Vec3& force) {
     CAIRN_CHANGE(body_add_force, force);
     require_finite("Body::add_force force", force);

@@ -39,7 +39,7 @@ CAIRN_ARCHIVES_MEMBERS(14, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
 CAIRN_ARCHIVES_MEMBERS(5, Contacts);
-CAIRN_ARCHIVES_MEMBERS(5, Islands);
+CAIRN_ARCHIVES_MEMBERS(6, Islands);
 CAIRN_ARCHIVES_MEMBERS(4, Joints);
 CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
 CAIRN_ARCHIVES_MEMBERS(1, Characters);
@@ -53,7 +53,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.shapes.links);
     archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
-    archive(s.islands.falling_asleep), archive(s.islands.waking);
+    archive(s.islands.falling_asleep), archive(s.islands.waking), archive(s.islands.told);
     archive(s.characters.all);
 }
 

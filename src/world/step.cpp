@@ -86,6 +86,7 @@ void World::Impl::make_step(float dt) {
     state.statistics.tested_pairs =
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
                         state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
+    put_told_to_sleep(state.bodies, state.contacts, state.islands, state.events, step.solved);
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, dt);
     times.islands = clock.lap();

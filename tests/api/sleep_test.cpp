@@ -1,8 +1,10 @@
 // Islands fall asleep, and wake when something concerns them.
 #include "test_world.h"
 
+#include <algorithm>
 #include <functional>
 #include <ostream>
+#include <random>
 #include <vector>
 
 namespace cairn::test {
@@ -293,6 +295,137 @@ TEST(Sleep, IslandsThatComeApartSleepApart) {
     }
     EXPECT_FALSE(world.body(left).is_awake());
     EXPECT_TRUE(world.body(right).is_awake());
+}
+
+// A wall of loose bricks that was never awake, as a level has it.
+struct Wall {
+    World world;
+    std::vector<BodyId> bricks;
+    explicit Wall(bool is_asleep) {
+        add_ground(world);
+        for (int row = 0; row < 8; ++row)
+            for (int i = 0; i < 8; ++i)
+                bricks.push_back(add_crate(world, {1.01 * i + 0.5 * (row % 2), 0.5 + row, 0.0}));
+        if (!is_asleep) return;
+        for (const BodyId brick : bricks) world.body(brick).sleep();
+    }
+};
+
+TEST(Sleep, WhatIsMadeAsleepStaysAsItIs) {
+    Wall wall(true);
+    const BodyId floating = add_crate(wall.world, {0.0, 30.0, 0.0}), pushed = add_crate(wall.world, {0.0, 40.0, 0.0});
+    wall.world.body(floating).set_linear_velocity({1, 2, 3});
+    wall.world.body(floating).add_force({100, 0, 0});
+    wall.world.body(floating).sleep();
+    EXPECT_EQ(wall.world.body(floating).linear_velocity(), Vec3(0.0f));
+    wall.world.body(pushed).sleep();
+    wall.world.body(pushed).add_force({100, 0, 0});
+    std::vector<Transform> before;
+    for (const BodyId brick : wall.bricks) before.push_back(wall.world.body(brick).transform());
+    run(wall.world, 1);
+    EXPECT_FALSE(wall.world.body(floating).is_awake());
+    EXPECT_TRUE(wall.world.body(pushed).is_awake()) << "what is pushed wakes";
+    EXPECT_EQ(wall.world.sleep_events().size(), 65u);
+    EXPECT_TRUE(wall.world.sleep_events()[0].asleep);
+    wall.world.destroy_body(pushed);
+    run(wall.world, 100);
+    EXPECT_EQ(wall.world.statistics().awake_bodies, 0u);
+    EXPECT_EQ(wall.world.statistics().tested_pairs, 0u);
+    EXPECT_EQ(wall.world.statistics().sleeping_islands, 2u) << "it is known what touches what";
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_EQ(wall.world.body(wall.bricks[i]).position(), before[i].position);
+    EXPECT_EQ(wall.world.body(floating).position(), Position(0, 30, 0));
+    wall.world.body(floating).wake();
+    run(wall.world, 1);
+    EXPECT_LT(wall.world.body(floating).linear_velocity().y, -0.1f) << "the force is forgotten, gravity is not";
+    EXPECT_EQ(wall.world.body(floating).linear_velocity().x, 0.0f);
+}
+
+TEST(Sleep, WhatTouchesSomethingThatMovesOrMayNotSleepStaysAwake) {
+    for (const bool may_sleep : {true, false}) {
+        World world;
+        add_ground(world);
+        const BodyId below = add_crate(world, {0, 0.5, 0}), above = add_crate(world, {0, 1.5, 0});
+        world.body(above).set_allow_sleep(may_sleep);
+        world.body(below).sleep();
+        if (may_sleep)
+            world.body(above).set_linear_velocity({1, 0, 0});
+        else
+            world.body(above).sleep();
+        run(world, 3);
+        EXPECT_TRUE(world.body(below).is_awake() && world.body(above).is_awake()) << may_sleep;
+    }
+    World world;
+    const BodyId ground = add_ground(world);
+    EXPECT_NO_THROW(world.body(ground).sleep()) << "like wake: it is neither";
+}
+
+// Struck by a ball it falls like one that fell asleep by itself: nothing stays in the air.
+TEST(Sleep, WhatWasMadeAsleepWakesWhenItLosesWhatCarriesIt) {
+    for (int place = 0; place < 12; ++place) {
+        Wall wall(true);
+        run(wall.world, 10);
+        const BodyId ball = wall.world.create_body({.position = {0.7 * place, 0.6, 5.0}});
+        wall.world.add_shape(ball, Sphere{0.5f}, {.density = 20000});
+        wall.world.body(ball).set_linear_velocity({0, 0, -30});
+        run(wall.world, 900);
+        std::vector<Position> before;
+        for (const BodyId brick : wall.bricks) before.push_back(wall.world.body(brick).position());
+        for (const BodyId brick : wall.bricks) wall.world.body(brick).wake();
+        run(wall.world, 60);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            EXPECT_LT(glm::length(wall.world.body(wall.bricks[i]).position() - before[i]), 0.05)
+                << "ball " << place << ", brick " << i << " at " << before[i].y;
+    }
+}
+
+// A body at rest in free space, which two balls strike within a step: one that sleeps goes the way of one that never
+// does.
+TEST(Sleep, WhatSleepsInFreeSpaceIsStruckTwiceInAStepLikeWhatIsAwake) {
+    int struck_twice = 0;
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        std::mt19937 bits(seed);
+        const auto uniform = [&](double least, double most) {
+            return least + (most - least) * double(bits() % 100003) / 100003;
+        };
+        const auto direction = [&] { return glm::normalize(glm::dvec3(uniform(-1, 1), uniform(-1, 1), 1.1)); };
+        const Shape shape = seed % 2 ? Shape(Sphere{0.3f}) : Shape(Box{{0.3f, 0.2f, 0.25f}});
+        Material material;
+        material.restitution = float(uniform(0, 1));
+        material.static_friction = material.dynamic_friction = float(uniform(0, 1));
+        std::vector<BodyDef> balls;
+        const double speed = uniform(20, 60), first = uniform(2, 3);
+        for (const double side : {-1.0, 1.0}) {
+            const glm::dvec3 way = side * direction();
+            BodyDef def = body_at(
+                Position(glm::dvec3(uniform(-0.1, 0.1), uniform(-0.1, 0.1), 0) - way * (first + uniform(0, 0.2))));
+            def.linear_velocity = Vec3(speed * way);
+            balls.push_back(def);
+        }
+        std::vector<Vec3> ends;
+        bool is_twice = false;
+        for (const bool sleeps : {true, false}) {
+            WorldDef settings = weightless();
+            settings.enable_sleep = sleeps;
+            World world(settings);
+            std::vector<BodyId> all{add_body(world, body_at({0, 0, 0}), shape, with_material(material))};
+            run(world, 60);
+            EXPECT_EQ(world.statistics().awake_bodies, sleeps ? 0u : 1u);
+            for (const BodyDef& def : balls) all.push_back(add_body(world, def, Sphere{0.1f}, with_material(material)));
+            for (int i = 0; i < 12; ++i) {
+                const bool slept = !world.body(all[0]).is_awake();
+                world.step(frame);
+                is_twice |= slept && world.statistics().impacts > 1;
+            }
+            for (const BodyId body : all) ends.push_back(world.body(body).linear_velocity());
+            ends.push_back(world.body(all[0]).angular_velocity() * 0.3f);
+            ends.push_back(Vec3(world.body(all[0]).position()));
+        }
+        struck_twice += is_twice;
+        for (std::size_t i = 0; i < ends.size() / 2; ++i)
+            EXPECT_LT(glm::length(ends[i] - ends[i + ends.size() / 2]), 0.01 * speed) << "start " << seed << ", " << i;
+    }
+    EXPECT_GT(struck_twice, 50);
 }
 
 } // namespace

@@ -705,6 +705,15 @@ static cairn_result body_wake(const struct wrong_context* c, int wrong) {
     return cairn_body_wake(world, body);
 }
 
+static cairn_result body_sleep(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    return cairn_body_sleep(world, body);
+}
+
 static cairn_result body_add_force(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -2090,6 +2099,9 @@ const struct wrong_call wrong_calls[] = {
     {"body_wake", "world is null", body_wake, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"body_wake", "body is stale", body_wake, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_wake", "body is null", body_wake, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_sleep", "world is null", body_sleep, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_sleep", "body is stale", body_sleep, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_sleep", "body is null", body_sleep, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_add_force", "world is null", body_add_force, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"body_add_force", "body is stale", body_add_force, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_add_force", "body is null", body_add_force, 2, CAIRN_ERROR_INVALID_HANDLE},

@@ -1178,6 +1178,13 @@ export class Body {
     setMassFromShapes(mass?: number | null): void;
     /** Wakes the body and its island. Throws invalidHandle, wrongState. */
     wake(): void;
+    /**
+     * Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before anything
+     * moves, provided that all that touches it or is joined to it was told so, too, and may sleep. A level that is made
+     * asleep costs nothing until something comes; then it settles like anything that is made. What moves or pushes the
+     * body in between wakes it, as ever. Throws invalidHandle, wrongState.
+     */
+    sleep(): void;
     /** N, at the center of mass; acts during the next step only. Throws invalidHandle, invalidValue, wrongState. */
     addForce(force: Vec3Like): void;
     /** N, at a world point; next step only. Throws invalidHandle, invalidValue, wrongState. */

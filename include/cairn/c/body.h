@@ -242,6 +242,12 @@ CAIRN_C_API cairn_result cairn_body_set_mass_from_shapes(cairn_world* world, cai
 /// Wakes the body and its island. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_wake(cairn_world* world, cairn_body_id body);
 
+/// Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before anything
+/// moves, provided that all that touches it or is joined to it was told so, too, and may sleep. A level that is made
+/// asleep costs nothing until something comes; then it settles like anything that is made. What moves or pushes the
+/// body in between wakes it, as ever. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_sleep(cairn_world* world, cairn_body_id body);
+
 /// N, at the center of mass; acts during the next step only. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_body_add_force(cairn_world* world, cairn_body_id body, cairn_vec3 force);
 

@@ -159,6 +159,12 @@ void add_body_calls(py::class_<PyBody>& c) {
     c.def("wake", [](const PyBody& b) {
         b.change("Body.wake", [&](Body& body) { body.wake(); });
     }, "wake() -> None\n\nWakes the body and its island.");
+    c.def("sleep", [](const PyBody& b) {
+        b.change("Body.sleep", [&](Body& body) { body.sleep(); });
+    }, "sleep() -> None\n\nBrings a dynamic body to rest and lets it sleep from the next step on, as it is, even in "
+        "the air: before anything moves, provided that all that touches it or is joined to it was told so, too, and "
+            "may sleep. A level that is made asleep costs nothing until something comes; then it settles like "
+                "anything that is made. What moves or pushes the body in between wakes it, as ever.");
     c.def("add_force", [](const PyBody& b, py::object o_force) {
         const auto force = take<Vec3>(o_force, "force");
         b.change("Body.add_force", [&](Body& body) { body.add_force(force); });

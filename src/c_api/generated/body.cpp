@@ -284,6 +284,12 @@ cairn_result cairn_body_wake(cairn_world* world, cairn_body_id body) {
     });
 }
 
+cairn_result cairn_body_sleep(cairn_world* world, cairn_body_id body) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).sleep();
+    });
+}
+
 cairn_result cairn_body_add_force(cairn_world* world, cairn_body_id body, cairn_vec3 force) {
     return guarded([&] {
         world_of(world).body(to_cpp(body)).add_force(to_cpp(force));

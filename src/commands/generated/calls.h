@@ -325,5 +325,12 @@ struct WorldSetShapeDef {
     using Arguments = std::tuple<ShapeId, ShapeDef>;
 };
 inline constexpr WorldSetShapeDef world_set_shape_def{};
+struct BodySleep {
+    static constexpr std::uint32_t code = 44;
+    static constexpr const char* name = "Body::sleep";
+    static constexpr bool moves_only = true;
+    using Arguments = std::tuple<BodyId>;
+};
+inline constexpr BodySleep body_sleep{};
 
 } // namespace cairn::commands

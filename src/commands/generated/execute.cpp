@@ -391,6 +391,13 @@ static bool execute_body(World& world, std::uint64_t code, CommandReader& from) 
         world.body(body).jump(speed);
         return true;
     }
+    case BodySleep::code: {
+        BodyId body{};
+        read(from, body);
+        from.finish();
+        world.body(body).sleep();
+        return true;
+    }
     default: return false;
     }
 }
@@ -444,6 +451,7 @@ std::string_view name_of(std::uint64_t code) {
     case 41: return "Body::jump";
     case 42: return "World::set_shape";
     case 43: return "World::set_shape_def";
+    case 44: return "Body::sleep";
     default: return {};
     }
 }

@@ -50,6 +50,7 @@ export const CALLS = [
     { owner: 'Body', name: 'massProperties', isSetter: true, types: ['MassProperties'] },
     { owner: 'Body', name: 'setMassFromShapes', isSetter: false, types: ['float?'] },
     { owner: 'Body', name: 'wake', isSetter: false, types: [] },
+    { owner: 'Body', name: 'sleep', isSetter: false, types: [] },
     { owner: 'Body', name: 'addForce', isSetter: false, types: ['Vec3'] },
     { owner: 'Body', name: 'addForceAt', isSetter: false, types: ['Vec3', 'Position'] },
     { owner: 'Body', name: 'addTorque', isSetter: false, types: ['Vec3'] },

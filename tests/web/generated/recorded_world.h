@@ -330,6 +330,10 @@ class RecordedBody : public RecordedBodyBase {
         real().wake();
         note("" + body_text() + ".wake(" + ")" + ";");
     }
+    auto sleep() {
+        real().sleep();
+        note("" + body_text() + ".sleep(" + ")" + ";");
+    }
     auto add_force(const Vec3& force) {
         real().add_force(force);
         note("" + body_text() + ".addForce(" + js(force) + ")" + ";");

@@ -1048,6 +1048,15 @@ export class BodyCalls {
         }
     }
 
+    sleep() {
+        const mark = enter();
+        try {
+            check(M._cairn_body_sleep(use(this.world), this.low, this.high));
+        } finally {
+            leave(mark);
+        }
+    }
+
     addForce(force) {
         const mark = enter();
         try {
