@@ -172,8 +172,8 @@ enum class JointSolver : std::uint8_t {
     automatic,
     iterative, ///< 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
     /// All direct joints that hang together at once, with their motors, springs, friction and limits. For chains,
-    /// machines, robots, and what must not give at all. Gears, racks, pulleys, and motors and springs of distances stay
-    /// iterative; so do all of a net of thousands of joints, whose factorization would not end.
+    /// machines, robots, and what must not give at all. Gears, racks and pulleys stay iterative; so do all of a net of
+    /// thousands of joints, whose factorization would not end.
     direct,
 };
 

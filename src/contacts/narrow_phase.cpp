@@ -243,10 +243,8 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
     return going_on(bodies, islands, contacts.info[id]);
 }
 
-std::uint8_t before_test(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
-                         std::uint32_t id) {
+std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
-    if (c.is_one_way && c.point_count == 0 && goes_through(shapes, c)) return c.touching ? ended : apart;
     const bool rests = !c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b);
     if (rests && bodies.is_dynamic(c.body_a)) // else a trigger and something kinematic
         return c.point_count > 0 ? skipped : apart;
@@ -260,6 +258,12 @@ std::uint8_t before_test(const Bodies& bodies, const Shapes& shapes, Contacts& c
     }
     if (c.is_trigger) return apart;
     return c.point_count > 0 ? goes_on : apart;
+}
+
+// Likewise, if the other shape holds only what comes from one side.
+[[gnu::noinline]] std::uint8_t before_one_way_test(const Shapes& shapes, const ContactInfo& c, std::uint8_t outcome) {
+    if (c.point_count > 0 || !goes_through(shapes, c)) return outcome;
+    return c.touching ? ended : apart;
 }
 
 // What stays apart, as most do, shows without the contact. Without a branch: none could guess.
@@ -332,7 +336,9 @@ std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& con
             if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
-            const std::uint8_t outcome = before_test(bodies, shapes, contacts, islands, id);
+            std::uint8_t outcome = before_test(bodies, contacts, islands, id);
+            if (info[id].is_one_way) [[unlikely]]
+                outcome = before_one_way_test(shapes, info[id], outcome);
             outcomes[places[i]] = outcome;
             if (outcome >= to_test) ++kinds[std::size_t(outcome - to_test)];
         }

@@ -4,6 +4,7 @@
 // Jacobians and positions are those of the axis blocks (kernels/solve/joint_axis.cpp).
 #include "joints/direct_view.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace cairn {
@@ -22,6 +23,13 @@ void choose_limit(DirectDrive& d, double position, double impulse) {
     d.target_position = is_lower ? d.lower : d.upper;
     d.least = is_lower ? 0 : -all, d.most = is_lower ? all : 0;
     d.bound = impulse != 0 ? 0 : is_lower ? -1 : 1;
+}
+
+// A motor leads no farther than the rigid limits of its axis: as an equation it would hold what they are to push back.
+double motor_velocity(const DirectDrive& d, double position, double h) {
+    const double least = std::min((d.least_position - position) / h, fastest_return),
+                 most = std::max((d.most_position - position) / h, -fastest_return);
+    return std::clamp(d.target_velocity, least, most);
 }
 
 } // namespace
@@ -45,9 +53,9 @@ void refresh_drive(const SetView& v, std::size_t node, double h) {
     const AxisBlock& b = v.axes[d.lane / 8];
     const std::size_t lane = d.lane % 8;
     if (!v.set.nodes[node].is_driven) refresh_from_lane(v, node);
-    d.compliance = 0, d.pull = d.target_velocity;
-    if (d.is_rigid) return;
     const double position = double(b.position[lane]);
+    d.compliance = 0, d.pull = motor_velocity(d, position, h);
+    if (d.is_rigid) return;
     const bool is_range = v.set.nodes[node].rows == DirectRows::soft_limit && d.lower < d.upper;
     if (is_range) choose_limit(d, position, d.impulse);
     const double missing = d.target_position - position;

@@ -78,6 +78,7 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
     if (node.rows == DirectRows::axis) return;
     const JointAxisState& state = joints.axes[node.joint].states[node.axis];
     const double all = std::numeric_limits<double>::infinity();
+    d.least_position = -all, d.most_position = all;
     switch (node.rows) {
     case DirectRows::turn:
     case DirectRows::drive:
@@ -86,6 +87,7 @@ void fill_drive(const Joints& joints, const DirectWork& work, const DirectNode& 
         d.target_position = double(rule.target_position), d.target_velocity = double(rule.target_velocity);
         d.most = double(rule.max_drive) * double(h), d.least = -d.most;
         d.is_rigid = rule.rigid_drive, d.is_relative = rule.drive_relative;
+        if (is_direct_limit(rule)) d.least_position = double(rule.lower), d.most_position = double(rule.upper);
         break;
     case DirectRows::friction:
         d.impulse = double(state.friction);

@@ -28,7 +28,11 @@ bool may_be_direct(const Bodies& bodies, const Joints& joints, std::uint32_t ind
     if (!joint.in_use || JointSolver(joint.solver) == JointSolver::iterative || joint_owner(bodies, joint) == none)
         return false;
     bool holds = joint.rules.point != JointLock::none || joint.rules.turn != JointLock::none;
-    for (int i = 0; i < joint.rules.axis_count; ++i) holds |= is_direct_axis(joints.axes[index].rules[i]);
+    for (int i = 0; i < joint.rules.axis_count; ++i) {
+        const JointAxisRule& rule = joints.axes[index].rules[i];
+        const bool is_asked_for = JointSolver(joint.solver) == JointSolver::direct;
+        holds |= is_direct_axis(rule) || (is_direct_drive(rule) && (rule.rigid_drive || is_asked_for));
+    }
     return holds;
 }
 
@@ -298,6 +302,7 @@ bool is_linear_enough(AxisKind kind) {
     case AxisKind::cross_a:
     case AxisKind::cross_b:
     case AxisKind::rotation:
+    case AxisKind::distance:
         return true;
     default:
         return false;

@@ -32,8 +32,9 @@ struct DirectBody {
 struct DirectDrive {
     std::uint32_t lane = 0; // of the axis blocks, which have the Jacobian and the position
     double stiffness = 0, damping = 0, target_position = 0, target_velocity = 0;
-    double lower = 0, upper = 0; // of a soft limit
-    double least = 0, most = 0;  // N s or N m s
+    double lower = 0, upper = 0;                  // of a soft limit
+    double least_position = 0, most_position = 0; // of the rigid limits on its axis
+    double least = 0, most = 0;                   // N s or N m s
     bool is_rigid = false, is_relative = false;
     double compliance = 0, pull = 0; // 1 / g, pull / g
     int bound = 0;                   // -1, 1: it gives the least or the most that it can; the row takes no part

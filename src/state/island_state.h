@@ -44,8 +44,8 @@ inline bool is_awake(const Bodies& bodies, const Islands& islands, std::int32_t 
     return island != none && islands.all[island].position != none;
 }
 
-// Whether a dynamic body moves by itself in this step when something strikes it. What sleeps on something does so in the
-// next one, by the solver.
+// Whether a dynamic body moves by itself in this step when something strikes it. What sleeps on something does so in
+// the next one, by the solver.
 inline bool is_on_its_own(const Bodies& bodies, const Islands& islands, std::int32_t body) {
     return is_awake(bodies, islands, body) || bodies.links[body].contact_count == 0;
 }

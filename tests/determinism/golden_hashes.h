@@ -21,7 +21,7 @@ inline constexpr std::uint64_t changes = 0x87f10e66958c2925;
 inline constexpr std::uint64_t all_shapes = 0x436b834fba58f605;
 inline constexpr std::uint64_t rounded_shapes = 0x4e488ef89ecfe10c;
 inline constexpr std::uint64_t surfaces = 0x2460a2e053d2eee7;
-inline constexpr std::uint64_t all_joints = 0xba617953e8a511e2;
+inline constexpr std::uint64_t all_joints = 0xd5ab026c103448c2;
 inline constexpr std::uint64_t chains = 0x461b668176f89b0a;
 inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 

@@ -104,7 +104,9 @@ void RandomChanges::change_character(Body body) {
 void RandomChanges::change_body(World& world, BodyId id) {
     Body body = world.body(id);
     const bool is_dynamic = body.type() == BodyType::dynamic;
-    switch (pick(20)) {
+    switch (pick(21)) {
+    case 12:
+        return body.sleep();
     case 0:
         return body.set_transform(place(), rotation());
     case 1:

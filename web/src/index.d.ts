@@ -97,9 +97,8 @@ export type JointAxis = 'linear' | 'angular';
  * machines, robots whose angles servos hold, and under high mass ratios as long as it pays, and where it hangs together
  * with joints that are asked to be direct; else iterative. `iterative`: 8 joints at a time, one after the other, with
  * the contacts. For nets and heaps of many joints. `direct`: All direct joints that hang together at once. With their
- * motors, springs, friction and limits. For chains, machines, robots, and what must not give at all. Gears, racks,
- * pulleys, and motors and springs of distances stay iterative; so do all of a net of thousands of joints, whose
- * factorization would not end.
+ * motors, springs, friction and limits. For chains, machines, robots, and what must not give at all. Gears, racks and
+ * pulleys stay iterative; so do all of a net of thousands of joints, whose factorization would not end.
  */
 export type JointSolver = 'automatic' | 'iterative' | 'direct';
 

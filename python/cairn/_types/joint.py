@@ -33,8 +33,8 @@ class JointSolver(enum.Enum):
     """8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints."""
     direct = 2
     """All direct joints that hang together at once. With their motors, springs, friction and limits. For chains,
-    machines, robots, and what must not give at all. Gears, racks, pulleys, and motors and springs of distances stay
-    iterative; so do all of a net of thousands of joints, whose factorization would not end.
+    machines, robots, and what must not give at all. Gears, racks and pulleys stay iterative; so do all of a net of
+    thousands of joints, whose factorization would not end.
     """
 
 

@@ -1,36 +1,15 @@
 // Axis rows: one direction of motion, with limits, a drive and friction, which share one velocity scalar. Each kind
 // says what the position is and how it changes with the velocities: J = (linear_a, angular_a, linear_b, angular_b).
+#include "kernels/solve/joint_angles.h"
 #include "kernels/solve/joint_locks.h"
 
-#include <initializer_list>
 #include <type_traits>
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
 
-constexpr float pi = 3.14159265358979f;
 constexpr float tiny = 1e-20f, min_length = 1e-6f;
-
-// The angle of (x, y), -pi to pi. One halving, tan(a / 2) = t / (1 + sqrt(1 + t^2)), and the series; error below 2e-7.
-CAIRN_INLINE f32x8 angle_of(f32x8 y, f32x8 x) {
-    const f32x8 ax = abs(x), ay = abs(y);
-    const mask8 steep = ay > ax;
-    const f32x8 t = select(steep, ax, ay) / (select(steep, ay, ax) + splat(tiny));
-    const f32x8 u = t / (one() + sqrt(one() + t * t)), u2 = u * u;
-    f32x8 series = splat(-1.0f / 15.0f);
-    for (const float c : {1.0f / 13, -1.0f / 11, 1.0f / 9, -1.0f / 7, 1.0f / 5, -1.0f / 3})
-        series = splat(c) + u2 * series;
-    f32x8 angle = (u + u) * (one() + u2 * series);
-    angle = select(steep, splat(0.5f * pi) - angle, angle);
-    angle = select(x < zero(), splat(pi) - angle, angle);
-    return select(y < zero(), -angle, angle);
-}
-// The nearest whole number: beyond 2^23 floats have no fraction.
-CAIRN_INLINE f32x8 rounded(f32x8 x) {
-    const f32x8 big = splat(12582912.0f); // 1.5 * 2^23
-    return (clamp(x, splat(-1e6f), splat(1e6f)) + big) - big;
-}
 
 CAIRN_INLINE Vec3x8 unit(Vec3x8 v, f32x8 length) { return guarded_inverse(length, length > splat(min_length)) * v; }
 
@@ -306,14 +285,24 @@ CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f
     return h * (h * stiffness + damping) * select(relative > zero(), mass, one());
 }
 
-template <class Lanes> CAIRN_INLINE f32x8 drive(AxisBlock& b, Lanes lanes, f32x8 k, f32x8 v, f32x8 h) {
+// The velocity that a motor holds. It leads no farther than the rigid limits of its axis, which would not hold a motor
+// that is stronger than they are stiff.
+CAIRN_INLINE f32x8 motor_velocity(const AxisBlock& b, f32x8 inverse_h) {
+    const f32x8 target = load(b.target_velocity);
+    if (!b.has_limits) return target;
+    const f32x8 x = load(b.position), least = min((load(b.lower) - x) * inverse_h, zero()),
+                most = max((load(b.upper) - x) * inverse_h, zero());
+    return select(load(b.rigid_limit) > zero(), clamp(target, least, most), target);
+}
+
+template <class Lanes> CAIRN_INLINE f32x8 drive(AxisBlock& b, Lanes lanes, f32x8 k, f32x8 v, f32x8 h, f32x8 inverse_h) {
     const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.max_drive);
     const f32x8 g =
         spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), load(b.moved_mass), h);
     const mask8 rigid = load(b.rigid_drive) > zero();
     const f32x8 yields = one() / (k * g + one());
     const f32x8 gain = select(rigid, mass, g * yields), ease = select(rigid, zero(), yields);
-    const f32x8 aim = select(rigid, load(b.target_velocity), zero());
+    const f32x8 aim = select(rigid, motor_velocity(b, inverse_h), zero());
     const f32x8 p = clamp((old - gain * (v - aim)) - ease * (old - load(b.drive_pull)), -most, most);
     store(b.drive_impulse, among(lanes, p, old));
     return p - old;
@@ -356,7 +345,7 @@ CAIRN_INLINE f32x8 act(AxisBlock& b, Lanes lanes, f32x8 v, f32x8 before, const J
     const f32x8 k = guarded_inverse(mass, gives);
     f32x8 sum = zero();
     if (b.has_drive) {
-        const f32x8 d = drive(b, lanes, k, v, h);
+        const f32x8 d = drive(b, lanes, k, v, h, inverse_h);
         sum += d;
         v += k * d;
     }
