@@ -104,6 +104,7 @@ void validate(const WorldDef& def) {
 
 void validate(std::string_view field, const MassProperties& p) {
     require_mass(std::string(field) + ".mass", p.mass);
+    require_finite(std::string(field) + ".center_of_mass", p.center_of_mass);
     require_position(std::string(field) + ".center_of_mass", Position(p.center_of_mass));
     checked_rotation(std::string(field) + ".inertia_orientation", p.inertia_orientation);
     const Vec3& i = p.inertia_diagonal;
@@ -212,6 +213,7 @@ void validate(std::string_view field, const Material& material) {
 }
 
 void validate(const ShapeDef& def) {
+    require_finite("ShapeDef.position", def.position);
     require_position("ShapeDef.position", Position(def.position));
     checked_rotation("ShapeDef.rotation", def.rotation);
     require_at_least("ShapeDef.density", def.density, 0);
