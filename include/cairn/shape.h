@@ -172,7 +172,7 @@ struct CollisionFilter {
 
 /// How a shape is attached to its body.
 struct ShapeDef {
-    Vec3 position{0.0f, 0.0f, 0.0f};       ///< Origin of the shape in the body's frame, meters.
+    Vec3 position{0.0f, 0.0f, 0.0f};       ///< Origin of the shape in the body's frame, meters; within 1e15.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Orientation in the body's frame; normalized, must not be zero.
     float density = 1000.0f;               ///< kg/m^3, >= 0; 0 adds no mass. Ignored by planes.
     Material material{};

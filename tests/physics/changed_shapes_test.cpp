@@ -1,4 +1,5 @@
 // Shapes that become other ones while the world runs: ground that is edited, bodies that grow, crouch or change kind.
+#include "convex_shapes.h"
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -20,28 +21,6 @@ WorldDef with_gravity(const Vec3& gravity) {
     WorldDef def = without_sleep();
     def.gravity = gravity;
     return def;
-}
-
-constexpr int convex_kinds = 6;
-Shape convex(int kind, float size) {
-    switch (kind) {
-    case 0:
-        return Sphere{size};
-    case 1:
-        return Box{{size, 0.8f * size, 0.6f * size}};
-    case 2:
-        return Capsule{0.6f * size, 0.5f * size};
-    case 3:
-        return Cylinder{0.6f * size, 0.7f * size};
-    case 4:
-        return Box{{0.7f * size, 0.6f * size, 0.5f * size}, 0.2f * size};
-    default: {
-        std::vector<Vec3> corners = box_corners({size, 0.7f * size, 0.6f * size});
-        for (Vec3& p : corners)
-            if (p.y > 0) p *= 0.7f;
-        return Hull(corners);
-    }
-    }
 }
 
 // A field of nine by nine heights, a meter apart.

@@ -1,4 +1,5 @@
 // Shapes that hold only what comes from one side: platforms that one jumps onto from below.
+#include "convex_shapes.h"
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -13,28 +14,6 @@ namespace cairn_test {
 namespace {
 
 constexpr float dt = 1.0f / 60.0f;
-
-constexpr int convex_kinds = 6;
-Shape convex(int kind, float size) {
-    switch (kind) {
-    case 0:
-        return Sphere{size};
-    case 1:
-        return Box{{size, 0.8f * size, 0.6f * size}};
-    case 2:
-        return Capsule{0.6f * size, 0.5f * size};
-    case 3:
-        return Cylinder{0.6f * size, 0.7f * size};
-    case 4:
-        return Box{{0.7f * size, 0.6f * size, 0.5f * size}, 0.2f * size};
-    default: {
-        std::vector<Vec3> corners = box_corners({size, 0.7f * size, 0.6f * size});
-        for (Vec3& p : corners)
-            if (p.y > 0) p *= 0.7f;
-        return Hull(corners);
-    }
-    }
-}
 
 // A platform of 20 m by 20 m whose top is at the height 0, in the frame of a random start.
 constexpr int platform_kinds = 4;

@@ -257,7 +257,7 @@ export interface CollisionFilter {
 
 /** How a shape is attached to its body. */
 export interface ShapeDef {
-    /** Origin of the shape in the body's frame, meters. */
+    /** Origin of the shape in the body's frame, meters; within 1e15. */
     position?: Vec3Like;
     /** Orientation in the body's frame; normalized, must not be zero. */
     rotation?: QuatLike;

@@ -119,7 +119,7 @@ CAIRN_C_API cairn_collision_filter cairn_default_collision_filter(void);
 /// How a shape is attached to its body. Begin from `cairn_default_shape_def()`.
 typedef struct cairn_shape_def {
     uint32_t struct_size; ///< Bytes, as `cairn_default_shape_def` sets it.
-    cairn_vec3 position; ///< Origin of the shape in the body's frame, meters.
+    cairn_vec3 position; ///< Origin of the shape in the body's frame, meters; within 1e15.
     cairn_quat rotation; ///< Orientation in the body's frame; normalized, must not be zero.
     float density; ///< kg/m^3, >= 0; 0 adds no mass. Ignored by planes.
     cairn_material material; ///< Of its surface.

@@ -145,7 +145,7 @@ class ShapeDef:
     """How a shape is attached to its body."""
 
     position: Vector = (0.0, 0.0, 0.0)
-    """Origin of the shape in the body's frame, meters."""
+    """Origin of the shape in the body's frame, meters; within 1e15."""
     rotation: Vector = (0.0, 0.0, 0.0, 1.0)
     """Orientation in the body's frame; normalized, must not be zero."""
     density: float = 1000.0
