@@ -19,6 +19,8 @@ struct alignas(32) Manifold {
 // Beside the feature of the first point, of pairs of convex shapes that are tested one at a time, and of patches:
 // whether the normal is that of a face of the first shape, or of the second, which is touched there.
 inline constexpr std::uint32_t on_first_face = 1u << 30, on_second_face = 1u << 31;
+// Likewise: whether the second is a round side that has several places of touch (flat_side.h).
+inline constexpr std::uint32_t on_flat_side = 1u << 29;
 
 // The features of no point, as they are kept for the next step: a byte of each point, the first point's lowest.
 inline constexpr std::uint32_t no_features = 0xffffffffu;

@@ -161,13 +161,14 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
     return (sign * growth / std::sqrt(square)) * way;
 }
 
-// How the surfaces are round where they touch, and how the points move over them: the only one, or those of what is
-// round on a face.
+// How the surfaces are round where they touch (what is met as a plane is not), and how the points move over them: the
+// only one, or those of what is round on a face.
 void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
                     ContactRecord& r) {
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
     r.radius_b = contact_radius(b, *at.pose_b, -normal, m.points[0][3]);
+    if (m.features[0] & on_flat_side) r.radius_b = 0;
     const TouchingFace touching = touching_face(shapes, c, m, normal, *at.pose_a, *at.pose_b);
     const bool on_a = touching == TouchingFace::of_a;
     if (touching == TouchingFace::none) {

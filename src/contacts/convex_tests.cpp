@@ -2,6 +2,7 @@
 #include "contacts/convex_tests.h"
 
 #include "collision/convex_contact.h"
+#include "collision/flat_side.h"
 #include "collision/one_place.h"
 #include "collision/one_way.h"
 #include "collision/surface_contact.h"
@@ -55,6 +56,21 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
     return is_behind ? reversed(polygon) : polygon;
 }
 
+// Whether `a` meets a round side as a plane, with the contact then. Where they are farther apart than the margin, its
+// first point tells how far `a` is from the plane: from what is round it is as far, at least.
+bool collide_flat_side(const PosedShape& a, const PosedShape& round, const Convex& first, const Convex& side,
+                       double margin, Manifold& out) {
+    if (!may_be_flat(round.geometry, a.geometry, smallest_extent(a.geometry, a.data))) return false;
+    const std::optional<FlatSide> flat = flat_side_under(side, first, double(a.geometry.bounding_radius));
+    if (!flat) return false;
+    collide_plane(first, flat->up, flat->height, margin, out);
+    if (out.count > 0)
+        out.features[0] |= on_second_face | on_flat_side;
+    else
+        out.points[0][3] = float(flat->height + math::dot(flat->up, support(first, -flat->up) - first.center));
+    return true;
+}
+
 } // namespace
 
 bool goes_through(const Shapes& shapes, const ContactInfo& c) {
@@ -73,8 +89,14 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
     const Convex first = convex_of(a, {});
     Manifold out;
     if (kind == PairKind::convex_convex) {
-        const DVec3 offset = offset_between_middles(a.pose, b.pose);
-        collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), memory, out);
+        const Convex second = convex_of(b, offset_between_middles(a.pose, b.pose));
+        if (collide_flat_side(a, b, first, second, double(margin), out)) {
+            memory = nothing_met;
+            return out;
+        }
+        collide_convex(first, second, double(margin), to_double(guess), memory, out);
+        if (out.count > 0 && is_nearly_flat(b.geometry, a.geometry, margin_of(smallest_extent(a.geometry, a.data))))
+            add_corners(second, first, double(a.geometry.bounding_radius), double(margin), out);
         return out;
     }
     const DVec3 offset = offset_between(a.pose, b.pose);

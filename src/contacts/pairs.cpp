@@ -2,6 +2,7 @@
 #include "contacts/pairs.h"
 
 #include "bodies/motion_budget.h"
+#include "collision/flat_side.h"
 #include "contacts/contact_update.h"
 #include "core/room.h"
 #include "islands/coloring.h"
@@ -94,8 +95,10 @@ struct Sink final : PairSink {
         const bool b_is_a = a_moves && b_moves   ? goes_first(b, a, swapped)
                             : a_moves || b_moves ? b_moves
                                                  : goes_behind(a, body_a) > goes_behind(b, body_b);
-        const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds;
-        contact = create(b_is_a ? b : a, b_is_a ? a : b, *kind, flipped, a_moves && b_moves);
+        const std::uint32_t first = b_is_a ? b : a, second = b_is_a ? a : b;
+        const bool is_special = rests_on_round_side(shapes.geometry[first], shapes.geometry[second]);
+        const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds && !is_special;
+        contact = create(first, second, is_special ? PairKind::convex_convex : *kind, flipped, a_moves && b_moves);
         return true;
     }
 
@@ -164,6 +167,12 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
     return b == ShapeType::rectangle ? PairKind::convex_rectangle : PairKind::convex_convex;
 }
 
+bool rests_on_round_side(const Geometry& a, const Geometry& b) {
+    if (a.type != ShapeType::box && a.type != ShapeType::capsule) return false;
+    const float width = smallest_extent(a, {});
+    return may_be_flat(b, a, width) || is_nearly_flat(b, a, margin_of(width));
+}
+
 CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
 std::uint32_t new_contact(Contacts& contacts, std::int32_t body_a) {
@@ -211,6 +220,15 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
     r.restitution = m.restitution;
     r.rolling_radius = m.rolling_radius;
     r.torsion_radius = m.torsion_radius;
+}
+
+bool kinds_stay(const Shapes& shapes, const Contacts& contacts, std::uint32_t shape, const Geometry& changed) {
+    return std::ranges::all_of(contacts.info, [&](const ContactInfo& c) {
+        if (!c.in_use || (c.shape_a != shape && c.shape_b != shape)) return true;
+        const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
+        return rests_on_round_side(a, b) ==
+               (c.shape_a == shape ? rests_on_round_side(changed, b) : rests_on_round_side(a, changed));
+    });
 }
 
 void renew_contacts(const Shapes& shapes, Contacts& contacts, std::uint32_t shape) {

@@ -26,6 +26,8 @@ PairMaterial combined_material(const Material& a, const Material& b);
 // Those of the shapes of a contact, into its record.
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 
+// Whether the contacts of a shape are tested as before when it becomes another of its type.
+bool kinds_stay(const Shapes& shapes, const Contacts& contacts, std::uint32_t shape, const Geometry& changed);
 // What the contacts of a shape have of it, when it has changed but is tested as before.
 void renew_contacts(const Shapes& shapes, Contacts& contacts, std::uint32_t shape);
 
@@ -34,6 +36,9 @@ bool has_wide_kernels(const Geometry& geometry);
 // How the two are tested; nothing for two surfaces. By their types, and whether wide kernels know each of them.
 // `swapped`: b is the first shape of the test.
 std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
+// Whether no wide kernel does it although one knows both types: what is small, as A, on a large round side of B that
+// touches it in more than one place (flat_side.h).
+bool rests_on_round_side(const Geometry& a, const Geometry& b);
 CollideKernel wide_kernel(PairKind kind);
 
 // An empty contact, in use, whose body A this is; and its end.

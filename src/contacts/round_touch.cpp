@@ -88,7 +88,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const Po
     int lowest = 0, kept = 0;
     for (int i = 1; i < m.count; ++i)
         if (m.points[i][3] < m.points[lowest][3]) lowest = i;
-    const std::uint32_t faces = m.features[0] & (on_first_face | on_second_face);
+    const std::uint32_t faces = m.features[0] & (on_first_face | on_second_face | on_flat_side);
     const math::Vec3 bearing = to_vec(m.points[lowest]);
     const float least = m.points[lowest][3];
     for (int i = 0; i < m.count; ++i) {

@@ -35,8 +35,16 @@ void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32
                          std::uint32_t shape_b, const MovingState& b, DVec3 axis, NarrowBatch& scratch,
                          std::vector<ImpactPoint>& points) {
     bool swapped = false;
-    const std::optional<PairKind> kind = pair_kind(shapes.geometry[shape_a], shapes.geometry[shape_b], swapped);
+    std::optional<PairKind> kind = pair_kind(shapes.geometry[shape_a], shapes.geometry[shape_b], swapped);
     if (!kind) return;
+    const auto rests_on = [&](std::uint32_t one, std::uint32_t other) {
+        return !bodies.is_dynamic(shapes.links[other].body) &&
+               rests_on_round_side(shapes.geometry[one], shapes.geometry[other]);
+    };
+    if (rests_on(shape_a, shape_b))
+        kind = PairKind::convex_convex, swapped = false;
+    else if (rests_on(shape_b, shape_a))
+        kind = PairKind::convex_convex, swapped = true;
     const double half_width =
         half_width_of(shapes.geometry[shape_a], shapes.data[shape_a], shapes.geometry[shape_b], shapes.data[shape_b]);
     const auto margin = float(touch_tolerance(half_width));

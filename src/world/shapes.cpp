@@ -185,8 +185,9 @@ void World::Impl::replace_shape(std::uint32_t i, Shape shape, const ShapeDef& gi
     const std::int32_t b = s.shapes.links[i].body;
     const ShapeDef def(given);
     const ShapeTraits traits = s.shapes.traits[i];
-    const bool stays = is_tested_alike(s.shapes.geometry[i], make_geometry(shape, place_of(def))) &&
-                       traits.is_trigger == def.is_trigger;
+    const Geometry changed = make_geometry(shape, place_of(def));
+    const bool stays = is_tested_alike(s.shapes.geometry[i], changed) && traits.is_trigger == def.is_trigger &&
+                       kinds_stay(s.shapes, s.contacts, i, changed);
     wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     wake_body(s.bodies, s.islands, s.events, b);
     if (!stays) { // its contacts end, and are found anew at the next step

@@ -372,8 +372,10 @@ class StateCheck final : PairReader {
         ++pairs_;
     }
 
-    // The kind of a pair follows from the types of the shapes, and whether wide kernels know them.
+    // The kind of a pair follows from the types of the shapes, and whether wide kernels know them; but of what is small
+    // on what is large and round.
     PairKind kind_of(std::uint32_t shape_a, std::uint32_t shape_b) {
+        if (rests_on_round_side(shapes_.geometry[shape_a], shapes_.geometry[shape_b])) return PairKind::convex_convex;
         const std::uint8_t a = class_of_[shape_a], b = class_of_[shape_b];
         std::optional<PairKind>& known = kinds_[a][b];
         bool swapped = false;
