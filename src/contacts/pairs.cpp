@@ -96,9 +96,9 @@ struct Sink final : PairSink {
                             : a_moves || b_moves ? b_moves
                                                  : goes_behind(a, body_a) > goes_behind(b, body_b);
         const std::uint32_t first = b_is_a ? b : a, second = b_is_a ? a : b;
-        const bool is_special = rests_on_round_side(shapes.geometry[first], shapes.geometry[second]);
-        const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds && !is_special;
-        contact = create(first, second, is_special ? PairKind::convex_convex : *kind, flipped, a_moves && b_moves);
+        const bool rests_on_side = rests_on_round_side(shapes.geometry[first], shapes.geometry[second]);
+        const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds && !rests_on_side;
+        contact = create(first, second, rests_on_side ? PairKind::convex_convex : *kind, flipped, a_moves && b_moves);
         return true;
     }
 
