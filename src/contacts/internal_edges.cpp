@@ -336,7 +336,7 @@ bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
                                                                             margin, narrow.at_work[0], touch)
                                                         : find_lifted_touch(in, c, lift, axis, dt, margin, touch);
     if (approach == Approach::passes) return false;
-    if (touch.manifold.count == 0 || (approach == Approach::now && touch.is_beside)) return true;
+    if (touch.manifold.count == 0) return true;
     take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);
     test_again(in.bodies, contacts, id);
     narrow.lifted.push_back(id);

@@ -184,6 +184,9 @@ class ExpectedWays {
     const DVec3 from_a_, from_b_; // where the bodies are
 };
 
+// Whether the two are nearest within the way. At an end of it they may touch all the same once A is lowered again.
+bool passes_within(const Nearness& found) { return found.distance > 0 && found.time > 0 && found.time < 1; }
+
 // Of what was found with A displaced by `lift`: as far apart as it is without.
 void lower(const ContactInfo& c, DVec3 lift, Manifold& m) {
     const math::Vec3 normal = math::to_vec(m.normal);
@@ -248,7 +251,7 @@ Approach find_lifted_touch(const NarrowInput& in, const ContactInfo& c, DVec3 li
     const Nearness found = nearness_of(ways.of_a(), ways.of_b(), double(c.base_margin), axis);
     const Approach approach = ways.take(found, touch);
     if (approach == Approach::passes) return approach;
-    if (!touch.is_beside) touch.manifold = ways.manifold_at_touch(found, margin);
+    if (!passes_within(found)) touch.manifold = ways.manifold_at_touch(found, margin);
     lower(c, lift, touch.manifold);
     return approach;
 }
@@ -264,10 +267,10 @@ Approach find_lifted_touch(const NarrowInput& in, const ContactInfo& group, DVec
     for (const TriangleHit& hit : own.surface.hits) own.triangles.push_back(hit.triangle);
     if (own.triangles.empty()) return Approach::passes;
     const std::span<const std::uint32_t> triangles = own.triangles;
-    const Approach approach =
-        ways.take(nearness_of(ways.of_a(), ways.of_b(), triangles, double(group.base_margin)), touch);
+    const Nearness found = nearness_of(ways.of_a(), ways.of_b(), triangles, double(group.base_margin));
+    const Approach approach = ways.take(found, touch);
     if (approach == Approach::passes) return approach;
-    if (!touch.is_beside) {
+    if (!passes_within(found)) {
         find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                      margin, own.surface, own.hits);
         if (own.hits.empty()) return Approach::passes;
