@@ -13,6 +13,7 @@ import scenes_of_boxes as boxes
 import scenes_of_joints as hung
 import scenes_of_machines as machines
 import scenes_of_shapes as shapes
+import scenes_of_water as water
 
 SCENES = [
     ("01_open_plane", boxes.open_plane),
@@ -50,6 +51,7 @@ SCENES = [
     ("33_bullets", boxes.bullets),
     ("34_pinball", boxes.pinball),
     ("35_stroll", machines.stroll),
+    ("36_harbor", water.harbor),
     ("welcome", boxes.welcome),
 ]
 

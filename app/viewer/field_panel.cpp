@@ -30,6 +30,21 @@ bool draw_radial(ForceField& field) {
     return changed;
 }
 
+bool draw_fluid(ForceField& field) {
+    float center[] = {float(field.center.x), float(field.center.y), float(field.center.z)};
+    bool changed = ImGui::DragFloat3("surface", center, 0.02f, 0.0f, 0.0f, "%.2f");
+    if (changed) field.center = Position(center[0], center[1], center[2]);
+    changed |= ImGui::DragFloat3("reach", &field.half_extents.x, 0.02f, 0.01f, 1000.0f, "%.2f");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("from there, m; below it, its depth");
+    changed |= ImGui::DragFloat3("flow", &field.direction.x, 0.02f, 0.0f, 0.0f, "%.2f");
+    changed |= ImGui::DragFloat("kg/m3", &field.density, 5.0f, 0.0f, 20000.0f, "%.0f");
+    changed |= ImGui::DragFloat("drag", &field.drag, 0.01f, 0.0f, 100.0f, "%.2f");
+    changed |= ImGui::DragFloat("skin", &field.skin_friction, 0.001f, 0.0f, 10.0f, "%.3f");
+    changed |= ImGui::DragFloat("moved along", &field.added_mass, 0.01f, 0.0f, 10.0f, "%.2f");
+    changed |= ImGui::DragFloat("waves", &field.wave_damping, 0.01f, 0.0f, 10.0f, "%.2f");
+    return changed;
+}
+
 } // namespace
 
 // Whether it was changed.
@@ -38,7 +53,7 @@ bool FieldPanel::draw_field(Controller& controller, std::size_t index, bool& is_
     const std::string place = "field." + std::to_string(index);
     bool changed = false;
     int kind = int(field.kind);
-    constexpr std::array kinds{"one direction", "towards a point"};
+    constexpr std::array kinds{"one direction", "towards a point", "a fluid"};
     if (ImGui::Combo("##kind", &kind, kinds.data(), int(kinds.size()))) {
         field.kind = ForceField::Kind(kind);
         changed = true;
@@ -48,9 +63,12 @@ bool FieldPanel::draw_field(Controller& controller, std::size_t index, bool& is_
     note_place(controller, (place + ".remove").c_str());
     if (field.kind == ForceField::Kind::uniform)
         changed |= ImGui::DragFloat3(field.is_force ? "N" : "m/s2", &field.direction.x, 0.05f, 0.0f, 0.0f, "%.2f");
-    else
+    else if (field.kind == ForceField::Kind::radial)
         changed |= draw_radial(field);
+    else
+        changed |= draw_fluid(field);
     note_place(controller, (place + ".value").c_str());
+    if (field.kind == ForceField::Kind::fluid) return changed;
     changed |= ImGui::Checkbox("a force, the same for all masses", &field.is_force);
     return changed;
 }
@@ -60,7 +78,7 @@ void FieldPanel::draw(const StageState& state, Controller& controller) {
     note_place(controller, "panel.fields");
     if (!is_open) return;
     if (!ImGui::IsAnyItemActive()) fields_ = state.fields;
-    if (fields_.empty()) explain("They act on every body that moves by forces: wind, a magnet, a planet.");
+    if (fields_.empty()) explain("They act on every body that moves by forces: wind, a magnet, a planet, water.");
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         ImGui::PushID(int(i));
         bool is_removed = false;
@@ -78,13 +96,20 @@ void FieldPanel::draw(const StageState& state, Controller& controller) {
     ImGui::SameLine();
     const bool wants_center = ImGui::Button("Add attraction");
     note_place(controller, "fields.attraction");
+    ImGui::SameLine();
+    const bool wants_water = ImGui::Button("Add water");
+    note_place(controller, "fields.water");
+    if (wants_water) {
+        field.kind = ForceField::Kind::fluid;
+        field.center = controller.camera.target();
+    }
     if (wants_wind) field.direction = Vec3(2.0f, 0.0f, 0.0f);
     if (wants_center) {
         field.kind = ForceField::Kind::radial;
         field.center = controller.camera.target();
         field.strength = 5.0f;
     }
-    if (wants_wind || wants_center) controller.post(command::AddField{field});
+    if (wants_wind || wants_center || wants_water) controller.post(command::AddField{field});
 }
 
 } // namespace cairn::viewer

@@ -76,22 +76,26 @@ void GlLines::upload(const std::vector<Vec3>& vertices) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
 }
 
-// Veils, then strokes with a dark rim that parts them from bodies of their color: first what lies behind something,
-// faintly, then the rest.
+// Surfaces of fluids, veils, then strokes with a dark rim that parts them from bodies of their color: first what lies
+// behind something, faintly, then the rest.
 void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera,
                          int width, int height) {
-    if (frame.strokes.empty() && frame.veils.empty()) return;
+    if (frame.strokes.empty() && frame.veils.empty() && frame.fluids.empty()) return;
     constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
-    constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
+    constexpr float fluid_alpha = 0.5f, veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
     StrokeView view{Vec3(camera.position() - frame.origin),
                     camera.forward(),
                     2.0f * camera.half_height(float(width) / float(height)) / stroke_picture_height,
                     {}};
     if (camera.is_parallel()) view.parallel_distance = camera.distance();
     std::vector<Vec3> vertices, band;
-    for (const Veil& veil : frame.veils)
-        for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
-    const GLsizei veils_end = GLsizei(vertices.size() / 2);
+    const auto add_veils = [&](const std::vector<Veil>& veils) {
+        for (const Veil& veil : veils)
+            for (const Vec3& corner : {veil.a, veil.b, veil.c})
+                vertices.insert(vertices.end(), {corner, srgb(veil.color)});
+        return GLsizei(vertices.size() / 2);
+    };
+    const GLsizei fluids_end = add_veils(frame.fluids), veils_end = add_veils(frame.veils);
     const auto add_strokes = [&](float wider, std::optional<Vec3> color) {
         for (const Stroke& stroke : frame.strokes) {
             Stroke drawn = stroke; // at least a pixel wide
@@ -115,11 +119,13 @@ void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_wo
         glBlendColor(0.0f, 0.0f, 0.0f, alpha);
         glDrawArrays(GL_TRIANGLES, from, to - from);
     };
+    glDepthFunc(GL_LEQUAL);
+    draw_part(0, fluids_end, fluid_alpha);
     glDepthFunc(GL_GREATER);
-    draw_part(0, veils_end, veil_alpha * hidden_alpha);
+    draw_part(fluids_end, veils_end, veil_alpha * hidden_alpha);
     draw_part(rims_end, strokes_end, hidden_alpha);
     glDepthFunc(GL_LEQUAL);
-    draw_part(0, veils_end, veil_alpha);
+    draw_part(fluids_end, veils_end, veil_alpha);
     draw_part(veils_end, rims_end, rim_alpha);
     draw_part(rims_end, strokes_end, 1.0f);
     glDepthFunc(GL_LESS);

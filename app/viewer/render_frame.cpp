@@ -1,5 +1,6 @@
 #include "viewer/render_frame.h"
 
+#include "viewer/fluid_drawing.h"
 #include "viewer/joint_drawing.h"
 #include "viewer/palette.h"
 #include "viewer/solver_view.h"
@@ -343,6 +344,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         else
             add_solid(frame, frame.origin, shape, pose, color, layout, options);
     }
+    draw_fluids(frame, current);
     if (current.joints) add_strings(frame, current, transforms);
     if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
     if (current.solver) draw_solver(frame, *current.solver);

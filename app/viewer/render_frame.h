@@ -92,7 +92,8 @@ struct RenderFrame : ShapeInstances {
     std::vector<LineBox> line_boxes;
     std::vector<Stroke> strokes;
     std::vector<Veil> veils;
-    bool grid = true; ///< Draw the lines of the ground.
+    std::vector<Veil> fluids; ///< Their surfaces: hidden by what is in front of them, and thicker.
+    bool grid = true;         ///< Draw the lines of the ground.
     bool shadows = true;
     Lighting lighting; ///< Fixed in the world.
 };

@@ -1,5 +1,7 @@
 #include "viewer/world_state.h"
 
+#include "viewer/fluid_drawing.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -207,6 +209,7 @@ WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with
         motion.speeds[i] = glm::length(body.linear_velocity());
         motion.awake[i] = body.is_awake() ? 1 : 0;
     }
+    motion.fluids = read_fluids(world);
     if (with_islands) motion.islands = find_islands(world, layout);
     motion.joints = std::move(joints);
     if (!motion.joints) return motion;

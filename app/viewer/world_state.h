@@ -70,6 +70,13 @@ struct WorldLayout {
 
 struct SolverView;
 
+/// A fluid (`ForceField`).
+struct FluidLayout {
+    Position center{0.0, 0.0, 0.0}; ///< Of its surface.
+    Vec3 half_extents{0.0f, 0.0f, 0.0f};
+    glm::dvec3 up{0.0, 0.0, 0.0}; ///< Away from gravity; zero without it.
+};
+
 /// How every body of a layout stands and moves at one moment.
 struct WorldMotion {
     std::vector<Transform> transforms;
@@ -80,6 +87,7 @@ struct WorldMotion {
     std::shared_ptr<const std::vector<JointLayout>> joints; ///< Null: not asked for.
     std::vector<JointState> joint_states;                   ///< One for each of `joints`.
     std::shared_ptr<const SolverView> solver;               ///< Null: not asked for.
+    std::vector<FluidLayout> fluids;
 };
 
 /// Copies the layout. `appearances` and `visuals` of what no longer exists are ignored. `meshes` keeps what it has made

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,18 +52,37 @@ struct WorldDef {
     float max_angular_speed = 1000.0f; ///< rad/s; likewise.
 };
 
-/// A field that accelerates or pushes every dynamic body, evaluated at its center of mass.
+/// A field that acts on every dynamic body: an acceleration or a force, evaluated at its center of mass, or a fluid.
+///
+/// A fluid (water, oil, air) fills a box below its surface, which is level: perpendicular to the world's gravity,
+/// through `center`. It lifts what is in it by the weight of what that displaces (Archimedes), in the world's gravity,
+/// and resists motion against it: each piece of a body's surface that moves against the fluid with the speed s along
+/// its normal is pushed back by drag x density x s^2 / 2 for each square meter, and each piece that slides along it
+/// with the speed t by skin_friction x density x t^2 / 2. So a plate has a drag coefficient of `drag`, a ball one of
+/// half of that. Some of the fluid moves along with a body (`added_mass`). There are no waves, but what bobs loses its
+/// motion as if there were (`wave_damping`). It acts on solids, not on triggers; at the sides of the box on what is
+/// within, at its bottom on shapes with their middle above that. Where fluids overlap, both act.
 struct ForceField {
     enum class Kind : std::uint8_t {
         uniform, ///< The same everywhere, along `direction`.
         radial,  ///< Towards `center`, `strength` x distance^`exponent`.
+        fluid,   ///< A fluid with a level surface through `center`, which flows with the velocity `direction`.
     };
     Kind kind = Kind::uniform;
-    Vec3 direction{0.0f, 0.0f, 0.0f}; ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`).
-    Position center{0.0, 0.0, 0.0};   ///< Radial: the point that attracts, meters.
+    Vec3 direction{0.0f, 0.0f, 0.0f}; ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`). Fluid: m/s.
+    Position center{0.0, 0.0, 0.0};   ///< Radial: the point that attracts, meters. Fluid: the middle of its surface.
     float strength = 0.0f;            ///< Radial: m/s^2 (or N) at a distance of one meter; negative repels.
     float exponent = 0.0f;            ///< Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1.
     bool is_force = false;            ///< false: an acceleration, equal for all masses; true: a force.
+    /// Fluid: how far it reaches from `center` along the axes of the world, meters, > 0; may be infinite. Along the
+    /// axis nearest to gravity it is the depth.
+    Vec3 half_extents{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity(),
+                      std::numeric_limits<float>::infinity()};
+    float density = 1000.0f;     ///< Fluid: kg/m^3, >= 0. The default is that of water.
+    float drag = 1.0f;           ///< Fluid: coefficient of what is pushed ahead, >= 0.
+    float skin_friction = 0.01f; ///< Fluid: coefficient of what is dragged along, >= 0.
+    float added_mass = 0.5f;     ///< Fluid: how much of it moves along, >= 0, of what a body displaces; a ball: 0.5.
+    float wave_damping = 0.2f;   ///< Fluid: how fast bobbing is lost to waves, >= 0, of critical damping.
 };
 
 /// Wall-clock time of the stages of the last step, in milliseconds. Snapshots do not keep it: 0 after `World::restore`.

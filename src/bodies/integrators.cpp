@@ -212,7 +212,7 @@ float damping_factor(float rate, float h) {
 
 bool any_field(const ForceFields& fields) {
     for (std::uint32_t i = 0; i < fields.all.size(); ++i)
-        if (fields.slots.is_live(i)) return true;
+        if (fields.slots.is_live(i) && fields.all[i].kind != ForceField::Kind::fluid) return true;
     return false;
 }
 
@@ -223,6 +223,7 @@ DVec3 field_acceleration(const ForceFields& fields, const WorldDef& settings, DV
     for (std::uint32_t i = 0; i < fields.all.size(); ++i) {
         if (!fields.slots.is_live(i)) continue;
         const ForceField& field = fields.all[i];
+        if (field.kind == ForceField::Kind::fluid) continue; // bodies/fluids.h
         const double factor = field.is_force ? inverse_mass : 1.0;
         if (field.kind == ForceField::Kind::uniform) {
             a += factor * DVec3{field.direction.x, field.direction.y, field.direction.z};

@@ -40,6 +40,7 @@ class Value {
     bool is_object() const { return json_->is_object(); }
     bool is_array() const { return json_->is_array(); }
     bool is_string() const { return json_->is_string(); }
+    bool is_null() const { return json_->is_null(); }
     const std::string& path() const { return path_; }
 
     // Objects. `find` is empty if there is no such member; `require` complains.

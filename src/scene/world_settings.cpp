@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace cairn::scene {
 
@@ -49,6 +51,48 @@ Camera read_camera(const Value& value) {
     return camera;
 }
 
+// null: without end.
+Vec3 read_half_extents(const Value& value) {
+    if (!value.is_array() || value.size(3, "numbers") != 3) value.fail("must be an array of 3 numbers > 0 or null");
+    Vec3 half(std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!value[i].is_null()) half[static_cast<int>(i)] = value[i].real(positive_float);
+    return half;
+}
+
+void read_fluid(const Value& value, ForceField& field) {
+    field.kind = ForceField::Kind::fluid;
+    field.center = value.require("center").vector3();
+    if (const auto flow = value.find("direction")) field.direction = flow->float_vector3();
+    if (const auto half = value.find("half_extents")) field.half_extents = read_half_extents(*half);
+    if (const auto density = value.find("density")) field.density = density->real(nonnegative_float);
+    if (const auto drag = value.find("drag")) field.drag = drag->real(nonnegative_float);
+    if (const auto friction = value.find("skin_friction")) field.skin_friction = friction->real(nonnegative_float);
+    if (const auto mass = value.find("added_mass")) field.added_mass = mass->real(nonnegative_float);
+    if (const auto damping = value.find("wave_damping")) field.wave_damping = damping->real(nonnegative_float);
+}
+
+nlohmann::ordered_json write_fluid(const ForceField& field) {
+    nlohmann::ordered_json json;
+    json["kind"] = "fluid";
+    json["center"] = number_array(field.center);
+    if (field.direction != Vec3(0.0f)) json["direction"] = number_array(field.direction);
+    bool is_endless = true;
+    nlohmann::ordered_json half = nlohmann::ordered_json::array();
+    for (int i = 0; i < 3; ++i) {
+        const bool is_finite = std::isfinite(field.half_extents[i]);
+        is_endless = is_endless && !is_finite;
+        half.push_back(is_finite ? nlohmann::ordered_json(shortest(field.half_extents[i])) : nlohmann::ordered_json());
+    }
+    if (!is_endless) json["half_extents"] = half;
+    json["density"] = shortest(field.density);
+    json["drag"] = shortest(field.drag);
+    json["skin_friction"] = shortest(field.skin_friction);
+    json["added_mass"] = shortest(field.added_mass);
+    json["wave_damping"] = shortest(field.wave_damping);
+    return json;
+}
+
 ForceField read_force_field(const Value& value) {
     ForceField field;
     const Value kind = value.require("kind");
@@ -63,14 +107,17 @@ ForceField read_force_field(const Value& value) {
         if (const auto exponent = value.find("exponent")) {
             field.exponent = static_cast<float>(exponent->integer(-2, 1));
         }
+    } else if (name == "fluid") {
+        read_fluid(value, field);
     } else {
-        kind.fail("must be \"uniform\" or \"radial\"");
+        kind.fail("must be \"uniform\", \"radial\" or \"fluid\"");
     }
     if (const auto is_force = value.find("is_force")) field.is_force = is_force->boolean();
     return field;
 }
 
 nlohmann::ordered_json write_force_field(const ForceField& field) {
+    if (field.kind == ForceField::Kind::fluid) return write_fluid(field);
     nlohmann::ordered_json json;
     if (field.kind == ForceField::Kind::uniform) {
         json["kind"] = "uniform";

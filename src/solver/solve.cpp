@@ -359,7 +359,6 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
                             const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
                             StepScratch& step, Communicator* ranks, float dt) {
     SolverScratch& scratch = step.solver;
-    update_direct_sets(bodies, joints, step.direct);
     ThreadPool* const thread_pool = step.thread_pool.get();
     set_size(scratch.reports, contacts.info.size());
     scratch.at_work.resize(std::size_t(thread_pool->threads()));

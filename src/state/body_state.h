@@ -33,11 +33,12 @@ struct BodySettings {
     std::uint8_t padding[2] = {};
 };
 
-// What the user pushes with during the next step. Double, so that no sum of floats overflows.
+// What pushes a body during the step. Double, so that no sum of floats overflows.
 struct BodyForces {
     math::DVec3 force, torque;
-    std::uint64_t any = 0;
+    std::uint64_t any = 0; // pushed_by_user and pushed_by_fluid
 };
+inline constexpr std::uint64_t pushed_by_user = 1, pushed_by_fluid = 2;
 
 inline constexpr float lag_of_rest = 0.25f; // of the sleep time, for BodyLinks::late, and once more for ::later
 

@@ -5,6 +5,7 @@
 #include "jobs/thread_pool.h"
 #include "state/character_work.h"
 #include "state/direct_sets.h"
+#include "state/fluid_scratch.h"
 #include "state/narrow_scratch.h"
 #include "state/solver_scratch.h"
 
@@ -20,6 +21,7 @@ struct StepScratch {
     SolverScratch solver;
     DirectSets direct;
     CharacterScratch characters;
+    FluidScratch fluids;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
 
     // After a step: of what bodies in flight and leaving their boxes have needed, and these ones now do not.

@@ -35,7 +35,7 @@ void require_dynamic(const Access& a, const char* call) {
 BodyForces& pushed(const Access& a) {
     BodyForces& forces = a.s.bodies.forces[a.b];
     if (!forces.any) a.s.bodies.pushed.push_back(a.index());
-    forces.any = 1;
+    forces.any |= pushed_by_user;
     return forces;
 }
 void require_moving(const Access& a, const char* call) {

@@ -153,19 +153,42 @@ inline ShapeDef from_fields(const ShapeDefFields& f) {
             f.is_trigger != 0,     to_public(f.surface_velocity), f.user_data, to_public(f.one_way)};
 }
 
-CAIRN_ARCHIVES_MEMBERS(6, ForceField);
+CAIRN_ARCHIVES_MEMBERS(12, ForceField);
 struct ForceFieldFields {
     math::DVec3 center;
-    math::Vec3 direction;
-    float strength, exponent;
+    math::Vec3 direction, half_extents;
+    float strength, exponent, density, drag, skin_friction, added_mass, wave_damping;
     ForceField::Kind kind;
     std::uint8_t is_force, padding[2];
 };
 inline ForceFieldFields fields_of(const ForceField& f) {
-    return {to_math(f.center), to_math(f.direction), f.strength, f.exponent, f.kind, std::uint8_t(f.is_force), {}};
+    return {to_math(f.center),
+            to_math(f.direction),
+            to_math(f.half_extents),
+            f.strength,
+            f.exponent,
+            f.density,
+            f.drag,
+            f.skin_friction,
+            f.added_mass,
+            f.wave_damping,
+            f.kind,
+            std::uint8_t(f.is_force),
+            {}};
 }
 inline ForceField from_fields(const ForceFieldFields& f) {
-    return {f.kind, to_public(f.direction), to_public(f.center), f.strength, f.exponent, f.is_force != 0};
+    return {f.kind,
+            to_public(f.direction),
+            to_public(f.center),
+            f.strength,
+            f.exponent,
+            f.is_force != 0,
+            to_public(f.half_extents),
+            f.density,
+            f.drag,
+            f.skin_friction,
+            f.added_mass,
+            f.wave_damping};
 }
 
 CAIRN_ARCHIVES_MEMBERS(4, ContactEnd);

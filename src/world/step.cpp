@@ -1,6 +1,7 @@
 // One step, top to bottom. Each line is a stage; each stage is a file. A step is one pass through them; while
 // something whirls and touches (see bodies/motion_budget.h), it is several.
 #include "bodies/finalize.h"
+#include "bodies/fluids.h"
 #include "bodies/motion_budget.h"
 #include "character/move_characters.h"
 #include "contacts/contact_update.h"
@@ -8,6 +9,7 @@
 #include "contacts/pairs.h"
 #include "impacts/resolve_impacts.h"
 #include "islands/islands.h"
+#include "joints/direct_sets.h"
 #include "joints/joints.h"
 #include "solver/island_batches.h"
 #include "solver/rank_cut.h"
@@ -51,6 +53,19 @@ class Busy {
     std::atomic<bool>& flag_;
 };
 
+// Bodies have their own masses again when it ends.
+class Unloading {
+  public:
+    Unloading(Bodies& bodies, FluidScratch& scratch) : bodies_(bodies), scratch_(scratch) {}
+    ~Unloading() { unload(bodies_, scratch_); }
+    Unloading(const Unloading&) = delete;
+    Unloading& operator=(const Unloading&) = delete;
+
+  private:
+    Bodies& bodies_;
+    FluidScratch& scratch_;
+};
+
 } // namespace
 
 int World::usual_substeps(float dt) const {
@@ -80,6 +95,10 @@ void World::Impl::make_step(float dt) {
                      state.events, state.characters},
                     step.characters, dt);
     wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
+    update_direct_sets(state.bodies, state.joints, step.direct);
+    const Unloading unloading(state.bodies, step.fluids);
+    const FluidContext fluids{state.settings, state.fields, state.bodies, state.shapes, state.islands};
+    push_by_fluids(fluids, step.fluids, *step.thread_pool, dt);
     update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
                  state.events, step.thread_pool.get());
     times.broad_phase = clock.lap();
@@ -87,6 +106,7 @@ void World::Impl::make_step(float dt) {
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
                         state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
     put_told_to_sleep(state.bodies, state.contacts, state.islands, state.events, step.solved);
+    push_by_fluids(fluids, step.fluids, *step.thread_pool, dt); // what has woken
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, dt);
     times.islands = clock.lap();

@@ -226,10 +226,18 @@ void validate(const ForceField& field) {
     require_finite("ForceField.direction", field.direction);
     require_position("ForceField.center", field.center);
     require_finite("ForceField.strength", field.strength);
-    if (field.kind > ForceField::Kind::radial)
+    if (field.kind > ForceField::Kind::fluid)
         refuse("ForceField.kind", std::to_string(int(field.kind)), "must be one of the enumerators");
     if (field.exponent != -2 && field.exponent != -1 && field.exponent != 0 && field.exponent != 1)
         refuse("ForceField.exponent", to_text(field.exponent), "must be -2, -1, 0 or 1");
+    for (int i = 0; i < 3; ++i)
+        if (!(field.half_extents[i] > 0))
+            refuse("ForceField.half_extents", to_text(field.half_extents[i]), "must be > 0");
+    require_at_least("ForceField.density", field.density, 0);
+    require_at_least("ForceField.drag", field.drag, 0);
+    require_at_least("ForceField.skin_friction", field.skin_friction, 0);
+    require_at_least("ForceField.added_mass", field.added_mass, 0);
+    require_at_least("ForceField.wave_damping", field.wave_damping, 0);
 }
 
 } // namespace cairn

@@ -340,6 +340,12 @@ int main(void) {
     MEMBER(cairn_force_field, strength);
     MEMBER(cairn_force_field, exponent);
     MEMBER(cairn_force_field, is_force);
+    MEMBER(cairn_force_field, half_extents);
+    MEMBER(cairn_force_field, density);
+    MEMBER(cairn_force_field, drag);
+    MEMBER(cairn_force_field, skin_friction);
+    MEMBER(cairn_force_field, added_mass);
+    MEMBER(cairn_force_field, wave_damping);
     SIZE(cairn_stage_times);
     MEMBER(cairn_stage_times, broad_phase);
     MEMBER(cairn_stage_times, narrow_phase);

@@ -1663,14 +1663,20 @@ static cairn_result world_add_force_field(const struct wrong_context* c, int wro
     if (wrong == 2) { field_value.struct_size = 0; }
     if (wrong == 3) { field_value.struct_size = sizeof(cairn_force_field) + 8; }
     if (wrong == 4) { field_value.kind = -1; }
-    if (wrong == 5) { field_value.kind = 2; }
+    if (wrong == 5) { field_value.kind = 3; }
     if (wrong == 6) { field_value.direction.y = NAN; }
     if (wrong == 7) { field_value.center.z = NAN; }
     if (wrong == 8) { field_value.strength = NAN; }
     if (wrong == 9) { field_value.exponent = NAN; }
+    if (wrong == 10) { field_value.half_extents.y = NAN; }
+    if (wrong == 11) { field_value.density = NAN; }
+    if (wrong == 12) { field_value.drag = NAN; }
+    if (wrong == 13) { field_value.skin_friction = NAN; }
+    if (wrong == 14) { field_value.added_mass = NAN; }
+    if (wrong == 15) { field_value.wave_damping = NAN; }
     cairn_force_field_id result_room[4];
     cairn_force_field_id* result = result_room;
-    if (wrong == 10) { result = NULL; }
+    if (wrong == 16) { result = NULL; }
     return cairn_world_add_force_field(world, field, result);
 }
 
@@ -1685,11 +1691,17 @@ static cairn_result world_set_force_field(const struct wrong_context* c, int wro
     if (wrong == 3) { field_value.struct_size = 0; }
     if (wrong == 4) { field_value.struct_size = sizeof(cairn_force_field) + 8; }
     if (wrong == 5) { field_value.kind = -1; }
-    if (wrong == 6) { field_value.kind = 2; }
+    if (wrong == 6) { field_value.kind = 3; }
     if (wrong == 7) { field_value.direction.y = NAN; }
     if (wrong == 8) { field_value.center.z = NAN; }
     if (wrong == 9) { field_value.strength = NAN; }
     if (wrong == 10) { field_value.exponent = NAN; }
+    if (wrong == 11) { field_value.half_extents.y = NAN; }
+    if (wrong == 12) { field_value.density = NAN; }
+    if (wrong == 13) { field_value.drag = NAN; }
+    if (wrong == 14) { field_value.skin_friction = NAN; }
+    if (wrong == 15) { field_value.added_mass = NAN; }
+    if (wrong == 16) { field_value.wave_damping = NAN; }
     return cairn_world_set_force_field(world, id, field);
 }
 
@@ -2619,23 +2631,35 @@ const struct wrong_call wrong_calls[] = {
     {"world_add_force_field", "field_value.struct_size is 0", world_add_force_field, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.struct_size is sizeof(cairn_force_field) + 8", world_add_force_field, 3, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.kind is -1", world_add_force_field, 4, CAIRN_ERROR_INVALID_VALUE},
-    {"world_add_force_field", "field_value.kind is 2", world_add_force_field, 5, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.kind is 3", world_add_force_field, 5, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.direction.y is NaN", world_add_force_field, 6, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.center.z is NaN", world_add_force_field, 7, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.strength is NaN", world_add_force_field, 8, CAIRN_ERROR_INVALID_VALUE},
     {"world_add_force_field", "field_value.exponent is NaN", world_add_force_field, 9, CAIRN_ERROR_INVALID_VALUE},
-    {"world_add_force_field", "result is null", world_add_force_field, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.half_extents.y is NaN", world_add_force_field, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.density is NaN", world_add_force_field, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.drag is NaN", world_add_force_field, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.skin_friction is NaN", world_add_force_field, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.added_mass is NaN", world_add_force_field, 14, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "field_value.wave_damping is NaN", world_add_force_field, 15, CAIRN_ERROR_INVALID_VALUE},
+    {"world_add_force_field", "result is null", world_add_force_field, 16, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "world is null", world_set_force_field, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_set_force_field", "id is stale", world_set_force_field, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"world_set_force_field", "field is null", world_set_force_field, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.struct_size is 0", world_set_force_field, 3, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.struct_size is sizeof(cairn_force_field) + 8", world_set_force_field, 4, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.kind is -1", world_set_force_field, 5, CAIRN_ERROR_INVALID_VALUE},
-    {"world_set_force_field", "field_value.kind is 2", world_set_force_field, 6, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.kind is 3", world_set_force_field, 6, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.direction.y is NaN", world_set_force_field, 7, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.center.z is NaN", world_set_force_field, 8, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.strength is NaN", world_set_force_field, 9, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_force_field", "field_value.exponent is NaN", world_set_force_field, 10, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.half_extents.y is NaN", world_set_force_field, 11, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.density is NaN", world_set_force_field, 12, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.drag is NaN", world_set_force_field, 13, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.skin_friction is NaN", world_set_force_field, 14, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.added_mass is NaN", world_set_force_field, 15, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_force_field", "field_value.wave_damping is NaN", world_set_force_field, 16, CAIRN_ERROR_INVALID_VALUE},
     {"world_remove_force_field", "world is null", world_remove_force_field, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_remove_force_field", "id is stale", world_remove_force_field, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_force_field", "world is null", world_get_force_field, 0, CAIRN_ERROR_INVALID_HANDLE},

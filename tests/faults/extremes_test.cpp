@@ -351,6 +351,22 @@ TEST(Row26, GravityScaleAndFieldsOfTenToTheThirty) {
     EXPECT_TRUE(stays_sane(world, 120));
 }
 
+TEST(Row26, FluidsOfTenToTheThirty) {
+    for (const float much : {1e-30f, 1e15f, 3e38f}) {
+        World world;
+        add_ground(world);
+        add_crate(world, {0.0, 2.0, 0.0});
+        const BodyId ball = world.create_body({.position = {3, 2, 0}, .linear_velocity = {1000, 0, 0}});
+        world.add_shape(ball, Sphere{});
+        ForceField field;
+        field.kind = ForceField::Kind::fluid;
+        field.density = much, field.drag = much, field.skin_friction = much, field.direction = Vec3(1e15f);
+        field.half_extents = Vec3(much);
+        world.add_force_field(field);
+        EXPECT_TRUE(stays_sane(world, 120)) << much;
+    }
+}
+
 TEST(Row27, TorqueAndForceOfTenToTheThirty) {
     for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::explicit_euler, Integrator::rk4}) {
         WorldDef def;

@@ -114,6 +114,10 @@ std::vector<Refusal> materials() {
                        "inf", must_be_finite));
     rows.push_back(row(18, "field exponent", change_field(&ForceField::exponent, 0.5f), "ForceField.exponent", "0.5",
                        "must be -2, -1, 0 or 1"));
+    rows.push_back(row(18, "field half_extents", change_field(&ForceField::half_extents, Vec3(1, 0, 1)),
+                       "ForceField.half_extents", "0", "must be > 0"));
+    rows.push_back(row(18, "field density", change_field(&ForceField::density, -1.0f), "ForceField.density", "-1",
+                       "must be >= 0"));
     return rows;
 }
 

@@ -295,7 +295,7 @@ void Calls::change_fields() {
         return;
     }
     ForceField field;
-    field.kind = bytes_.pick(2) ? ForceField::Kind::radial : ForceField::Kind::uniform;
+    field.kind = ForceField::Kind(bytes_.pick(3));
     field.direction = bytes_.vector(1);
     field.strength = bytes_.unit();
     field.exponent = float(bytes_.pick(4) - 2);

@@ -213,6 +213,7 @@ void RandomChanges::change_world(World& world) {
     ForceField field;
     field.direction = vector(2.0f);
     if (pick(2) == 0) field.kind = ForceField::Kind::radial, field.strength = 2.0f, field.exponent = -1.0f;
+    if (pick(3) == 0) field.kind = ForceField::Kind::fluid, field.half_extents = {20, 2, 5}, field.density = 700.0f;
     std::erase_if(fields_, [&](ForceFieldId id) { return !world.is_valid(id); });
     WorldDef settings = world.settings();
     switch (pick(4)) {

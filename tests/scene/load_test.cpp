@@ -235,7 +235,9 @@ TEST(SceneLoad, WorldSettings) {
         "integrator":"rk4","time_step":0.01,"sleep":false,"restitution_speed":0.5,
         "camera":{"position":[1,2,3],"target":[0,1,0],"vertical_fov_degrees":30},
         "force_fields":[{"kind":"uniform","direction":[1,0,0]},
-                        {"kind":"radial","center":[0,5,0],"strength":3,"exponent":-2,"is_force":true}])";
+                        {"kind":"radial","center":[0,5,0],"strength":3,"exponent":-2,"is_force":true},
+                        {"kind":"fluid","center":[0,2,0],"direction":[1,0,0],"half_extents":[3,null,4],"density":800,
+                         "drag":0.5,"skin_friction":0.02}])";
     const Scene scene = load_text(document(parts));
     EXPECT_EQ(scene.info.title, "A title");
     EXPECT_EQ(scene.info.hint, "A hint");
@@ -250,8 +252,16 @@ TEST(SceneLoad, WorldSettings) {
     ASSERT_TRUE(scene.info.camera.has_value());
     EXPECT_EQ(scene.info.camera->position, Position(1, 2, 3));
     EXPECT_FLOAT_EQ(scene.info.camera->vertical_fov_degrees, 30.0f);
-    ASSERT_EQ(scene.force_fields.size(), 2u);
+    ASSERT_EQ(scene.force_fields.size(), 3u);
     EXPECT_TRUE(scene.world.is_valid(scene.force_fields[1]));
+    const ForceField& fluid = scene.world.force_field(scene.force_fields[2]);
+    EXPECT_EQ(fluid.kind, ForceField::Kind::fluid);
+    EXPECT_EQ(fluid.center, Position(0, 2, 0));
+    EXPECT_EQ(fluid.direction, Vec3(1, 0, 0));
+    EXPECT_EQ(fluid.half_extents, Vec3(3, std::numeric_limits<float>::infinity(), 4));
+    EXPECT_EQ(fluid.density, 800.0f);
+    EXPECT_EQ(fluid.drag, 0.5f);
+    EXPECT_EQ(fluid.skin_friction, 0.02f);
     EXPECT_TRUE(scene.warnings.empty());
 }
 

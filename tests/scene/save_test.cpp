@@ -118,7 +118,9 @@ TEST(SceneSave, EverythingAFileCanSay) {
     parts.world = R"("title":"Title \"quoted\"","hint":"Grüße","gravity":[0.1,-1.62,0],"substeps":12,"integrator":"rk4",
         "time_step":0.01,"sleep":false,"camera":{"position":[1,2,3],"target":[0,0.1,0],"vertical_fov_degrees":33.3},
         "force_fields":[{"kind":"uniform","direction":[1,0,0.3]},
-                        {"kind":"radial","center":[0,5.1,0],"strength":0.7,"exponent":-1,"is_force":true}])";
+                        {"kind":"radial","center":[0,5.1,0],"strength":0.7,"exponent":-1,"is_force":true},
+                        {"kind":"fluid","center":[0,2.1,0],"half_extents":[3.3,null,4],"density":800,"drag":0.5},
+                        {"kind":"fluid","center":[0,0.3,0],"direction":[1,0,0],"skin_friction":0.02}])";
     parts.shapes += R"(,{"type":"plane","plane":{"sizeX":4.2,"sizeZ":6.4}})";
     parts.materials += R"(,{"staticFriction":0.91,"dynamicFriction":0.7,"restitution":0.2,"frictionCombine":"multiply",
         "restitutionCombine":"minimum","extensions":{"CAIRN_material":{"density":512.3,"rolling_friction":0.01}}})";

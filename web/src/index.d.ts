@@ -118,9 +118,10 @@ export type Integrator = 'semiImplicitEuler' | 'explicitEuler' | 'rk4';
 
 /**
  * What a force field does. `uniform`: The same everywhere, along `direction`. `radial`: Towards `center`, `strength` x
- * distance^`exponent`.
+ * distance^`exponent`. `fluid`: A fluid with a level surface through `center`, which flows with the velocity
+ * `direction`.
  */
-export type ForceFieldKind = 'uniform' | 'radial';
+export type ForceFieldKind = 'uniform' | 'radial' | 'fluid';
 
 /** A pose: rotate by `rotation`, then translate by `position` (meters). */
 export interface Transform {
@@ -911,13 +912,17 @@ export interface WorldDef {
     maxAngularSpeed?: number;
 }
 
-/** A field that accelerates or pushes every dynamic body, evaluated at its center of mass. */
+/**
+ * A field that acts on every dynamic body: an acceleration or a force, evaluated at its center of mass, or a fluid,
+ * which fills a box below its level surface, lifts what is in it by the weight of what that displaces, and resists
+ * motion against it.
+ */
 export interface ForceField {
     /** What it does. */
     kind?: ForceFieldKind;
-    /** Uniform: acceleration in m/s^2 (or force in N, see `isForce`). (m/s^2 or N) */
+    /** Uniform: acceleration in m/s^2 (or force in N, see `isForce`). Fluid: m/s. (m/s^2 or N or m/s) */
     direction?: Vec3Like;
-    /** Radial: the point that attracts, meters. */
+    /** Radial: the point that attracts, meters. Fluid: the middle of its surface. */
     center?: Vec3Like;
     /** Radial: m/s^2 (or N) at a distance of one meter; negative repels. (m/s^2 or N) */
     strength?: number;
@@ -925,6 +930,21 @@ export interface ForceField {
     exponent?: number;
     /** false: an acceleration, equal for all masses; true: a force. */
     isForce?: boolean;
+    /**
+     * Fluid: how far it reaches from `center` along the axes of the world, meters, > 0; may be infinite. Along the axis
+     * nearest to gravity it is the depth.
+     */
+    halfExtents?: Vec3Like;
+    /** Fluid: kg/m^3, >= 0. The default is that of water. */
+    density?: number;
+    /** Fluid: coefficient of what is pushed ahead, >= 0. That of a plate; a ball has half of it. */
+    drag?: number;
+    /** Fluid: coefficient of what is dragged along, >= 0. */
+    skinFriction?: number;
+    /** Fluid: how much of it moves along, >= 0, of what a body displaces; a ball: 0.5. */
+    addedMass?: number;
+    /** Fluid: how fast bobbing is lost to waves, >= 0, of critical damping. */
+    waveDamping?: number;
 }
 
 /** Wall-clock time of the stages of the last step, in milliseconds. */

@@ -24,7 +24,9 @@ enum {
 typedef int32_t cairn_force_field_kind;
 enum {
     CAIRN_FORCE_FIELD_KIND_UNIFORM = 0, ///< The same everywhere, along `direction`.
-    CAIRN_FORCE_FIELD_KIND_RADIAL = 1 ///< Towards `center`, `strength` x distance^`exponent`.
+    CAIRN_FORCE_FIELD_KIND_RADIAL = 1, ///< Towards `center`, `strength` x distance^`exponent`.
+    /// A fluid with a level surface through `center`, which flows with the velocity `direction`.
+    CAIRN_FORCE_FIELD_KIND_FLUID = 2
 };
 
 /// Settings of a world. All may be changed later through `World::set_settings`. Begin from `cairn_default_world_def()`.
@@ -48,16 +50,26 @@ typedef struct cairn_world_def {
 } cairn_world_def;
 CAIRN_C_API cairn_world_def cairn_default_world_def(void);
 
-/// A field that accelerates or pushes every dynamic body, evaluated at its center of mass. Begin from
-/// `cairn_default_force_field()`.
+/// A field that acts on every dynamic body: an acceleration or a force, evaluated at its center of mass, or a fluid,
+/// which fills a box below its level surface, lifts what is in it by the weight of what that displaces, and resists
+/// motion against it. Begin from `cairn_default_force_field()`.
 typedef struct cairn_force_field {
     uint32_t struct_size; ///< Bytes, as `cairn_default_force_field` sets it.
     cairn_force_field_kind kind; ///< What it does.
-    cairn_vec3 direction; ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`). (m/s^2 or N)
-    cairn_position center; ///< Radial: the point that attracts, meters.
+    /// Uniform: acceleration in m/s^2 (or force in N, see `is_force`). Fluid: m/s. (m/s^2 or N or m/s)
+    cairn_vec3 direction;
+    cairn_position center; ///< Radial: the point that attracts, meters. Fluid: the middle of its surface.
     float strength; ///< Radial: m/s^2 (or N) at a distance of one meter; negative repels. (m/s^2 or N)
     float exponent; ///< Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1. (-2, -1, 0 or 1)
     bool is_force; ///< false: an acceleration, equal for all masses; true: a force.
+    /// Fluid: how far it reaches from `center` along the axes of the world, meters, > 0; may be infinite. Along the
+    /// axis nearest to gravity it is the depth.
+    cairn_vec3 half_extents;
+    float density; ///< Fluid: kg/m^3, >= 0. The default is that of water.
+    float drag; ///< Fluid: coefficient of what is pushed ahead, >= 0. That of a plate; a ball has half of it.
+    float skin_friction; ///< Fluid: coefficient of what is dragged along, >= 0.
+    float added_mass; ///< Fluid: how much of it moves along, >= 0, of what a body displaces; a ball: 0.5.
+    float wave_damping; ///< Fluid: how fast bobbing is lost to waves, >= 0, of critical damping.
 } cairn_force_field;
 CAIRN_C_API cairn_force_field cairn_default_force_field(void);
 

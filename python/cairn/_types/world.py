@@ -28,6 +28,8 @@ class ForceFieldKind(enum.Enum):
     """The same everywhere, along `direction`."""
     radial = 1
     """Towards `center`, `strength` x distance^`exponent`."""
+    fluid = 2
+    """A fluid with a level surface through `center`, which flows with the velocity `direction`."""
 
 
 @lists_members
@@ -66,20 +68,37 @@ class WorldDef:
 @lists_members
 @dataclass(slots=True, eq=False)
 class ForceField:
-    """A field that accelerates or pushes every dynamic body, evaluated at its center of mass."""
+    """A field that acts on every dynamic body: an acceleration or a force, evaluated at its center of mass, or a fluid,
+    which fills a box below its level surface, lifts what is in it by the weight of what that displaces, and resists
+    motion against it.
+    """
 
     kind: ForceFieldKind | str = ForceFieldKind.uniform
     """What it does."""
     direction: Vector = (0.0, 0.0, 0.0)
-    """Uniform: acceleration in m/s^2 (or force in N, see `is_force`). (m/s^2 or N)"""
+    """Uniform: acceleration in m/s^2 (or force in N, see `is_force`). Fluid: m/s. (m/s^2 or N or m/s)"""
     center: Vector = (0.0, 0.0, 0.0)
-    """Radial: the point that attracts, meters."""
+    """Radial: the point that attracts, meters. Fluid: the middle of its surface."""
     strength: float = 0.0
     """Radial: m/s^2 (or N) at a distance of one meter; negative repels. (m/s^2 or N)"""
     exponent: float = 0.0
     """Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1. (-2, -1, 0 or 1)"""
     is_force: bool = False
     """False: an acceleration, equal for all masses; True: a force."""
+    half_extents: Vector = (0.0, 0.0, 0.0)
+    """Fluid: how far it reaches from `center` along the axes of the world, meters, > 0; may be infinite. Along the axis
+    nearest to gravity it is the depth.
+    """
+    density: float = 1000.0
+    """Fluid: kg/m^3, >= 0. The default is that of water."""
+    drag: float = 1.0
+    """Fluid: coefficient of what is pushed ahead, >= 0. That of a plate; a ball has half of it."""
+    skin_friction: float = 0.01
+    """Fluid: coefficient of what is dragged along, >= 0."""
+    added_mass: float = 0.5
+    """Fluid: how much of it moves along, >= 0, of what a body displaces; a ball: 0.5."""
+    wave_damping: float = 0.2
+    """Fluid: how fast bobbing is lost to waves, >= 0, of critical damping."""
 
 
 @lists_members

@@ -44,10 +44,17 @@ void read(py::handle o, ForceField& x, const Where& where) {
     read(o.attr("strength"), x.strength, {"ForceField", "strength"});
     read(o.attr("exponent"), x.exponent, {"ForceField", "exponent"});
     read(o.attr("is_force"), x.is_force, {"ForceField", "is_force"});
+    read(o.attr("half_extents"), x.half_extents, {"ForceField", "half_extents"});
+    read(o.attr("density"), x.density, {"ForceField", "density"});
+    read(o.attr("drag"), x.drag, {"ForceField", "drag"});
+    read(o.attr("skin_friction"), x.skin_friction, {"ForceField", "skin_friction"});
+    read(o.attr("added_mass"), x.added_mass, {"ForceField", "added_mass"});
+    read(o.attr("wave_damping"), x.wave_damping, {"ForceField", "wave_damping"});
 }
 py::object write(const ForceField& x) {
     return make("ForceField", py::make_tuple(write(x.kind), write(x.direction), write(x.center), write(x.strength),
-        write(x.exponent), write(x.is_force)));
+        write(x.exponent), write(x.is_force), write(x.half_extents), write(x.density), write(x.drag),
+        write(x.skin_friction), write(x.added_mass), write(x.wave_damping)));
 }
 
 py::object write(const StageTimes& x) {

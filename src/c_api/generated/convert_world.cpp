@@ -14,8 +14,8 @@ Integrator to_integrator(cairn_integrator value, const char* field) {
 }
 
 ForceField::Kind to_force_field_kind(cairn_force_field_kind value, const char* field) {
-    if (value < 0 || value > 1)
-        throw Error(ErrorCode::invalid_value, field, std::to_string(value), "must be 0 to 1 (uniform, radial)");
+    if (value < 0 || value > 2)
+        throw Error(ErrorCode::invalid_value, field, std::to_string(value), "must be 0 to 2 (uniform, radial, fluid)");
     return ForceField::Kind(value);
 }
 
@@ -61,6 +61,12 @@ ForceField to_cpp(const cairn_force_field& c) {
     x.strength = c.strength;
     x.exponent = c.exponent;
     x.is_force = c.is_force;
+    x.half_extents = to_cpp(c.half_extents);
+    x.density = c.density;
+    x.drag = c.drag;
+    x.skin_friction = c.skin_friction;
+    x.added_mass = c.added_mass;
+    x.wave_damping = c.wave_damping;
     return x;
 }
 cairn_force_field to_c(const ForceField& x) {
@@ -72,6 +78,12 @@ cairn_force_field to_c(const ForceField& x) {
     c.strength = x.strength;
     c.exponent = x.exponent;
     c.is_force = x.is_force;
+    c.half_extents = to_c(x.half_extents);
+    c.density = x.density;
+    c.drag = x.drag;
+    c.skin_friction = x.skin_friction;
+    c.added_mass = x.added_mass;
+    c.wave_damping = x.wave_damping;
     return c;
 }
 

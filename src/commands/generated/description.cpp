@@ -141,7 +141,9 @@ std::string_view command_encoding() noexcept {
            "ecovery_speed\", \"float\"], [\"max_linear_speed\", \"float\"], [\"max_angular_speed\", \"floa"
            "t\"]],\n"
            "\"ForceField\": [[\"kind\", \"ForceFieldKind\"], [\"direction\", \"Vec3\"], [\"center\", \"Positi"
-           "on\"], [\"strength\", \"float\"], [\"exponent\", \"float\"], [\"is_force\", \"bool\"]]},\n"
+           "on\"], [\"strength\", \"float\"], [\"exponent\", \"float\"], [\"is_force\", \"bool\"], [\"half_ext"
+           "ents\", \"Vec3\"], [\"density\", \"float\"], [\"drag\", \"float\"], [\"skin_friction\", \"float\"],"
+           " [\"added_mass\", \"float\"], [\"wave_damping\", \"float\"]]},\n"
            "\"variants\": {\n"
            "\"Shape\": [\"Sphere\", \"Box\", \"Plane\", \"Capsule\", \"Cylinder\", \"Hull\", \"Mesh\", \"HeightFi"
            "eld\"],\n"
@@ -154,7 +156,7 @@ std::string_view command_encoding() noexcept {
            "\"JointAxis\": [\"linear\", \"angular\"],\n"
            "\"JointSolver\": [\"automatic\", \"iterative\", \"direct\"],\n"
            "\"Integrator\": [\"semi_implicit_euler\", \"explicit_euler\", \"rk4\"],\n"
-           "\"ForceFieldKind\": [\"uniform\", \"radial\"]}}\n";
+           "\"ForceFieldKind\": [\"uniform\", \"radial\", \"fluid\"]}}\n";
 }
 
 } // namespace cairn

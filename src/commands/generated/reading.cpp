@@ -294,13 +294,19 @@ void read(CommandReader& from, WorldDef& x) {
 }
 
 void read(CommandReader& from, ForceField& x) {
-    const std::size_t members = from.member_count(6, "ForceField");
-    if (members > 0) from.enumerator(x.kind, 1, "ForceField.kind");
+    const std::size_t members = from.member_count(12, "ForceField");
+    if (members > 0) from.enumerator(x.kind, 2, "ForceField.kind");
     if (members > 1) read(from, x.direction);
     if (members > 2) read(from, x.center);
     if (members > 3) read(from, x.strength);
     if (members > 4) read(from, x.exponent);
     if (members > 5) read(from, x.is_force);
+    if (members > 6) read(from, x.half_extents);
+    if (members > 7) read(from, x.density);
+    if (members > 8) read(from, x.drag);
+    if (members > 9) read(from, x.skin_friction);
+    if (members > 10) read(from, x.added_mass);
+    if (members > 11) read(from, x.wave_damping);
 }
 
 void read(CommandReader& from, Shape& x) {

@@ -281,13 +281,19 @@ void write(CommandWriter& to, const WorldDef& x) {
 }
 
 void write(CommandWriter& to, const ForceField& x) {
-    to.number(6);
+    to.number(12);
     write(to, x.kind);
     write(to, x.direction);
     write(to, x.center);
     write(to, x.strength);
     write(to, x.exponent);
     write(to, x.is_force);
+    write(to, x.half_extents);
+    write(to, x.density);
+    write(to, x.drag);
+    write(to, x.skin_friction);
+    write(to, x.added_mass);
+    write(to, x.wave_damping);
 }
 
 void write(CommandWriter& to, const Shape& x) {

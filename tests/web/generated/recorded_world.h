@@ -35,7 +35,7 @@ inline std::string js(Integrator x) {
     return names[std::size_t(x)];
 }
 inline std::string js(ForceField::Kind x) {
-    constexpr const char* names[] = {"'uniform'", "'radial'"};
+    constexpr const char* names[] = {"'uniform'", "'radial'", "'fluid'"};
     return names[std::size_t(x)];
 }
 std::string js(const Transform& x);
@@ -113,7 +113,7 @@ inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)
 inline std::string js(const DebugLinesDef& x) { return object({{"shapes", js(x.shapes)}, {"bounds", js(x.bounds)}, {"centers", js(x.centers)}, {"velocities", js(x.velocities)}, {"contacts", js(x.contacts)}, {"joints", js(x.joints)}, {"size", js(x.size)}, {"impulseScale", js(x.impulse_scale)}}); }
 inline std::string js(const QueryFilter& x) { return object({{"layers", js(x.layers)}, {"ownLayers", js(x.own_layers)}, {"staticBodies", js(x.static_bodies)}, {"kinematicBodies", js(x.kinematic_bodies)}, {"dynamicBodies", js(x.dynamic_bodies)}, {"triggers", js(x.triggers)}, {"any", js(x.any)}, {"ignoredBodies", js(x.ignored_bodies)}}); }
 inline std::string js(const WorldDef& x) { return object({{"gravity", js(x.gravity)}, {"substeps", js(x.substeps)}, {"adaptiveSubsteps", js(x.adaptive_substeps)}, {"integrator", js(x.integrator)}, {"enableSleep", js(x.enable_sleep)}, {"sleepSpeed", js(x.sleep_speed)}, {"sleepTime", js(x.sleep_time)}, {"restitutionSpeed", js(x.restitution_speed)}, {"hitSpeed", js(x.hit_speed)}, {"recoverySpeed", js(x.recovery_speed)}, {"maxLinearSpeed", js(x.max_linear_speed)}, {"maxAngularSpeed", js(x.max_angular_speed)}}); }
-inline std::string js(const ForceField& x) { return object({{"kind", js(x.kind)}, {"direction", js(x.direction)}, {"center", js(x.center)}, {"strength", js(x.strength)}, {"exponent", js(x.exponent)}, {"isForce", js(x.is_force)}}); }
+inline std::string js(const ForceField& x) { return object({{"kind", js(x.kind)}, {"direction", js(x.direction)}, {"center", js(x.center)}, {"strength", js(x.strength)}, {"exponent", js(x.exponent)}, {"isForce", js(x.is_force)}, {"halfExtents", js(x.half_extents)}, {"density", js(x.density)}, {"drag", js(x.drag)}, {"skinFriction", js(x.skin_friction)}, {"addedMass", js(x.added_mass)}, {"waveDamping", js(x.wave_damping)}}); }
 inline std::string js(const Shape& x) {
     constexpr const char* kinds[] = {"sphere", "box", "plane", "capsule", "cylinder", "hull", "mesh", "heightField"};
     return of_kind(kinds[x.index()], std::visit([](const auto& y) { return js(y); }, x));

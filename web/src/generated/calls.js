@@ -520,7 +520,7 @@ export class WorldCalls {
     addForceField(field) {
         const mark = enter();
         try {
-            const $field = room(64);
+            const $field = room(96);
             M._cairn_default_force_field($field);
             values.putForceField($field, field, 'ForceField');
             const out = room(8);
@@ -535,7 +535,7 @@ export class WorldCalls {
         const mark = enter();
         try {
             const $id = handleOf(id, 'id');
-            const $field = room(64);
+            const $field = room(96);
             M._cairn_default_force_field($field);
             values.putForceField($field, field, 'ForceField');
             check(M._cairn_world_set_force_field(use(this), $id[0], $id[1], $field));
@@ -558,7 +558,7 @@ export class WorldCalls {
         const mark = enter();
         try {
             const $id = handleOf(id, 'id');
-            const out = room(64);
+            const out = room(96);
             M._cairn_default_force_field(out);
             check(M._cairn_world_get_force_field(use(this), $id[0], $id[1], out));
             return values.getForceField(out);

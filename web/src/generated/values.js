@@ -53,7 +53,7 @@ export const BROAD_PHASE_TREE = ['fixed', 'awake', 'large', 'sleeping'];
 
 export const INTEGRATOR = ['semiImplicitEuler', 'explicitEuler', 'rk4'];
 
-export const FORCE_FIELD_KIND = ['uniform', 'radial'];
+export const FORCE_FIELD_KIND = ['uniform', 'radial', 'fluid'];
 
 export function putTransform(p, value, where) {
     for (const key of keysOf(value, where)) {
@@ -1132,7 +1132,13 @@ export function putForceField(p, value, where) {
         case 'strength': putFloat(p + 48, x, 'ForceField.strength'); break;
         case 'exponent': putFloat(p + 52, x, 'ForceField.exponent'); break;
         case 'isForce': putBool(p + 56, x, 'ForceField.isForce'); break;
-        default: unknown('ForceField', key, ['kind', 'direction', 'center', 'strength', 'exponent', 'isForce']);
+        case 'halfExtents': putVec3(p + 60, x, 'ForceField.halfExtents'); break;
+        case 'density': putFloat(p + 72, x, 'ForceField.density'); break;
+        case 'drag': putFloat(p + 76, x, 'ForceField.drag'); break;
+        case 'skinFriction': putFloat(p + 80, x, 'ForceField.skinFriction'); break;
+        case 'addedMass': putFloat(p + 84, x, 'ForceField.addedMass'); break;
+        case 'waveDamping': putFloat(p + 88, x, 'ForceField.waveDamping'); break;
+        default: unknown('ForceField', key, ['kind', 'direction', 'center', 'strength', 'exponent', 'isForce', 'halfExtents', 'density', 'drag', 'skinFriction', 'addedMass', 'waveDamping']);
         }
     }
 }
@@ -1145,6 +1151,12 @@ export function getForceField(p) {
         strength: getFloat(p + 48),
         exponent: getFloat(p + 52),
         isForce: getBool(p + 56),
+        halfExtents: getVec3(p + 60),
+        density: getFloat(p + 72),
+        drag: getFloat(p + 76),
+        skinFriction: getFloat(p + 80),
+        addedMass: getFloat(p + 84),
+        waveDamping: getFloat(p + 88),
     };
 }
 
