@@ -1,12 +1,13 @@
 #include "bodies/fluids.h"
 
 #include "bodies/integrators.h"
-#include "math/angle.h"
+#include "bodies/wetted.h"
 #include "state/substeps.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace cairn {
@@ -17,182 +18,6 @@ using math::DVec3;
 namespace {
 
 DVec3 of_public(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-// A fluid as a body sees it: places are relative to the body's center of mass.
-struct Surroundings {
-    DVec3 up;                       // away from gravity; zero without it
-    double surface = 0;             // how far above the body, along that
-    int vertical = -1;              // the axis nearest to that
-    DVec3 center, half;             // m
-    double pressed = 0, rubbed = 0; // kg/m^3: half of the density times the coefficients of drag and of skin friction
-    DVec3 v, w;                     // of the body against it
-
-    DVec3 velocity_at(DVec3 p) const { return v + math::cross(w, p); }
-    double depth_of(DVec3 p) const { return surface - dot(up, p); }
-};
-
-// A symmetric matrix that makes a force and a torque about the center of mass of a velocity and a rate of turn. The
-// lower half is kept.
-class Coupling {
-  public:
-    // Along n at a point, by `weight` for each unit of motion along it.
-    void add(DVec3 at, DVec3 n, double weight) {
-        const DVec3 turn = math::cross(at, n);
-        const std::array<double, 6> j = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
-        for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t k = 0; k <= i; ++k) entries_[i][k] += weight * j[i] * j[k];
-    }
-    // In all directions.
-    void add(DVec3 at, double weight) {
-        for (int axis = 0; axis < 3; ++axis) {
-            DVec3 n;
-            n[axis] = 1;
-            add(at, n, weight);
-        }
-    }
-    void add_turn(double weight) {
-        for (std::size_t i = 3; i < 6; ++i) entries_[i][i] += weight;
-    }
-    void add(const Coupling& other, double weight) {
-        for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t k = 0; k <= i; ++k) entries_[i][k] += weight * other.entries_[i][k];
-    }
-    double operator()(std::size_t i, std::size_t k) const { return i >= k ? entries_[i][k] : entries_[k][i]; }
-
-  private:
-    std::array<std::array<double, 6>, 6> entries_{};
-};
-
-// What a body displaces, of density 1: the volume, its first moments about the center of mass, the second ones.
-struct Displaced {
-    double volume = 0;
-    DVec3 first;
-    math::DSym3 second;
-
-    // A column that ends at p, with that area across `up` and that height above p.
-    void add_column(DVec3 p, DVec3 up, double area, double height) {
-        const double one = area * height, two = 0.5 * one * height, three = two * height / 1.5;
-        volume += one;
-        first += one * p + two * up;
-        const auto entry = [&](int i, int k) {
-            return one * p[i] * p[k] + two * (p[i] * up[k] + up[i] * p[k]) + three * up[i] * up[k];
-        };
-        second = second + math::DSym3{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
-    }
-    void add_point(DVec3 p, double v) {
-        volume += v, first += v * p;
-        second = second +
-                 math::DSym3{v * p.x * p.x, v * p.x * p.y, v * p.x * p.z, v * p.y * p.y, v * p.y * p.z, v * p.z * p.z};
-    }
-};
-
-// What is wetted of a body by one fluid.
-class Wetted {
-  public:
-    explicit Wetted(const Surroundings& fluid) : fluid_(fluid) {}
-
-    // `lid`: up to where columns are counted, above all of the shape that is wet.
-    void add_triangle(DVec3 a, DVec3 b, DVec3 c, double lid) {
-        Polygon p = {{a, b, c}, 3};
-        if (fluid_.vertical >= 0) p.clip(fluid_.up, fluid_.surface);
-        for (int axis = 0; axis < 3 && p.count > 0; ++axis) {
-            if (axis == fluid_.vertical || !std::isfinite(fluid_.half[axis])) continue;
-            DVec3 n;
-            n[axis] = 1;
-            p.clip(n, fluid_.center[axis] + fluid_.half[axis]);
-            p.clip(-n, fluid_.half[axis] - fluid_.center[axis]);
-        }
-        for (int i = 2; i < p.count; ++i) add_piece(p.at[0], p.at[std::size_t(i) - 1], p.at[std::size_t(i)], lid);
-    }
-    void add_ball(DVec3 center, double radius);
-
-    Displaced displaced;
-    Coupling drag, waterline; // N s/m; m^2, and so on
-    double waterline_area = 0;
-    DVec3 force, torque; // of drag
-
-  private:
-    struct Polygon {
-        std::array<DVec3, 9> at;
-        int count;
-        void clip(DVec3 n, double most) {
-            Polygon kept = {{}, 0};
-            for (int i = 0; i < count; ++i) {
-                const DVec3 p = at[std::size_t(i)], q = at[std::size_t((i + 1) % count)];
-                const double over_p = dot(n, p) - most, over_q = dot(n, q) - most;
-                if (over_p <= 0) kept.at[std::size_t(kept.count++)] = p;
-                if ((over_p <= 0) != (over_q <= 0))
-                    kept.at[std::size_t(kept.count++)] = p + (over_p / (over_p - over_q)) * (q - p);
-            }
-            *this = kept;
-        }
-    };
-    void add_piece(DVec3 a, DVec3 b, DVec3 c, double lid) {
-        const DVec3 area = 0.5 * math::cross(b - a, c - a);
-        const double size = math::length(area), level = -dot(area, fluid_.up);
-        if (!(size > 0)) return;
-        // Exact up to the third degree (Strang and Fix 1973): columns are of that.
-        if (level != 0) {
-            add_column((1.0 / 3) * (a + b + c), -27.0 / 48 * level, lid);
-            for (const DVec3 p : {a, b, c}) add_column(0.2 * (2.0 * p + (a + b + c)), 25.0 / 48 * level, lid);
-        }
-        const DVec3 n = (1 / size) * area;
-        for (const DVec3 p : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) add_drag(p, n, size / 3);
-    }
-    void add_column(DVec3 p, double area, double lid) {
-        displaced.add_column(p, fluid_.up, area, lid - dot(fluid_.up, p));
-        waterline.add(p, fluid_.up, area);
-        waterline_area += area;
-    }
-    void push(DVec3 at, DVec3 f) { force += f, torque += math::cross(at, f); }
-    void add_drag(DVec3 at, DVec3 n, double area) {
-        const DVec3 v = fluid_.velocity_at(at);
-        const double s = dot(n, v);
-        if (s > 0) {
-            const double k = fluid_.pressed * s * area;
-            push(at, (-k * s) * n);
-            drag.add(at, n, k);
-        }
-        const DVec3 along = v - s * n;
-        const double speed = math::length(along);
-        if (!(fluid_.rubbed > 0) || !(speed > 0)) return;
-        const double k = fluid_.rubbed * speed * area;
-        push(at, -k * along);
-        drag.add(at, k);
-        drag.add(at, n, -k);
-    }
-    const Surroundings& fluid_;
-};
-
-// The same integrals in closed form. What resists a ball that is partly in the fluid is the part of its volume that is;
-// what it moves along does not turn with it.
-void Wetted::add_ball(DVec3 center, double radius) {
-    const double square = radius * radius, whole = 4.0 / 3.0 * math::pi * square * radius;
-    double part = 1;
-    if (fluid_.vertical >= 0) {
-        const double height = std::clamp(radius + fluid_.depth_of(center), 0.0, 2 * radius);
-        if (!(height > 0)) return;
-        const double volume = math::pi * height * height * (3 * radius - height) / 3;
-        const double area = math::pi * height * (2 * radius - height);
-        part = volume / whole;
-        displaced.add_point(center, volume); // the force of a pressure on a ball goes through its middle
-        waterline.add(center, fluid_.up, area);
-        waterline_area += area;
-    }
-    const DVec3 v = fluid_.velocity_at(center);
-    const double speed = math::length(v), turn = math::length(fluid_.w);
-    // The mean of the square of a sine to the second power over a ball, times its surface.
-    const double rub = part * fluid_.rubbed * 0.75 * math::pi * math::pi * square;
-    if (speed > 0) {
-        const double k = part * fluid_.pressed * math::pi * square * speed, rubbed = rub * speed;
-        push(center, -(0.5 * k + rubbed) * v);
-        drag.add(center, 0.25 * k + rubbed);
-        drag.add(center, (1 / speed) * v, 0.25 * k);
-    }
-    const double k = rub * square * turn;
-    torque += -k * fluid_.w;
-    drag.add_turn(k);
-}
 
 // Of unknowns that are coupled by a matrix close to one that is positive definite; by elimination.
 using Vector6 = std::array<double, 6>;
@@ -220,8 +45,7 @@ Vector6 solved(Matrix6 m, Vector6 b) {
 struct Effect {
     DVec3 force, torque;
     Coupling resistance; // kg: of the velocity change in the step, times the step
-    double mass = 0;     // that is moved along
-    math::DSym3 inertia; // likewise, about the center of mass
+    Moments moved;       // kg: what is moved along
     bool any = false;
 };
 
@@ -273,13 +97,14 @@ void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, c
 // With what is moved along. The principal axes stay: of the inertia that comes, what is beside them is left out.
 BodyMass laden(const BodyMass& own, const math::DQuat& q, const Effect& effect) {
     BodyMass mass = own;
-    if (!(effect.mass > 0)) return mass;
-    if (own.inverse_mass > 0) mass.mass += float(effect.mass), mass.inverse_mass = 1 / mass.mass;
+    if (!(effect.moved.sum > 0)) return mass;
+    if (own.inverse_mass > 0) mass.mass += float(effect.moved.sum), mass.inverse_mass = 1 / mass.mass;
     const math::DMat3 axes = math::to_matrix(q * math::to_double(own.principal));
+    const math::DSym3 inertia = effect.moved.inertia();
     for (int i = 0; i < 3; ++i) {
         if (!(own.inverse_inertia[i] > 0)) continue;
         const DVec3 axis = axes.column(i);
-        mass.inertia[i] += float(std::max(dot(axis, effect.inertia * axis), 0.0));
+        mass.inertia[i] += float(std::max(dot(axis, inertia * axis), 0.0));
         mass.inverse_inertia[i] = 1 / mass.inertia[i];
     }
     const math::Vec3 i = mass.inertia;
@@ -347,28 +172,26 @@ class FloatingBody {
         return s;
     }
     void take(const ForceField& field, const Surroundings& fluid, const Wetted& wetted) {
-        const Displaced& d = wetted.displaced;
+        const Moments& d = wetted.displaced;
         const double density = field.density, g = math::length(of_public(c_.settings.gravity)), stiff = density * g;
         effect_.any = true;
-        effect_.force += wetted.force + (stiff * d.volume) * fluid.up;
+        effect_.force += wetted.force + (stiff * d.sum) * fluid.up;
         effect_.torque += wetted.torque + stiff * math::cross(d.first, fluid.up);
-        effect_.resistance.add(wetted.drag, dt_);
-        if (stiff > 0 && wetted.waterline_area > 0 && d.volume > 0) {
-            const double damped =
-                2 * double(field.wave_damping) * std::sqrt(d.volume / (g * wetted.waterline_area)) * stiff;
-            const DVec3 v = fluid.v, w = fluid.w;
-            const Vector6 motion = {v.x, v.y, v.z, w.x, w.y, w.z};
+        effect_.resistance.add(wetted.pressed, dt_);
+        effect_.resistance.add(wetted.rubbed, dt_);
+        const double area = wetted.waterline.sum;
+        if (stiff > 0 && area > 0 && d.sum > 0) {
+            Coupling waterline;
+            waterline.add(wetted.waterline, fluid.up, stiff);
+            const double damped = 2 * double(field.wave_damping) * std::sqrt(d.sum / (g * area));
+            const Vector6 motion = {fluid.v.x, fluid.v.y, fluid.v.z, fluid.w.x, fluid.w.y, fluid.w.z};
             Vector6 lost{};
             for (std::size_t i = 0; i < 6; ++i)
-                for (std::size_t k = 0; k < 6; ++k) lost[i] -= damped * wetted.waterline(i, k) * motion[k];
+                for (std::size_t k = 0; k < 6; ++k) lost[i] -= damped * waterline(i, k) * motion[k];
             effect_.force += DVec3{lost[0], lost[1], lost[2]}, effect_.torque += DVec3{lost[3], lost[4], lost[5]};
-            effect_.resistance.add(wetted.waterline, dt_ * damped + 0.25 * dt_ * dt_ * stiff);
+            effect_.resistance.add(waterline, dt_ * damped + 0.25 * dt_ * dt_);
         }
-        const double moved = density * double(field.added_mass);
-        const math::DSym3& m = d.second;
-        effect_.mass += moved * d.volume;
-        effect_.inertia = effect_.inertia + math::DSym3{moved * (m.yy + m.zz), -moved * m.xy, -moved * m.xz,
-                                                        moved * (m.xx + m.zz), -moved * m.yz, moved * (m.xx + m.yy)};
+        effect_.moved.add(d, density * double(field.added_mass));
     }
     // Whether anything of a ball is in the fluid, whose bottom has all or nothing.
     static bool reaches(const Surroundings& fluid, DVec3 middle, double radius) {
@@ -395,9 +218,37 @@ class FloatingBody {
         }
         if (!reaches(fluid, middle, double(g.bounding_radius))) return;
         is_wet_ = true;
-        const double lid = std::min(fluid.surface, dot(fluid.up, middle) + double(g.bounding_radius));
         make_solid_surface(g, c_.shapes.data[shape], surface);
-        for (const SurfaceTriangle& t : surface) wetted.add_triangle(placed(t.a), placed(t.b), placed(t.c), lid);
+        const double top = dot(fluid.up, middle) + double(g.bounding_radius);
+        std::optional<double> lid;
+        if (is_within(fluid, middle, double(g.bounding_radius)))
+            add_whole(geometry_mass(g, c_.shapes.data[shape], 1), wetted);
+        else
+            lid = std::min(fluid.surface, top);
+        const math::DMat3 turn = math::to_matrix(q_);
+        const auto at = [&](DVec3 in_body) { return turn * (in_body - center_); };
+        for (const SurfaceTriangle& t : surface) wetted.add_triangle(at(t.a), at(t.b), at(t.c), lid, is_round(g));
+    }
+    // Whether a ball is as a whole below the surface and between the sides.
+    static bool is_within(const Surroundings& fluid, DVec3 middle, double radius) {
+        if (fluid.vertical >= 0 && fluid.depth_of(middle) < radius) return false;
+        for (int axis = 0; axis < 3; ++axis)
+            if (axis != fluid.vertical && std::fabs(middle[axis] - fluid.center[axis]) + radius > fluid.half[axis])
+                return false;
+        return true;
+    }
+    // All of a shape, given by its mass of density 1 in the body's frame.
+    void add_whole(const MassSum& solid, Wetted& wetted) const {
+        const math::DSym3& i = solid.inertia;
+        const double half = 0.5 * (i.xx + i.yy + i.zz);
+        const math::DMat3 r = math::to_matrix(q_);
+        const math::DSym3 own = {half - i.xx, -i.xy, -i.xz, half - i.yy, -i.yz, half - i.zz};
+        const DVec3 x = own * DVec3{r.c0.x, r.c1.x, r.c2.x}, y = own * DVec3{r.c0.y, r.c1.y, r.c2.y},
+                    z = own * DVec3{r.c0.z, r.c1.z, r.c2.z};
+        const auto row = [&](int axis, DVec3 v) { return r.c0[axis] * v.x + r.c1[axis] * v.y + r.c2[axis] * v.z; };
+        wetted.displaced.add(placed(solid.center), solid.mass);
+        wetted.displaced.second =
+            wetted.displaced.second + math::DSym3{row(0, x), row(0, y), row(0, z), row(1, y), row(1, z), row(2, z)};
     }
     static bool is_beside(const Surroundings& fluid, DVec3 p) {
         for (int axis = 0; axis < 3; ++axis)

@@ -14,11 +14,10 @@ using math::DVec3;
 namespace {
 
 // Of a round side: corners around the axis, and from the rim of a cap to its pole.
-constexpr int sides = 16, cap_rings = 4;
-// The cosines of multiples of 22.5 degrees; those of a quarter of a circle are the rings of a cap, too.
-constexpr double eighth = 0.92387953251128674, quarter = 0.70710678118654752, rest = 0.38268343236508977;
-constexpr std::array<double, sides> cosines = {1,  eighth,  quarter,  rest,  0, -rest, -quarter, -eighth,
-                                               -1, -eighth, -quarter, -rest, 0, rest,  quarter,  eighth};
+constexpr int sides = 12, cap_rings = 3;
+// The cosines of multiples of 30 degrees; those of a quarter of a circle are the rings of a cap, too.
+constexpr double third = 0.86602540378443865;
+constexpr std::array<double, sides> cosines = {1, third, 0.5, 0, -0.5, -third, -1, -third, -0.5, 0, 0.5, third};
 double cosine(int i) { return cosines[std::size_t(i % sides)]; }
 double sine(int i) { return cosine(i + 3 * sides / 4); }
 
@@ -40,7 +39,7 @@ class SurfaceBuilder {
     };
     void add_rings(const Ring* rings, int count) {
         // As much area across the axis as the circle has.
-        const double grown = std::sqrt(math::pi / (0.5 * sides * rest));
+        const double grown = std::sqrt(math::pi / (0.5 * sides * sine(1)));
         const auto corner = [&](const Ring& r, int i) {
             return DVec3{grown * r.radius * cosine(i), r.height, grown * r.radius * sine(i)};
         };
@@ -123,10 +122,10 @@ void make_solid_surface(const Geometry& shape, const ShapeData& data, std::vecto
     default:
         return;
     }
-    const math::DQuat turn = math::normalized(math::to_double(shape.rotation));
+    const math::DMat3 turn = math::to_matrix(math::normalized(math::to_double(shape.rotation)));
     const DVec3 position = math::to_double(shape.position);
     for (SurfaceTriangle& t : triangles)
-        for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = position + math::rotate(turn, *p);
+        for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = position + turn * *p;
     if (shape.type == ShapeType::box && rounding == 0) return;
     const MassSum mass = geometry_mass(shape, data, 1);
     grow_to(mass.mass, mass.center, triangles);

@@ -34,11 +34,11 @@ struct BodySettings {
 };
 
 // What pushes a body during the step. Double, so that no sum of floats overflows.
+enum PushedBy : std::uint64_t { pushed_by_user = 1, pushed_by_fluid = 2 };
 struct BodyForces {
     math::DVec3 force, torque;
-    std::uint64_t any = 0; // pushed_by_user and pushed_by_fluid
+    std::uint64_t any = 0; // of PushedBy
 };
-inline constexpr std::uint64_t pushed_by_user = 1, pushed_by_fluid = 2;
 
 inline constexpr float lag_of_rest = 0.25f; // of the sleep time, for BodyLinks::late, and once more for ::later
 

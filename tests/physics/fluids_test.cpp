@@ -224,8 +224,8 @@ TEST(Fluids, OnlyWhatIsWithinTheSidesIsLifted) {
     EXPECT_NEAR(in_one_step(Sphere{0.5f}, {0, 0, 0}).first.y, 0, 0.01);
 }
 
-// What sleeps on the water and is woken goes on as if it had been awake, but for the mass that moves along, which it does
-// not have in the impact that wakes it. Without lift in that step it would be 0.1 m/s faster, and 4 cm lower.
+// What sleeps on the water and is woken goes on as if it had been awake, but for the mass that moves along, which it
+// does not have in the impact that wakes it.
 TEST(Fluids, WhatWakesOnTheWaterDoesNotFall) {
     const auto raft_under_a_stone = [](bool sleeps) {
         World world(sleeps ? WorldDef{} : without_sleep());

@@ -3,9 +3,11 @@ import { refuse } from './error.js';
 
 const PALETTE = [0x4e79a7, 0xf28e2b, 0xe15759, 0x76b7b2, 0x59a14f, 0xedc948, 0xb07aa1, 0xff9da7, 0x9c755f];
 const FIXED = 0xb8bcc4;
+const WATER = 0x2f7fb5;
+const FARTHEST = 1000; // m, of a fluid without end
 
 /**
- * Draws the shapes of a world. `THREE` is the module of three.js, so that there is one copy of it in the page.
+ * Draws the shapes of a world, and the surfaces of its fluids. `THREE` is the module of three.js, so that there is one copy of it in the page.
  * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came,
  * went or were changed.
  */
@@ -17,6 +19,7 @@ export class WorldView {
         this.world = world;
         this.group = new THREE.Group();
         this.meshes = [];
+        this.waters = [];
         this.rebuild();
     }
 
@@ -39,6 +42,7 @@ export class WorldView {
             }
         });
         for (const { shape, parts } of alike.values()) this.add(geometryOf(THREE, world.shapeTriangles(shape)), parts);
+        this.addFluids();
         this.positions = new Float64Array(3 * this.ids.length);
         this.rotations = new Float32Array(4 * this.ids.length);
         this.sync();
@@ -68,6 +72,45 @@ export class WorldView {
         this.group.add(mesh);
     }
 
+    addFluids() {
+        const { THREE, world } = this;
+        const up = vectorOf(THREE, world.settings.gravity).negate().normalize();
+        if (up.lengthSq() === 0) return;
+        for (const id of world.forceFields) {
+            const field = world.forceField(id);
+            if (field.kind !== 'fluid') continue;
+            const { x, y, z } = field.halfExtents;
+            // The two axes across the one that is nearest to gravity, and how far it reaches along them.
+            const along = [Math.abs(up.x), Math.abs(up.y), Math.abs(up.z)];
+            const vertical = along.indexOf(Math.max(...along));
+            const corners = [];
+            for (const [s, t] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+                const p = [0, 0, 0];
+                [s, t].forEach((side, i) => {
+                    const axis = (vertical + 1 + i) % 3;
+                    p[axis] = side * Math.min([x, y, z][axis], FARTHEST);
+                    p[vertical] -= (up.getComponent(axis) * p[axis]) / up.getComponent(vertical);
+                });
+                corners.push(...p);
+            }
+            const geometry = new THREE.BufferGeometry();
+            geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(corners), 3));
+            geometry.setIndex([0, 1, 2, 0, 2, 3]);
+            const material = new THREE.MeshBasicMaterial({
+                color: WATER,
+                transparent: true,
+                opacity: 0.45,
+                depthWrite: false,
+                side: THREE.DoubleSide,
+            });
+            const mesh = new THREE.Mesh(geometry, material);
+            mesh.position.copy(vectorOf(THREE, field.center));
+            mesh.raycast = () => {}; // bodies are picked through it
+            this.waters.push(mesh);
+            this.group.add(mesh);
+        }
+    }
+
     /** Puts everything where it is now. Throws CairnError (invalidValue) if bodies came or went since `rebuild`. */
     sync() {
         const { THREE, positions, rotations } = this;
@@ -95,6 +138,12 @@ export class WorldView {
             mesh.dispose();
         }
         this.meshes = [];
+        for (const mesh of this.waters) {
+            this.group.remove(mesh);
+            mesh.geometry.dispose();
+            mesh.material.dispose();
+        }
+        this.waters = [];
     }
 
     dispose() {

@@ -1,0 +1,111 @@
+#include "bodies/wetted.h"
+
+#include "math/angle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+struct Polygon {
+    std::array<DVec3, 9> at;
+    int count;
+    void clip(DVec3 n, double most) {
+        bool is_all_kept = true;
+        for (int i = 0; i < count; ++i) is_all_kept = is_all_kept && dot(n, at[std::size_t(i)]) <= most;
+        if (is_all_kept) return;
+        Polygon kept;
+        kept.count = 0;
+        for (int i = 0; i < count; ++i) {
+            const DVec3 p = at[std::size_t(i)], q = at[std::size_t((i + 1) % count)];
+            const double over_p = dot(n, p) - most, over_q = dot(n, q) - most;
+            if (over_p <= 0) kept.at[std::size_t(kept.count++)] = p;
+            if ((over_p <= 0) != (over_q <= 0))
+                kept.at[std::size_t(kept.count++)] = p + (over_p / (over_p - over_q)) * (q - p);
+        }
+        *this = kept;
+    }
+};
+
+} // namespace
+
+void Wetted::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
+    Polygon p = {{a, b, c}, 3};
+    if (fluid_.vertical >= 0) p.clip(fluid_.up, fluid_.surface);
+    for (int axis = 0; axis < 3 && p.count > 0; ++axis) {
+        if (axis == fluid_.vertical || !std::isfinite(fluid_.half[axis])) continue;
+        DVec3 n;
+        n[axis] = 1;
+        p.clip(n, fluid_.center[axis] + fluid_.half[axis]);
+        p.clip(-n, fluid_.half[axis] - fluid_.center[axis]);
+    }
+    for (int i = 2; i < p.count; ++i) add_piece(p.at[0], p.at[std::size_t(i) - 1], p.at[std::size_t(i)], lid, is_small);
+}
+
+void Wetted::add_piece(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
+    const DVec3 area = 0.5 * math::cross(b - a, c - a);
+    const double size = math::length(area), level = -dot(area, fluid_.up);
+    if (!(size > 0)) return;
+    const DVec3 n = (1 / size) * area;
+    if (is_small) {
+        const DVec3 middle = (1.0 / 3) * (a + b + c);
+        if (lid) add_column(middle, level, *lid);
+        return add_drag(middle, n, size);
+    }
+    // Exact up to the third degree (Strang and Fix 1973): columns are of that.
+    if (lid && level != 0) {
+        add_column((1.0 / 3) * (a + b + c), -27.0 / 48 * level, *lid);
+        for (const DVec3 p : {a, b, c}) add_column(0.2 * (2.0 * p + (a + b + c)), 25.0 / 48 * level, *lid);
+    }
+    for (const DVec3 p : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) add_drag(p, n, size / 3);
+}
+void Wetted::add_column(DVec3 p, double area, double lid) {
+    displaced.add_column(p, fluid_.up, area, lid - dot(fluid_.up, p));
+    waterline.add(p, area);
+}
+void Wetted::add_drag(DVec3 at, DVec3 n, double area) {
+    const DVec3 v = fluid_.velocity_at(at);
+    const double s = dot(n, v), k = s > 0 ? fluid_.pressed * s * area : 0;
+    const DVec3 along = v - s * n;
+    const double rub = fluid_.rubbed > 0 ? fluid_.rubbed * math::length(along) * area : 0;
+    if (k == 0 && rub == 0) return;
+    push(at, (-k * s) * n - rub * along);
+    pressed.add(at, n, k - rub); // what is rubbed is along the surface alone
+    rubbed.add(at, rub);
+}
+
+// The same integrals in closed form. What resists a ball that is partly in the fluid is the part of its volume that is;
+// what it moves along does not turn with it.
+void Wetted::add_ball(DVec3 center, double radius) {
+    const double square = radius * radius, whole = 4.0 / 3.0 * math::pi * square * radius;
+    double part = 1;
+    if (fluid_.vertical >= 0) {
+        const double height = std::clamp(radius + fluid_.depth_of(center), 0.0, 2 * radius);
+        if (!(height > 0)) return;
+        const double volume = math::pi * height * height * (3 * radius - height) / 3;
+        const double area = math::pi * height * (2 * radius - height);
+        part = volume / whole;
+        displaced.add(center, volume); // the force of a pressure on a ball goes through its middle
+        waterline.add(center, area);
+    }
+    const DVec3 v = fluid_.velocity_at(center);
+    const double speed = math::length(v), turn = math::length(fluid_.w);
+    // The integral of |t| t over a ball that moves at the speed 1, with t the part of its velocity along the surface.
+    const double rub = part * fluid_.rubbed * 0.75 * math::pi * math::pi * square;
+    if (speed > 0) {
+        const double k = part * fluid_.pressed * math::pi * square * speed;
+        push(center, -(0.5 * k + rub * speed) * v);
+        rubbed.add(center, 0.25 * k + rub * speed);
+        pressed.add(center, (1 / speed) * v, 0.25 * k);
+    }
+    const double k = rub * square * turn;
+    torque += -k * fluid_.w;
+    pressed.add_turn(k);
+}
+
+} // namespace cairn
