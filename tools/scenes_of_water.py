@@ -44,7 +44,7 @@ def harbor():
     for i in range(4):
         place = (-5.2, level, -1.6 + 1.1 * i)
         buoy = s.body(s.sphere(0.26), s.material(0.4, 0.2, 250), place, None, "buoy", ORANGE)
-        s.joint(None, buoy, joints.rope(1.9), (place[0], 0, place[2]), place_b=place, color="#E8E4D8")
+        s.joint(None, buoy, joints.rope(2.1), (place[0], 0, place[2]), place_b=place, color="#E8E4D8")
     s.body(s.box(1.8, 0.24, 1.4), s.material(0.7, 0, 350), (-2.6, level + 0.05, 0.4), None, "raft", WOOD)
     for x, z in ((-3.0, 0.2), (-2.3, 0.6), (-2.6, 0.1)):
         s.body(s.box(0.36, 0.36, 0.36), s.material(0.7, 0, 300), (x, level + 0.36, z), None, "load", SKY)

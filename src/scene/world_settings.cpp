@@ -167,7 +167,9 @@ WorldSettings read_world_settings(const Value& settings, std::vector<std::string
         const std::size_t count = fields->size(max_force_fields, "force fields");
         for (std::size_t i = 0; i < count; ++i) {
             result.info.force_fields.push_back(read_force_field((*fields)[i]));
-            warn_of_unknown_members((*fields)[i], {"kind", "direction", "center", "strength", "exponent", "is_force"},
+            warn_of_unknown_members((*fields)[i],
+                                    {"kind", "direction", "center", "strength", "exponent", "is_force", "half_extents",
+                                     "density", "drag", "skin_friction", "added_mass", "wave_damping"},
                                     warnings);
         }
     }

@@ -117,7 +117,7 @@ std::vector<Refusal> materials() {
     rows.push_back(row(18, "field half_extents", change_field(&ForceField::half_extents, Vec3(1, 0, 1)),
                        "ForceField.half_extents", "0", "must be > 0"));
     rows.push_back(row(18, "field density", change_field(&ForceField::density, -1.0f), "ForceField.density", "-1",
-                       "must be >= 0"));
+                       "must be finite and >= 0"));
     return rows;
 }
 

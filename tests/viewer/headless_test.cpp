@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -107,30 +106,6 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     frame.shadows = false;
     renderer.draw(frame);
     EXPECT_NEAR(mean_at(renderer, camera, {-1.0, 0.0, 0.0}).sum(), lit.sum(), 0.05 * lit.sum());
-}
-
-TEST(HeadlessRenderer, WaterTintsWhatIsBelowItsSurface) {
-    LoadedScene scene = test::boxes_on_plane(1);
-    HeadlessRenderer renderer(width, height);
-    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
-    const OrbitCamera camera(pose);
-    const Position above{0.0, 0.85, 0.5}, below{0.0, 0.25, 0.5}, ground{1.6, 0.0, 0.0};
-    const auto look = [&] {
-        renderer.draw(make_frame(scene.world, scene.appearances, pose));
-        return std::array{mean_at(renderer, camera, above), mean_at(renderer, camera, below),
-                          mean_at(renderer, camera, ground)};
-    };
-    const auto dry = look();
-    ForceField water;
-    water.kind = ForceField::Kind::fluid;
-    water.center = {0.0, 0.6, 0.0};
-    scene.world.add_force_field(water);
-    const auto wet = look();
-    EXPECT_NEAR(wet[0].sum(), dry[0].sum(), 3.0);
-    for (const std::size_t i : {1, 2}) {
-        EXPECT_LT(wet[i].red, 0.8 * dry[i].red) << i;
-        EXPECT_GT(wet[i].blue - wet[i].red, dry[i].blue - dry[i].red + 20.0) << i;
-    }
 }
 
 // A pixel is 5 cm here: the second ball is 120 of them to the right of the first.

@@ -123,6 +123,33 @@ TEST(ShapePicture, EveryShapeThrowsAShadow) {
     }
 }
 
+TEST(ShapePicture, WaterTintsWhatIsBelowItsSurface) {
+    LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const auto color_at = [&](const Position& point) {
+        const auto device = OrbitCamera(pose).project(point, aspect);
+        const int x = int((0.5 + 0.5 * double(device->x)) * width), y = int((0.5 - 0.5 * double(device->y)) * height);
+        const std::uint8_t* pixel = &renderer.pixels()[3 * std::size_t(y * width + x)];
+        return glm::dvec3(pixel[0], pixel[1], pixel[2]);
+    };
+    const auto look = [&] { // above the surface, below it, and at the ground
+        renderer.draw(make_frame(scene.world, scene.appearances, pose));
+        return std::vector{color_at({0.0, 0.85, 0.5}), color_at({0.0, 0.25, 0.5}), color_at({1.6, 0.0, 0.0})};
+    };
+    const auto dry = look();
+    ForceField water;
+    water.kind = ForceField::Kind::fluid;
+    water.center = {0.0, 0.6, 0.0};
+    scene.world.add_force_field(water);
+    const auto wet = look();
+    EXPECT_LT(glm::distance(wet[0], dry[0]), 3.0);
+    for (const std::size_t i : {1, 2}) {
+        EXPECT_LT(wet[i].r, 0.8 * dry[i].r) << i;
+        EXPECT_GT(wet[i].b - wet[i].r, dry[i].b - dry[i].r + 20.0) << i;
+    }
+}
+
 TEST(ShapePicture, OnlyWhatIsShownStaysOnTheGraphicsCard) {
     World world;
     const BodyId body = world.create_body(test::body_at({0.0, 1.0, 0.0}));

@@ -7,9 +7,9 @@ const WATER = 0x2f7fb5;
 const FARTHEST = 1000; // m, of a fluid without end
 
 /**
- * Draws the shapes of a world, and the surfaces of its fluids. `THREE` is the module of three.js, so that there is one copy of it in the page.
- * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came,
- * went or were changed.
+ * Draws the shapes of a world, and the surfaces of its fluids. `THREE` is the module of three.js, so that there is one
+ * copy of it in the page. `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after
+ * bodies, shapes or fluids came, went or were changed.
  */
 export class WorldView {
     constructor(THREE, world) {
