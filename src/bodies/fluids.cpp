@@ -149,8 +149,8 @@ class FloatingBody {
     void push(std::vector<std::pair<std::int32_t, BodyMass>>& own) const {
         if (!effect_.any) return;
         const BodyMass mass = c_.bodies.mass[body_];
+        own.emplace_back(body_, mass);
         push_laden(c_, body_, mass, laden(mass, motion_.q, effect_), effect_, dt_);
-        if (c_.bodies.forces[body_].any & pushed_by_fluid) own.emplace_back(body_, mass);
     }
 
   private:

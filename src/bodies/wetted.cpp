@@ -16,11 +16,7 @@ struct Polygon {
     std::array<DVec3, 9> at;
     int count;
     void clip(DVec3 n, double most) {
-        bool is_all_kept = true;
-        for (int i = 0; i < count; ++i) is_all_kept = is_all_kept && dot(n, at[std::size_t(i)]) <= most;
-        if (is_all_kept) return;
-        Polygon kept;
-        kept.count = 0;
+        Polygon kept = {{}, 0};
         for (int i = 0; i < count; ++i) {
             const DVec3 p = at[std::size_t(i)], q = at[std::size_t((i + 1) % count)];
             const double over_p = dot(n, p) - most, over_q = dot(n, q) - most;
@@ -34,16 +30,30 @@ struct Polygon {
 
 } // namespace
 
-void Wetted::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
-    Polygon p = {{a, b, c}, 3};
-    if (fluid_.vertical >= 0) p.clip(fluid_.up, fluid_.surface);
-    for (int axis = 0; axis < 3 && p.count > 0; ++axis) {
-        if (axis == fluid_.vertical || !std::isfinite(fluid_.half[axis])) continue;
+Wetted::Wetted(const Surroundings& fluid) : fluid_(fluid) {
+    const auto add = [&](DVec3 n, double most) { sides_[std::size_t(side_count_++)] = {n, most}; };
+    if (fluid.vertical >= 0) add(fluid.up, fluid.surface);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis == fluid.vertical || !std::isfinite(fluid.half[axis])) continue;
         DVec3 n;
         n[axis] = 1;
-        p.clip(n, fluid_.center[axis] + fluid_.half[axis]);
-        p.clip(-n, fluid_.half[axis] - fluid_.center[axis]);
+        add(n, fluid.center[axis] + fluid.half[axis]);
+        add(-n, fluid.half[axis] - fluid.center[axis]);
     }
+}
+
+void Wetted::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
+    bool is_cut = false;
+    for (int i = 0; i < side_count_; ++i) {
+        const Side& side = sides_[std::size_t(i)];
+        const double over_a = dot(side.n, a) - side.most, over_b = dot(side.n, b) - side.most,
+                     over_c = dot(side.n, c) - side.most;
+        if (over_a > 0 && over_b > 0 && over_c > 0) return;
+        is_cut = is_cut || over_a > 0 || over_b > 0 || over_c > 0;
+    }
+    if (!is_cut) return add_piece(a, b, c, lid, is_small);
+    Polygon p = {{a, b, c}, 3};
+    for (int i = 0; i < side_count_; ++i) p.clip(sides_[std::size_t(i)].n, sides_[std::size_t(i)].most);
     for (int i = 2; i < p.count; ++i) add_piece(p.at[0], p.at[std::size_t(i) - 1], p.at[std::size_t(i)], lid, is_small);
 }
 

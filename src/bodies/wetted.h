@@ -109,7 +109,7 @@ class Coupling {
 // What is wetted of a body by one fluid.
 class Wetted {
   public:
-    explicit Wetted(const Surroundings& fluid) : fluid_(fluid) {}
+    explicit Wetted(const Surroundings& fluid);
 
     // `lid`: up to where columns are counted, above all of the shape that is wet; nothing: what it displaces is known.
     // `is_small`: one of many on a round side, of which the middle stands for all.
@@ -125,7 +125,14 @@ class Wetted {
     void add_column(math::DVec3 p, double area, double lid);
     void push(math::DVec3 at, math::DVec3 f) { force += f, torque += math::cross(at, f); }
     void add_drag(math::DVec3 at, math::DVec3 n, double area);
+    // A plane that bounds the fluid: what is in it is no farther along n.
+    struct Side {
+        math::DVec3 n;
+        double most;
+    };
     const Surroundings& fluid_;
+    std::array<Side, 6> sides_;
+    int side_count_ = 0;
 };
 
 } // namespace cairn

@@ -122,11 +122,13 @@ void make_solid_surface(const Geometry& shape, const ShapeData& data, std::vecto
     default:
         return;
     }
-    const math::DMat3 turn = math::to_matrix(math::normalized(math::to_double(shape.rotation)));
     const DVec3 position = math::to_double(shape.position);
-    for (SurfaceTriangle& t : triangles)
-        for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = position + turn * *p;
-    if (shape.type == ShapeType::box && rounding == 0) return;
+    if (shape.is_turned || position != DVec3{}) {
+        const math::DMat3 turn = math::to_matrix(math::normalized(math::to_double(shape.rotation)));
+        for (SurfaceTriangle& t : triangles)
+            for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = position + turn * *p;
+    }
+    if (shape.type != ShapeType::capsule && rounding == 0) return; // its volume is right as it is
     const MassSum mass = geometry_mass(shape, data, 1);
     grow_to(mass.mass, mass.center, triangles);
 }

@@ -13,8 +13,8 @@ struct SurfaceTriangle {
 };
 
 // Replaces `triangles` by those of a shape, in the frame of its body. Round sides are polygons, and all of it is as
-// large as the shape: the triangles enclose its volume to rounding. None of spheres (of which all is known in closed
-// form), of planes, rectangles and height fields. Of a mesh they are its own, closed or not.
+// large as the shape: the triangles enclose its volume to rounding. None of balls, of which all is known in closed
+// form, and of surfaces.
 void make_solid_surface(const Geometry& shape, const ShapeData& data, std::vector<SurfaceTriangle>& triangles);
 
 } // namespace cairn
