@@ -14,6 +14,7 @@
 #include <iostream>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace cairn::viewer::test {
 
@@ -75,7 +76,13 @@ class Driver {
     void click_on(const std::string& place) {
         check("there is " + place,
               [&](const Json& s) { return s.contains("places") && s.at("places").contains(place); });
-        const Json at = state().at("places").at(place);
+        const auto place_now = [&] { return state().at("places").value(place, Json()); };
+        Json at = place_now();
+        for (int i = 0; i < 20; ++i) { // it may still be moving, as windows come and grow
+            pause_for(0.1);
+            const Json before = std::exchange(at, place_now());
+            if (at.is_array() && at == before) break;
+        }
         click(at.at(0).get<double>(), at.at(1).get<double>());
     }
     void cursor(double x, double y) const {

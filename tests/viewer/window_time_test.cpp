@@ -101,6 +101,7 @@ void test_branches(Driver& driver) {
                height(s.at("other").at("positions").at(4)) < start - 0.3;
     });
     driver.key("space");
+    driver.check("Space holds both", [](const Json& s) { return s.at("paused") == true; });
     driver.click_on("other.exchange");
     driver.check("exchanged, it is in this run",
                  [](const Json& s) { return s.at("dynamic_count") == 4 && s.at("other").at("bodies") == 4; });
