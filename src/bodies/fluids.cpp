@@ -19,7 +19,7 @@ namespace {
 
 DVec3 of_public(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// Of unknowns that are coupled by a matrix close to one that is positive definite; by elimination.
+// The solution of six linear equations, by elimination.
 using Vector6 = std::array<double, 6>;
 using Matrix6 = std::array<Vector6, 6>;
 Vector6 solved(Matrix6 m, Vector6 b) {
@@ -140,10 +140,10 @@ class FloatingBody {
     void wet(const ForceField& field, std::vector<SurfaceTriangle>& surface) {
         const Surroundings fluid = around(field);
         Wetted wetted(fluid);
-        is_wet_ = false;
+        bool is_wet = false;
         for (std::int32_t s = c_.bodies.links[body_].first_shape; s != none; s = c_.shapes.links[s].next)
-            if (!c_.shapes.traits[s].is_trigger) add_shape(std::uint32_t(s), fluid, surface, wetted);
-        if (is_wet_) take(field, fluid, wetted);
+            if (!c_.shapes.traits[s].is_trigger) is_wet |= add_shape(std::uint32_t(s), fluid, surface, wetted);
+        if (is_wet) take(field, fluid, wetted);
     }
     // `own`: where its mass is kept if anything is moved along.
     void push(std::vector<std::pair<std::int32_t, BodyMass>>& own) const {
@@ -204,20 +204,19 @@ class FloatingBody {
                 return false;
         return true;
     }
-    void add_shape(std::uint32_t shape, const Surroundings& fluid, std::vector<SurfaceTriangle>& surface,
+    // Whether it may be wet.
+    bool add_shape(std::uint32_t shape, const Surroundings& fluid, std::vector<SurfaceTriangle>& surface,
                    Wetted& wetted) {
         const Geometry& g = c_.shapes.geometry[shape];
         const DVec3 middle =
             placed(math::to_double(g.position) +
                    math::rotate(math::normalized(math::to_double(g.rotation)), math::to_double(g.middle)));
         if (g.type == ShapeType::sphere) { // at a side of the fluid: where its middle is
-            if (!reaches(fluid, middle, double(g.size.x)) || !is_beside(fluid, middle)) return;
-            is_wet_ = true;
+            if (!reaches(fluid, middle, double(g.size.x)) || !is_beside(fluid, middle)) return false;
             wetted.add_ball(middle, double(g.size.x));
-            return;
+            return true;
         }
-        if (!reaches(fluid, middle, double(g.bounding_radius))) return;
-        is_wet_ = true;
+        if (!reaches(fluid, middle, double(g.bounding_radius))) return false;
         make_solid_surface(g, c_.shapes.data[shape], surface);
         const double top = dot(fluid.up, middle) + double(g.bounding_radius);
         std::optional<double> lid;
@@ -228,6 +227,7 @@ class FloatingBody {
         const math::DMat3 turn = math::to_matrix(q_);
         const auto at = [&](DVec3 in_body) { return turn * (in_body - center_); };
         for (const SurfaceTriangle& t : surface) wetted.add_triangle(at(t.a), at(t.b), at(t.c), lid, is_round(g));
+        return true;
     }
     // Whether a ball is as a whole below the surface and between the sides.
     static bool is_within(const Surroundings& fluid, DVec3 middle, double radius) {
@@ -264,7 +264,6 @@ class FloatingBody {
     DVec3 x_, center_;
     math::DQuat q_;
     Effect effect_;
-    bool is_wet_ = false;
 };
 
 bool is_fluid(const ForceFields& fields, std::size_t i) {

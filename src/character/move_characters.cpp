@@ -27,7 +27,7 @@ double inverse_mass_at(const Bodies& bodies, std::int32_t b, DVec3 point, DVec3 
 void push(const CharacterContext& c, std::int32_t b, DVec3 force, DVec3 point) {
     BodyForces& forces = c.bodies.forces[b];
     if (!forces.any) c.bodies.pushed.push_back(b);
-    forces.any = 1;
+    forces.any |= pushed_by_user;
     forces.force += force;
     forces.torque += math::cross(point - c.bodies.motion[b].x, force);
 }
