@@ -19,7 +19,7 @@ class World;
 
 enum class BodyType : std::uint8_t {
     static_,   ///< Never moves by itself.
-    kinematic, ///< Moves with the velocity it is given; nothing pushes it.
+    kinematic, ///< Moves with the velocity it is given, and turns about its origin; nothing pushes it.
     dynamic,   ///< Moves by forces and contacts.
 };
 
@@ -62,9 +62,9 @@ class Body {
     Position position() const; ///< Origin of the body's frame, meters.
     Quat rotation() const;
     Transform transform() const;
-    Position center_of_mass() const;               ///< In world space, meters.
-    Vec3 linear_velocity() const;                  ///< Of the center of mass, m/s.
-    Vec3 angular_velocity() const;                 ///< rad/s.
+    Position center_of_mass() const; ///< In world space, meters; of kinematic bodies, their origin, if not given.
+    Vec3 linear_velocity() const;    ///< Of the center of mass, m/s.
+    Vec3 angular_velocity() const;   ///< rad/s.
     Vec3 velocity_at(const Position& point) const; ///< Of the body's material at a world point, m/s.
 
     float mass() const; ///< kg; +infinity for static and kinematic bodies.

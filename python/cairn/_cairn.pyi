@@ -127,7 +127,7 @@ class Body:
         """Place and rotation of the body's frame."""
     @property
     def center_of_mass(self) -> np.ndarray:
-        """In world space, meters."""
+        """In world space, meters; of kinematic bodies, their origin, if not given."""
     @property
     def linear_velocity(self) -> np.ndarray:
         """Of the center of mass, m/s. Setting: Sets the velocity of the center of mass, m/s. Not of static bodies."""

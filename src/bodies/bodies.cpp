@@ -80,7 +80,9 @@ void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int
         for (int i = 0; i < 3; ++i) moments[i] = std::max(moments[i], min_moment_ratio * largest);
         const math::Quat axes = math::to_float(principal.axes);
         properties.mass = float(scale * sum.mass);
-        properties.center_of_mass = {float(sum.center.x), float(sum.center.y), float(sum.center.z)};
+        // What is moved by hand turns about its origin: no mass of it takes part.
+        if (bodies.settings[body].type != BodyType::kinematic)
+            properties.center_of_mass = {float(sum.center.x), float(sum.center.y), float(sum.center.z)};
         properties.inertia_diagonal = {float(moments.x), float(moments.y), float(moments.z)};
         properties.inertia_orientation = {axes.w, axes.x, axes.y, axes.z};
     }

@@ -246,7 +246,7 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     // What bounced in the step before counts as touching, but is apart by now. (On what does not move by forces it
     // comes to rest by the solver.)
     const bool has_bounced = c.b_moves && c.bounces && is_off();
-    return (least > way || bounces || slides) && (has_bounced || !touches(contacts, c));
+    return ((least > way && is_off()) || bounces || slides) && (has_bounced || !touches(contacts, c));
 }
 
 void settle_flights(const NarrowInput& in, const FollowUpContext& s, ThreadPool& thread_pool, float dt) {

@@ -186,6 +186,29 @@ TEST(Types, MoveToArrivesInTheGivenTime) {
     }
 }
 
+// It turned about the middle of its shapes, and flew away: as they were added, the middle took over the speed there.
+TEST(Types, KinematicBodyTurnsAboutItsOrigin) {
+    World world;
+    BodyDef def = body_at({1.0, 2.0, 3.0}, BodyType::kinematic);
+    def.angular_velocity = {0.0f, 0.0f, 3.0f};
+    Body cam = world.body(add_body(world, def, Box{}, shape_at({0.5f, 0.2f, 0.0f})));
+    world.add_shape(cam.id(), Sphere{}, shape_at({2.0f, 0.0f, 0.0f}));
+    run(world, 100);
+    EXPECT_EQ(cam.position(), Position(1.0, 2.0, 3.0));
+    EXPECT_EQ(cam.center_of_mass(), Position(1.0, 2.0, 3.0));
+    EXPECT_EQ(cam.linear_velocity(), Vec3(0.0f));
+    // What is thrown turns about its center of mass; the speed of its material stays as it is.
+    const Vec3 before = cam.velocity_at({2.0, 2.0, 3.0});
+    cam.set_type(BodyType::dynamic);
+    EXPECT_NEAR(glm::length(cam.velocity_at({2.0, 2.0, 3.0}) - before), 0.0f, 1e-5f);
+    EXPECT_GT(glm::length(cam.center_of_mass() - Position(1.0, 2.0, 3.0)), 1.0);
+    // The center that it was given stays.
+    def.mass_properties = MassProperties{};
+    def.mass_properties->center_of_mass = {1.0f, 0.0f, 0.0f};
+    const Body given = world.body(add_body(world, def, Box{}));
+    EXPECT_EQ(given.center_of_mass(), Position(2.0, 2.0, 3.0));
+}
+
 TEST(Types, MovingPlatformCarriesABox) {
     World world;
     Body platform = world.body(add_body(world, body_at({0.0, 1.0, 0.0}, BodyType::kinematic), Box{{3.0f, 0.2f, 3.0f}}));

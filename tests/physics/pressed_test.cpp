@@ -13,8 +13,8 @@ namespace {
 struct Pull {
     double acceleration, step; // m/s^2, s
 };
-constexpr Pull pulls[] = {{50, 1.0 / 60}, {100, 1.0 / 60},     {300, 1.0 / 60}, {1000, 1.0 / 60},
-                          {gravity, 0.1}, {gravity, 1.0 / 15}, {gravity, 0.25}};
+const Pull pulls[] = {{50, 1.0 / 60}, {100, 1.0 / 60},     {300, 1.0 / 60}, {1000, 1.0 / 60},
+                      {gravity, 0.1}, {gravity, 1.0 / 15}, {gravity, 0.25}};
 
 enum class Ground { box, plane, mesh, kinematic_box };
 constexpr Ground grounds[] = {Ground::box, Ground::plane, Ground::mesh, Ground::kinematic_box};

@@ -1,5 +1,6 @@
 // Machines whose parts move against each other, or turn about a point that stays, gain speed slowly: they must not fall
-// asleep, though the momenta of their parts add up to nothing.
+// asleep, though the momenta of their parts add up to nothing. And what a machine's parts do by contact is known
+// exactly.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -62,6 +63,41 @@ TEST(SlowMachines, AFlywheelComesUpToSpeed) {
         run(world, dt, 240);
         EXPECT_TRUE(world.body(wheel).is_awake()) << i;
         EXPECT_NEAR(double(world.body(wheel).angular_velocity().z) * radius / (4 * gain), 1, 0.02) << i;
+    }
+}
+
+// A round disk that turns about a point beside its middle, as kinematic bodies turn about their origins, and a flat
+// plate on it, which gravity presses down: as high as the disk's middle and its radius say.
+TEST(SlowMachines, ACamLiftsItsFollower) {
+    for (int i = 0; i < 24; ++i) {
+        RandomStart start(std::uint32_t(200 + i));
+        WorldDef settings;
+        settings.gravity = Vec3(start.turned({0, -gravity, 0}));
+        World world(settings);
+        const double radius = start.uniform(0.1, 0.5), beside = radius * start.uniform(0.1, 0.5),
+                     rate = std::sqrt(gravity / beside * start.uniform(0.02, 0.4)), up = radius + 0.05;
+        BodyDef def;
+        def.type = BodyType::kinematic;
+        def.position = start.place({0, 0, 0});
+        def.rotation = start.quat();
+        def.angular_velocity = Vec3(start.turned({0, 0, rate}));
+        const Body cam = world.body(world.create_body(def));
+        ShapeDef shape;
+        shape.position = {float(beside), 0, 0};
+        shape.rotation = glm::angleAxis(float(pi / 2), Vec3(1, 0, 0));
+        shape.material = surface(0.1f);
+        world.add_shape(cam.id(), Cylinder{.half_height = 0.1f, .radius = float(radius)}, shape);
+        def = {};
+        def.position = start.place({0, up, 0});
+        def.rotation = start.quat();
+        const Body follower = world.body(add_body(world, Box{Vec3(2 * beside, 0.05, 0.1)}, def, surface(0.1f)));
+        world.create_joint(
+            world.joint_at({}, follower.id(), def.position, Vec3(start.turned({0, 1, 0})), SliderJoint{}));
+        for (int k = 1; k <= 300; ++k) {
+            world.step(dt);
+            const double height = start.back(Vec3(follower.position() - start.place({0, 0, 0}))).y;
+            ASSERT_NEAR(height, up + beside * std::sin(rate * k / 60), 2e-4) << i << ", step " << k;
+        }
     }
 }
 

@@ -76,8 +76,8 @@ type CompleteMember<T> =
 export type CombineRule = 'average' | 'minimum' | 'maximum' | 'multiply';
 
 /**
- * How a body moves. `static`: Never moves by itself. `kinematic`: Moves with the velocity it is given; nothing pushes
- * it. `dynamic`: Moves by forces and contacts.
+ * How a body moves. `static`: Never moves by itself. `kinematic`: Moves with the velocity it is given, and turns about
+ * its origin; nothing pushes it. `dynamic`: Moves by forces and contacts.
  */
 export type BodyType = 'static' | 'kinematic' | 'dynamic';
 
@@ -1143,7 +1143,7 @@ export class Body {
     set rotation(value: QuatLike);
     /** Place and rotation of the body's frame. */
     get transform(): Complete<Transform>;
-    /** In world space, meters. */
+    /** In world space, meters; of kinematic bodies, their origin, if not given. */
     get centerOfMass(): Vec3;
     /** Of the center of mass, m/s. Setting: Sets the velocity of the center of mass, m/s. Not of static bodies. */
     get linearVelocity(): Vec3;

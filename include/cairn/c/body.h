@@ -16,7 +16,8 @@ extern "C" {
 typedef int32_t cairn_body_type;
 enum {
     CAIRN_BODY_TYPE_STATIC = 0, ///< Never moves by itself.
-    CAIRN_BODY_TYPE_KINEMATIC = 1, ///< Moves with the velocity it is given; nothing pushes it.
+    /// Moves with the velocity it is given, and turns about its origin; nothing pushes it.
+    CAIRN_BODY_TYPE_KINEMATIC = 1,
     CAIRN_BODY_TYPE_DYNAMIC = 2 ///< Moves by forces and contacts.
 };
 
@@ -132,7 +133,7 @@ CAIRN_C_API cairn_result cairn_body_get_rotation(const cairn_world* world, cairn
 CAIRN_C_API cairn_result cairn_body_get_transform(const cairn_world* world, cairn_body_id body,
                                                   cairn_transform* transform);
 
-/// In world space, meters. Errors: invalid_handle, wrong_state.
+/// In world space, meters; of kinematic bodies, their origin, if not given. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_center_of_mass(const cairn_world* world, cairn_body_id body,
                                                        cairn_position* center_of_mass);
 

@@ -16,7 +16,7 @@ class BodyType(enum.Enum):
     static = 0
     """Never moves by itself."""
     kinematic = 1
-    """Moves with the velocity it is given; nothing pushes it."""
+    """Moves with the velocity it is given, and turns about its origin; nothing pushes it."""
     dynamic = 2
     """Moves by forces and contacts."""
 

@@ -51,7 +51,7 @@ void add_body_calls(py::class_<PyBody>& c) {
         const auto answer = b.get("Body.center_of_mass").center_of_mass();
         return write(answer);
     },
-        "In world space, meters.");
+        "In world space, meters; of kinematic bodies, their origin, if not given.");
     c.def_property("linear_velocity", [](const PyBody& b) {
         const auto answer = b.get("Body.linear_velocity").linear_velocity();
         return write(answer);
