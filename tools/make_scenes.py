@@ -12,6 +12,7 @@ import sys
 import scenes_of_boxes as boxes
 import scenes_of_joints as hung
 import scenes_of_machines as machines
+import scenes_of_masonry as masonry
 import scenes_of_shapes as shapes
 import scenes_of_water as water
 
@@ -52,6 +53,7 @@ SCENES = [
     ("34_pinball", boxes.pinball),
     ("35_stroll", machines.stroll),
     ("36_harbor", water.harbor),
+    ("37_arches", masonry.arches),
     ("welcome", boxes.welcome),
 ]
 

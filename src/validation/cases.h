@@ -40,6 +40,9 @@ Result measure_towers();
 // turntable.cpp
 Result measure_turntable();
 
+// masonry.cpp
+Result measure_masonry();
+
 // impacts.cpp
 Result measure_billiards();
 Result measure_shots();

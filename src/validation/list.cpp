@@ -101,6 +101,13 @@ std::span<const Case> cases() {
          "Friction holds what rides up to w^2 r = mu g. A solid ball that rolls goes in a circle at 2/7 of the table's "
          "rate W: m dv/dt = F and 2/5 m r^2 dw/dt = moment of F give dv/dt = 2/7 W x v.",
          measure_turntable},
+        {32, "masonry", "Arches, and planks that overhang",
+         "An arch of rigid stones stands if a line of thrust fits into it (J. Heyman, The stone skeleton, 1966): half "
+         "a "
+         "circle of many stones from a thickness of 0.1075 of its radius on. Planks overhang until the center of mass "
+         "of all "
+         "above an edge is over it: by 1/2 + 1/4 + 1/6 + ... of their length.",
+         measure_masonry},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "

@@ -4,6 +4,7 @@
 #include "validation/random_starts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cairn_test {
 namespace {
@@ -58,6 +59,34 @@ TEST(Rest, BoxThatIsPushedSlidesAsOneThatWasNeverAtRest) {
     run(rested.world, 1.0f / 60, 60);
     const double friction = Material{}.dynamic_friction;
     EXPECT_NEAR(rested.world.body(rested.box).position().x - start, 1 / (2 * friction * 9.81), 0.01);
+}
+
+// Five things, one on another, with gaps from none to half of what counts as touching. As all of them fall alike, some
+// pairs were left out of the first step: they do not meet on their free ways.
+TEST(Rest, WhatIsMadeTouchingIsHeldFromTheFirstStep) {
+    for (int i = 0; i < 60; ++i) {
+        RandomStart start(std::uint32_t(90 + i));
+        WorldDef settings;
+        settings.gravity = Vec3(start.turned({0, -gravity, 0}));
+        World world(settings);
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = start.place({0, 0, 0});
+        def.rotation = start.quat();
+        add_body(world, Plane{}, def);
+        def.type = BodyType::dynamic;
+        const double gap = i % 4 == 0 ? 0 : std::pow(10.0, start.uniform(-8, -4.3));
+        const Shape shape = i % 3 == 0   ? Shape(Box{{0.1f, 0.1f, 0.1f}})
+                            : i % 3 == 1 ? Shape(Hull(box_corners({0.1f, 0.1f, 0.1f})))
+                                         : Shape(Cylinder{.half_height = 0.1f, .radius = 0.1f});
+        for (int k = 0; k < 5; ++k) {
+            def.position = start.place({0, 0.1 + gap + k * (0.2 + gap), 0});
+            add_body(world, shape, def);
+        }
+        world.step(1.0f / 60);
+        for (const BodyId id : world.bodies())
+            EXPECT_LT(glm::length(world.body(id).linear_velocity()), 0.008) << i << ", " << gap << " m apart";
+    }
 }
 
 TEST(Rest, SlowCreepIsNotLost) { // a hundredth of a millimeter per second

@@ -318,4 +318,20 @@ TEST_F(ShapeScene, TheRaceIsWonByShape) {
     expect_sane(20, 0.1, 0.006);
 }
 
+TEST_F(ShapeScene, ArchesStandIfALineOfThrustFitsIntoThem) {
+    load("37_arches");
+    std::map<std::string, double> farthest;
+    std::vector<Position> start;
+    for (const BodyId id : dynamic_bodies()) start.push_back(world().body(id).position());
+    run(480);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        const Body body = world().body(dynamic_bodies()[i]);
+        double& way = farthest[body.name() == "plank" ? (start[i].x < 0 ? "plank" : "plank too far") : body.name()];
+        way = std::max(way, glm::distance(body.position(), start[i]));
+    }
+    for (const char* stands : {"arch of 0.115", "arch of 0.15", "plank"}) EXPECT_LT(farthest[stands], 0.02) << stands;
+    for (const char* falls : {"arch of 0.085", "arch of 0.1", "plank too far"}) EXPECT_GT(farthest[falls], 1) << falls;
+    expect_sane(20, 0.05, 0.01);
+}
+
 } // namespace
