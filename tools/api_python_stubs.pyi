@@ -73,8 +73,15 @@ class HeightField:
     """A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies."""
     def __init__(self, heights: Any, spacing: Vector) -> None:
         """Heights (rows x columns), meters along y: that of row r and column c stands at x = (c - (columns - 1) / 2) *
-        spacing[0], z = (r - (rows - 1) / 2) * spacing[1]. Raises InvalidValueError for fewer than 2 columns or rows, a spacing
-        that is no size, or a height that is not finite or exceeds 1e6."""
+        spacing[0], z = (r - (rows - 1) / 2) * spacing[1]. Triangles of which a corner has the height +infinity are holes. Raises
+        InvalidValueError for fewer than 2 columns or rows, a spacing that is no size, a height that is no number or exceeds 1e6
+        and is not +infinity, or holes alone."""
+    @property
+    def indices(self) -> np.ndarray:
+        """Its triangles that are no holes (n x 3): indices of its vertices, counterclockwise as seen from above."""
+    @property
+    def vertices(self) -> np.ndarray:
+        """Where the heights stand, row after row (n x 3), meters; y of a hole is +infinity."""
     @property
     def heights(self) -> np.ndarray: ...
     @property

@@ -87,12 +87,13 @@ export class Geometry {
     static mesh(vertices: readonly number[] | Float32Array | Float64Array, indices: readonly number[] | Uint32Array | Uint16Array): Geometry;
     /**
      * A surface over a grid: meters along y, row after row, columns x rows of them. Throws invalidValue for fewer than 2 columns or
-     * rows, another number of heights, a spacing that is no size, or a height that is not finite or exceeds 1e6.
+     * rows, another number of heights, a spacing that is no size, a height that is no number or exceeds 1e6 and is not Infinity,
+     * or holes alone. Triangles of which a corner has the height Infinity are holes.
      */
     static heightField(columns: number, rows: number, spacing: Vec2Like, heights: readonly number[] | Float32Array | Float64Array): Geometry;
-    /** The corners of a hull or the vertices of a mesh: x, y, z each. Throws invalidValue for a height field. */
+    /** The corners of a hull, the vertices of a mesh, or where the heights of a height field stand: x, y, z each; y of a hole is Infinity. */
     get vertices(): Float32Array;
-    /** The triangles of a mesh, three indices each. Throws invalidValue for others. */
+    /** The triangles of a mesh, or of a height field that are no holes: three indices of its vertices each. Throws invalidValue for a hull. */
     get indices(): Uint32Array;
     /** How many triangles of a mesh had no area. Throws invalidValue for others. */
     get droppedTriangles(): number;

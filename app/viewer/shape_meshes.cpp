@@ -145,16 +145,28 @@ TriangleMesh height_field_triangles(const HeightField& field) {
     mesh.vertices.reserve(across * along);
     for (std::size_t k = 0; k < along; ++k) {
         for (std::size_t i = 0; i < across; ++i) {
-            // The normal from the slopes over the neighboring columns and rows.
-            const Vec3 dx = place(std::min(i + 1, across - 1), k) - place(i > 0 ? i - 1 : 0, k);
-            const Vec3 dz = place(i, std::min(k + 1, along - 1)) - place(i, k > 0 ? k - 1 : 0);
-            mesh.vertices.push_back({place(i, k), Vec3(0.0f), direction_of(glm::cross(dz, dx))});
+            const Vec3 here = place(i, k);
+            if (here.y == HeightField::hole) { // of no triangle
+                mesh.vertices.push_back({Vec3(here.x, 0.0f, here.z), Vec3(0.0f), Vec3(0.0f, 1.0f, 0.0f)});
+                continue;
+            }
+            // The normal from the slopes over the neighboring columns and rows, as far as there are any.
+            const auto beside = [&](std::size_t i1, std::size_t k1) {
+                const Vec3 p = place(i1, k1);
+                return p.y == HeightField::hole ? Vec3(p.x, here.y, p.z) : p;
+            };
+            const Vec3 dx = beside(std::min(i + 1, across - 1), k) - beside(i > 0 ? i - 1 : 0, k);
+            const Vec3 dz = beside(i, std::min(k + 1, along - 1)) - beside(i, k > 0 ? k - 1 : 0);
+            mesh.vertices.push_back({here, Vec3(0.0f), direction_of(glm::cross(dz, dx))});
         }
     }
     mesh.indices.reserve(6 * (across - 1) * (along - 1));
+    const auto is_hole = [&](std::size_t i, std::size_t k) { return place(i, k).y == HeightField::hole; };
     const auto add_cell = [&](std::size_t i, std::size_t k) {
         const auto near = std::uint32_t(k * across + i), far = std::uint32_t(near + across);
-        mesh.indices.insert(mesh.indices.end(), {near, far, far + 1, near, far + 1, near + 1});
+        if (is_hole(i, k) || is_hole(i + 1, k + 1)) return;
+        if (!is_hole(i, k + 1)) mesh.indices.insert(mesh.indices.end(), {near, far, far + 1});
+        if (!is_hole(i + 1, k)) mesh.indices.insert(mesh.indices.end(), {near, far + 1, near + 1});
     };
     for (std::size_t k0 = 0; k0 + 1 < along; k0 += cells_per_tile)
         for (std::size_t i0 = 0; i0 + 1 < across; i0 += cells_per_tile)

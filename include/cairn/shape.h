@@ -6,10 +6,12 @@
 #include <cairn/math.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace cairn {
 
@@ -122,17 +124,23 @@ class Mesh {
 /// that copies share their data, and is cheap to copy.
 class HeightField {
   public:
+    /// A height that is none: the triangles that would have a corner there are holes. +infinity.
+    static constexpr float hole = std::numeric_limits<float>::infinity();
+
     /// `heights`, meters along y, row after row: that of column c and row r is heights[r * columns + c], and stands at
     /// x = (c - (columns - 1) / 2) * spacing.x, z = (r - (rows - 1) / 2) * spacing.y. Each cell is two triangles, cut
     /// from its corner of least x and z to the opposite one. Throws `Error` (invalid_value) for fewer than 2 columns
-    /// or rows, more than 2^28 heights, a number of heights that is not columns x rows, a spacing that is no size, or
-    /// a height that is not finite or exceeds 1e6.
+    /// or rows, more than 2^28 heights, a number of heights that is not columns x rows, a spacing that is no size, a
+    /// height that is no number or exceeds 1e6 and is not `hole`, or holes alone.
     HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights);
 
     int columns() const;
     int rows() const;
     glm::vec2 spacing() const; ///< Meters along x and z.
     std::span<const float> heights() const;
+    std::vector<Vec3>
+    vertices() const; ///< Where the heights stand, meters, in the shape's frame; y of a hole is `hole`.
+    std::vector<std::uint32_t> indices() const; ///< Of the triangles that are no holes; three each, as those of a mesh.
 
     /// For the engine.
     const std::shared_ptr<const HeightFieldData>& data() const { return data_; }

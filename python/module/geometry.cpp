@@ -57,6 +57,11 @@ HeightField height_field(const Numbers<float>& heights, py::object spacing) {
                        std::span(heights.data(), std::size_t(heights.size())));
 }
 
+// Three indices each.
+py::array_t<std::uint32_t> triangles(std::span<const std::uint32_t> list) {
+    return py::array_t<std::uint32_t>({py::ssize_t(list.size() / 3), py::ssize_t(3)}, list.data());
+}
+
 } // namespace
 
 void add_geometry(py::module_& m) {
@@ -86,12 +91,7 @@ void add_geometry(py::module_& m) {
              }),
              py::arg("vertices"), py::arg("indices"), doc_of("Mesh.__init__"))
         .def_property_readonly("vertices", [](const Mesh& mesh) { return array_of(mesh.vertices()); })
-        .def_property_readonly(
-            "indices",
-            [](const Mesh& mesh) {
-                const auto list = mesh.indices();
-                return py::array_t<std::uint32_t>({py::ssize_t(list.size() / 3), py::ssize_t(3)}, list.data());
-            })
+        .def_property_readonly("indices", [](const Mesh& mesh) { return triangles(mesh.indices()); })
         .def_property_readonly("dropped_triangles", &Mesh::dropped_triangles);
     py::class_<HeightField>(m, "HeightField", doc_of("HeightField"))
         .def(py::init(&height_field), py::arg("heights"), py::arg("spacing"), doc_of("HeightField.__init__"))
@@ -99,6 +99,8 @@ void add_geometry(py::module_& m) {
                                [](const HeightField& field) {
                                    return py::array_t<float>({field.rows(), field.columns()}, field.heights().data());
                                })
+        .def_property_readonly("vertices", [](const HeightField& field) { return array_of(field.vertices()); })
+        .def_property_readonly("indices", [](const HeightField& field) { return triangles(field.indices()); })
         .def_property_readonly("spacing", [](const HeightField& field) { return write(field.spacing()); });
 }
 

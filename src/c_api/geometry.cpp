@@ -93,8 +93,10 @@ cairn_result cairn_geometry_get_vertices(const cairn_geometry* geometry, cairn_v
         require_room(vertices, capacity, count, "vertices");
         if (const Hull* hull = std::get_if<Hull>(&required(geometry, "geometry").shape))
             write_points(hull->vertices(), vertices, capacity, count);
+        else if (const auto* field = std::get_if<HeightField>(&geometry->shape))
+            write_points(field->vertices(), vertices, capacity, count);
         else
-            write_points(as<Mesh>(geometry, "hull or mesh").vertices(), vertices, capacity, count);
+            write_points(as<Mesh>(geometry, "hull, mesh or height field").vertices(), vertices, capacity, count);
     });
 }
 
@@ -102,7 +104,10 @@ cairn_result cairn_geometry_get_indices(const cairn_geometry* geometry, uint32_t
                                         size_t* count) {
     return guarded([&] {
         require_room(indices, capacity, count, "indices");
-        write_numbers(as<Mesh>(geometry, "mesh").indices(), indices, capacity, count);
+        if (const auto* field = std::get_if<HeightField>(&required(geometry, "geometry").shape))
+            write_numbers(field->indices(), indices, capacity, count);
+        else
+            write_numbers(as<Mesh>(geometry, "mesh or height field").indices(), indices, capacity, count);
     });
 }
 

@@ -209,17 +209,11 @@ struct Surface {
 
 Surface surface_of(const HeightField& field) {
     Surface result;
-    const auto columns = std::uint32_t(field.columns()), rows = std::uint32_t(field.rows());
-    for (std::uint32_t r = 0; r < rows; ++r)
-        for (std::uint32_t c = 0; c < columns; ++c)
-            result.points.emplace_back((float(c) - 0.5f * float(columns - 1)) * field.spacing().x,
-                                       field.heights()[std::size_t(r) * columns + c],
-                                       (float(r) - 0.5f * float(rows - 1)) * field.spacing().y);
-    for (std::uint32_t r = 0; r + 1 < rows; ++r)
-        for (std::uint32_t c = 0; c + 1 < columns; ++c) {
-            const std::uint32_t at = r * columns + c, across = at + columns + 1;
-            result.indices.insert(result.indices.end(), {at, at + columns, across, at, across, at + 1});
-        }
+    const std::vector<Vec3> vertices = field.vertices();
+    for (const std::uint32_t corner : field.indices()) {
+        result.indices.push_back(std::uint32_t(result.points.size()));
+        result.points.push_back(vertices[corner]);
+    }
     return result;
 }
 

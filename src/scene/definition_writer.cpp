@@ -111,19 +111,22 @@ std::size_t DefinitionWriter::shape(const Shape& shape) {
 }
 
 Json DefinitionWriter::height_field(const HeightField& field) {
+    // Accessors have finite numbers alone.
+    std::vector<float> heights(field.heights().begin(), field.heights().end());
+    Json holes = Json::array();
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (heights[i] == HeightField::hole) heights[i] = 0.0f, holes.push_back(i);
     const void* data = field.data().get();
     auto found = height_accessors_.find(data);
-    if (found == height_accessors_.end()) {
-        found = height_accessors_.emplace(data, buffer_.add_scalars(field.heights(), false)).first;
-    }
+    if (found == height_accessors_.end())
+        found = height_accessors_.emplace(data, buffer_.add_scalars(heights, false)).first;
     const glm::vec2 spacing = field.spacing();
-    return {{"type", "CAIRN_height_field"},
-            {"extensions",
-             {{"CAIRN_height_field",
-               {{"columns", field.columns()},
-                {"rows", field.rows()},
-                {"spacing", Json::array({shortest(spacing.x), shortest(spacing.y)})},
-                {"heights", found->second}}}}}};
+    Json grid{{"columns", field.columns()},
+              {"rows", field.rows()},
+              {"spacing", Json::array({shortest(spacing.x), shortest(spacing.y)})},
+              {"heights", found->second}};
+    if (!holes.empty()) grid["holes"] = std::move(holes);
+    return {{"type", "CAIRN_height_field"}, {"extensions", {{"CAIRN_height_field", std::move(grid)}}}};
 }
 
 std::size_t DefinitionWriter::material(const Shape& shape, const ShapeDef& def) {

@@ -147,6 +147,11 @@ Shape read_height_field(const Value& shape, const glm::dvec3& scale, Accessors& 
         if (!any_float.contains(scaled)) index.fail("must have heights that fit a float, with the scale of the node");
         height = static_cast<float>(scaled) + 0.0f;
     }
+    if (const auto holes = field->find("holes")) {
+        const std::size_t holes_count = holes->size(count, "places in the heights");
+        for (std::size_t i = 0; i < holes_count; ++i)
+            heights[static_cast<std::size_t>((*holes)[i].integer(0, static_cast<int>(count) - 1))] = HeightField::hole;
+    }
     try {
         return HeightField(columns, rows, step, heights);
     } catch (const Error& error) {

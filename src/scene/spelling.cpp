@@ -119,7 +119,7 @@ const std::map<std::string, Kind>& kinds() {
         {"CAIRN_material",
          {{{"density"}, {"rolling_friction"}, {"torsional_friction"}, {"surface_velocity"}, {"one_way"}}}},
         {"CAIRN_shape", {{{"rounding"}}}},
-        {"CAIRN_height_field", {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}}}},
+        {"CAIRN_height_field", {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}, {"holes"}}}},
     };
     return all;
 }

@@ -159,22 +159,14 @@ struct Tessellator {
         surface.indices.assign(mesh.indices().begin(), mesh.indices().end());
     }
     void operator()(const HeightField& field) const {
-        const int columns = field.columns(), rows = field.rows();
-        for (int r = 0; r < rows; ++r) {
-            for (int c = 0; c < columns; ++c) {
-                const float height = field.heights()[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) +
-                                                     static_cast<std::size_t>(c)];
-                surface.vertices.push_back(
-                    Vec3((static_cast<float>(c) - 0.5f * static_cast<float>(columns - 1)) * field.spacing().x, height,
-                         (static_cast<float>(r) - 0.5f * static_cast<float>(rows - 1)) * field.spacing().y));
+        const std::vector<Vec3> vertices = field.vertices();
+        std::vector<std::uint32_t> number(vertices.size(), 0); // of a height among the vertices, from 1 on
+        for (const std::uint32_t corner : field.indices()) {
+            if (number[corner] == 0) {
+                surface.vertices.push_back(vertices[corner]);
+                number[corner] = static_cast<std::uint32_t>(surface.vertices.size());
             }
-        }
-        const auto row = static_cast<std::uint32_t>(columns);
-        for (std::uint32_t r = 0; r + 1 < static_cast<std::uint32_t>(rows); ++r) {
-            for (std::uint32_t c = 0; c + 1 < row; ++c) {
-                const std::uint32_t a = r * row + c;
-                surface.indices.insert(surface.indices.end(), {a, a + row, a + row + 1, a, a + row + 1, a + 1});
-            }
+            surface.indices.push_back(number[corner] - 1);
         }
     }
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cairn {
 
@@ -32,9 +33,20 @@ void check(int columns, int rows, float spacing_x, float spacing_z, std::span<co
         refuse("HeightField heights", std::to_string(heights.size()),
                "there must be columns x rows of them, " + std::to_string(count));
     for (std::size_t i = 0; i < heights.size(); ++i)
-        if (!(std::fabs(heights[i]) <= farthest))
+        if (!(std::fabs(heights[i]) <= farthest) && heights[i] != HeightField::hole)
             refuse("HeightField heights[" + std::to_string(i) + "]", number_text(double(heights[i])),
-                   "must be finite and within 1e6 m");
+                   "must be within 1e6 m, or +infinity for a hole");
+}
+
+// Of the heights that there are.
+void find_extent(HeightFieldData& field) {
+    bool any = false;
+    for (std::uint32_t t = 0; t < triangle_count(field) && !any; ++t) any = !is_hole(field, t);
+    if (!any) refuse("HeightField heights", "holes alone", "must have a triangle whose corners have heights");
+    field.least = std::numeric_limits<float>::infinity(), field.greatest = -field.least;
+    for (const float height : field.heights)
+        if (height != HeightField::hole)
+            field.least = std::min(field.least, height), field.greatest = std::max(field.greatest, height);
 }
 
 } // namespace
@@ -48,8 +60,7 @@ HeightFieldData build_height_field(int columns, int rows, float spacing_x, float
     field.spacing_x = spacing_x;
     field.spacing_z = spacing_z;
     field.heights.assign(heights.begin(), heights.end());
-    field.least = *std::min_element(heights.begin(), heights.end());
-    field.greatest = *std::max_element(heights.begin(), heights.end());
+    find_extent(field);
     const double x = grid_half(columns, spacing_x), z = grid_half(rows, spacing_z);
     const double y = std::max(std::fabs(double(field.least)), std::fabs(double(field.greatest)));
     field.bounding_radius = float(std::sqrt(x * x + y * y + z * z) * (1 + 1e-7)); // rounded outward
@@ -76,5 +87,31 @@ int HeightField::columns() const { return data_->columns; }
 int HeightField::rows() const { return data_->rows; }
 glm::vec2 HeightField::spacing() const { return {data_->spacing_x, data_->spacing_z}; }
 std::span<const float> HeightField::heights() const { return data_->heights; }
+
+std::vector<Vec3> HeightField::vertices() const {
+    std::vector<Vec3> vertices;
+    vertices.reserve(heights().size());
+    for (int row = 0; row < rows(); ++row)
+        for (int column = 0; column < columns(); ++column)
+            vertices.emplace_back(grid_line(columns(), data_->spacing_x, column), heights()[vertices.size()],
+                                  grid_line(rows(), data_->spacing_z, row));
+    return vertices;
+}
+
+std::vector<std::uint32_t> HeightField::indices() const {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(3 * std::size_t(triangle_count(*data_)));
+    for (std::uint32_t t = 0; t < triangle_count(*data_); ++t) {
+        if (is_hole(*data_, t)) continue;
+        const FieldCell cell = cell_of(*data_, t);
+        const std::uint32_t row = std::uint32_t(columns()),
+                            at = std::uint32_t(cell.row) * row + std::uint32_t(cell.column);
+        if (cell.is_second)
+            indices.insert(indices.end(), {at, at + row + 1, at + 1});
+        else
+            indices.insert(indices.end(), {at, at + row, at + row + 1});
+    }
+    return indices;
+}
 
 } // namespace cairn

@@ -64,12 +64,12 @@ struct MeshData {
 };
 
 // Cell (column, row) has triangles 2 (row (columns - 1) + column), on its side of least x, and the next, on its side of
-// greatest x.
+// greatest x. Those with a corner without a height (infinity) are holes: they are counted, but nothing is there.
 struct HeightFieldData {
     int columns = 0, rows = 0;
     float spacing_x = 0, spacing_z = 0;
     std::vector<float> heights;
-    float least = 0, greatest = 0;
+    float least = 0, greatest = 0; // of the heights that there are
     float bounding_radius = 0;
 };
 
@@ -110,6 +110,15 @@ inline FieldCell cell_of(const HeightFieldData& field, std::uint32_t index) {
     return {int(cell % width), int(cell / width), (index & 1) != 0};
 }
 
+// Whether a triangle of a height field is none.
+inline bool is_hole(const HeightFieldData& field, std::uint32_t index) {
+    const FieldCell cell = cell_of(field, index);
+    const float* const near = field.heights.data() + std::size_t(cell.row) * std::size_t(field.columns) + cell.column;
+    const float* const far = near + field.columns;
+    constexpr float none = std::numeric_limits<float>::infinity();
+    return near[0] == none || far[1] == none || (cell.is_second ? near[1] : far[0]) == none;
+}
+
 inline Triangle triangle_of(const HeightFieldData& field, std::uint32_t index) {
     const FieldCell cell = cell_of(field, index);
     auto corner = [&](int right, int down) -> math::Vec3 {
@@ -129,14 +138,17 @@ inline std::uint32_t neighbor_of(const MeshData& mesh, std::uint32_t index, int 
 inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t index, int edge) {
     const FieldCell cell = cell_of(field, index);
     const std::uint32_t row_of_triangles = 2 * std::uint32_t(field.columns - 1);
-    if (cell.is_second) {
-        if (edge == 0) return index - 1;
-        if (edge == 1) return cell.column + 1 < field.columns - 1 ? index + 1 : no_triangle;
-        return cell.row > 0 ? index - 1 - row_of_triangles : no_triangle;
-    }
-    if (edge == 2) return index + 1;
-    if (edge == 0) return cell.column > 0 ? index - 1 : no_triangle;
-    return cell.row + 1 < field.rows - 1 ? index + 1 + row_of_triangles : no_triangle;
+    const auto across = [&]() -> std::uint32_t {
+        if (cell.is_second) {
+            if (edge == 0) return index - 1;
+            if (edge == 1) return cell.column + 1 < field.columns - 1 ? index + 1 : no_triangle;
+            return cell.row > 0 ? index - 1 - row_of_triangles : no_triangle;
+        }
+        if (edge == 2) return index + 1;
+        if (edge == 0) return cell.column > 0 ? index - 1 : no_triangle;
+        return cell.row + 1 < field.rows - 1 ? index + 1 + row_of_triangles : no_triangle;
+    }();
+    return across != no_triangle && is_hole(field, across) ? no_triangle : across;
 }
 
 // Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
@@ -176,6 +188,7 @@ CellRange cells_between(int lines, float spacing, double lo, double hi);
 
 template <class F> void for_each_triangle(const HeightFieldData& field, math::Vec3 lo, math::Vec3 hi, F&& f) {
     if (!(field.least <= hi.y && field.greatest >= lo.y)) return;
+    constexpr float none = std::numeric_limits<float>::infinity();
     const CellRange across = cells_between(field.columns, field.spacing_x, lo.x, hi.x);
     const CellRange along = cells_between(field.rows, field.spacing_z, lo.z, hi.z);
     auto meets = [](int lines, float spacing, int cell, float least, float greatest) {
@@ -193,7 +206,9 @@ template <class F> void for_each_triangle(const HeightFieldData& field, math::Ve
                 2 * (std::uint32_t(row) * std::uint32_t(field.columns - 1) + std::uint32_t(column));
             if (!meets(field.columns, field.spacing_x, column, lo.x, hi.x)) continue;
             for (std::uint32_t half = 0; half < 2; ++half)
-                if ((low <= hi.y || others[half] <= hi.y) && (high >= lo.y || others[half] >= lo.y)) f(index + half);
+                if ((low <= hi.y || others[half] <= hi.y) && (high >= lo.y || others[half] >= lo.y) && high < none &&
+                    others[half] < none)
+                    f(index + half);
         }
     }
 }

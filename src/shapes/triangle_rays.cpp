@@ -214,12 +214,13 @@ template <int z> class FieldWalk {
         const float* near = field_.heights.data() + std::size_t(row) * std::size_t(field_.columns) + column;
         const float* far = near + field_.columns;
         const float least = std::min(std::min(near[0], near[1]), std::min(far[0], far[1]));
-        const float greatest = std::max(std::max(near[0], near[1]), std::max(far[0], far[1]));
+        const float greatest = std::max(std::max(near[0], near[1]), std::max(far[0], far[1])); // infinite beside a hole
         if (double(least) > high_ || double(greatest) < low_) return;
         const std::uint32_t index =
             2 * (std::uint32_t(row) * std::uint32_t(field_.columns - 1) + std::uint32_t(column));
         for (std::uint32_t i = index; i < index + 2; ++i)
-            if (double distance; at_.meets(triangle_of(field_, i), distance)) nearest_.offer(distance, i);
+            if (double distance; !is_hole(field_, i) && at_.meets(triangle_of(field_, i), distance))
+                nearest_.offer(distance, i);
     }
 
     const HeightFieldData& field_;

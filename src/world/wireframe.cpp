@@ -113,33 +113,19 @@ class EdgeLister {
             }
         }
     }
-    void operator()(const Mesh& mesh) {
+    void operator()(const Mesh& mesh) { triangles(mesh.vertices(), mesh.indices()); }
+    void operator()(const HeightField& field) { triangles(field.vertices(), field.indices()); }
+
+  private:
+    void triangles(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-        const std::span<const std::uint32_t> indices = mesh.indices();
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
             for (std::size_t k = 0; k < 3; ++k)
                 pairs.push_back(std::minmax({indices[i + k], indices[i + (k + 1) % 3]}));
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        for (const auto& [a, b] : pairs) edges_.push_back({mesh.vertices()[a], mesh.vertices()[b]});
+        for (const auto& [a, b] : pairs) edges_.push_back({vertices[a], vertices[b]});
     }
-    void operator()(const HeightField& field) {
-        const glm::vec2 spacing = field.spacing();
-        const auto point = [&](int c, int r) {
-            return Vec3((float(c) - 0.5f * float(field.columns() - 1)) * spacing.x,
-                        field.heights()[std::size_t(r) * std::size_t(field.columns()) + std::size_t(c)],
-                        (float(r) - 0.5f * float(field.rows() - 1)) * spacing.y);
-        };
-        for (int r = 0; r < field.rows(); ++r)
-            for (int c = 0; c < field.columns(); ++c) {
-                if (c + 1 < field.columns()) edges_.push_back({point(c, r), point(c + 1, r)});
-                if (r + 1 < field.rows()) edges_.push_back({point(c, r), point(c, r + 1)});
-                if (c + 1 < field.columns() && r + 1 < field.rows())
-                    edges_.push_back({point(c, r), point(c + 1, r + 1)});
-            }
-    }
-
-  private:
     void loop(const Vec3 (&corners)[4]) {
         for (int i = 0; i < 4; ++i) edges_.push_back({corners[i], corners[(i + 1) % 4]});
     }

@@ -189,13 +189,24 @@ class Members(unittest.TestCase):
             self.assertEqual(getattr(shape.material, name), np.float32(default) if isinstance(default, float) else default)
         self.assertEqual(shape.filter.collides_with, cairn.CollisionFilter().collides_with)
 
+    def test_height_fields_have_holes(self):
+        heights = np.zeros((5, 5))
+        heights[2, 2] = np.inf
+        field = cairn.HeightField(heights, (1, 1))
+        self.assertEqual(field.indices.shape, (2 * 16 - 6, 3))
+        self.assertEqual(field.vertices.shape, (25, 3))
+        world = cairn.World()
+        world.add_shape(world.create_body(type="static"), field)
+        self.assertIsNone(world.cast_ray((0.1, 1, 0.2), (0, -1, 0), 5))
+        self.assertAlmostEqual(world.cast_ray((1.6, 1, 0.2), (0, -1, 0), 5).distance, 1, places=5)
+
     def test_every_shape_comes_back_as_it_was_given(self):
         world = cairn.World()
         body = world.create_body(type="static")
         points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
         for given in (cairn.Sphere(0.3), cairn.Box((1, 2, 3), rounding=0.1), cairn.Plane((1, 1, 0), half_extents=(2, 3)),
                       cairn.Capsule(1, 0.2, 0.1), cairn.Cylinder(1, 0.5, None, 0.02), cairn.Hull(points, 0.05),
-                      cairn.Mesh(points, [[0, 1, 2], [0, 2, 3]]), cairn.HeightField(np.ones((3, 4)), (1, 2))):
+                      cairn.Mesh(points, [[0, 1, 2], [0, 2, 3]]), cairn.HeightField(np.where(np.eye(3, 4), np.inf, 1), (1, 2))):
             shape = world.shape(world.add_shape(body, given))
             self.assertIs(type(shape), type(given))
             names = getattr(type(given), "__dataclass_fields__", None) or [n for n in dir(given) if not n.startswith("_")]

@@ -241,7 +241,7 @@ void RandomChanges::populate(World& world) {
     const std::vector<Vec3> corners{{-2, 0.1f, -2}, {2, 0.1f, -2}, {2, 0.4f, 2}, {-2, 0.2f, 2}};
     const std::vector<std::uint32_t> triangles{0, 2, 1, 0, 3, 2};
     world.add_shape(floor, Mesh(corners, triangles));
-    const std::vector<float> heights{0.0f, 0.3f, 0.1f, 0.2f, 0.5f, 0.1f, 0.0f, 0.2f, 0.1f};
+    const std::vector<float> heights{0.0f, 0.3f, 0.1f, 0.2f, 0.5f, 0.1f, HeightField::hole, 0.2f, 0.1f};
     ShapeDef aside;
     aside.position = {5, 0, 0};
     world.add_shape(floor, HeightField(3, 3, {1.0f, 1.5f}, heights), aside);

@@ -237,6 +237,28 @@ TEST(SceneMeshes, HeightFieldsAreScaled) {
     EXPECT_EQ(field.heights()[5], 15.0f);
 }
 
+// Kept when it is saved; a place that is not in the grid is refused, and so is a field of holes alone.
+TEST(SceneMeshes, HeightFieldsHaveHoles) {
+    const auto with_holes = [](const std::string& places) {
+        MeshParts parts = height_field();
+        const std::size_t end = parts.shapes.find(R"("heights")");
+        parts.shapes.insert(end, "\"holes\":" + places + ",");
+        parts.nodes = node(R"("scale":[2,-3,4],)", R"("collider":{"geometry":{"shape":0}})");
+        return load_text(parts.text());
+    };
+    const Scene scene = with_holes("[2,1,2]");
+    const std::vector<float> heights{0, HeightField::hole, HeightField::hole, 9, 12, 15};
+    const auto heights_of = [](const Scene& read) {
+        const HeightField field = std::get<HeightField>(only_shape(read));
+        return std::vector<float>(field.heights().begin(), field.heights().end());
+    };
+    EXPECT_EQ(heights_of(scene), heights);
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_EQ(heights_of(load_text(scene::save_to_string(scene))), heights);
+    for (const char* wrong : {"[6]", "[-1]", "[0.5]", "2", "[0,1,2,3,4,5]", "[[1]]"})
+        EXPECT_THROW(with_holes(wrong), Error) << wrong;
+}
+
 class SceneFolder : public testing::Test {
   protected:
     void SetUp() override {

@@ -181,6 +181,17 @@ TEST(ShapeMeshes, HeightFieldsLieWhereTheirHeightsAre) {
     }
 }
 
+TEST(ShapeMeshes, HolesOfHeightFieldsAreNotDrawn) {
+    std::vector<float> heights(25, 1.0f);
+    heights[12] = HeightField::hole;
+    const HeightField field(5, 5, {1.0f, 1.0f}, heights);
+    const TriangleMesh mesh = height_field_triangles(field);
+    EXPECT_EQ(mesh.indices, field.indices());
+    EXPECT_GT(min_agreement(mesh), 0.9999f);
+    for (const auto& vertex : mesh.vertices)
+        EXPECT_TRUE(std::isfinite(vertex.corner.y) && std::isfinite(vertex.normal.y));
+}
+
 TEST(ShapeMeshes, AFieldOfAMillionHeightsIsDrawnWhole) {
     constexpr int side = 1000;
     std::vector<float> heights(std::size_t(side) * side, 0.0f);

@@ -241,9 +241,10 @@ CAIRN_C_API cairn_result cairn_geometry_create_mesh(const float* vertices, size_
                                                     cairn_geometry** geometry);
 
 /// A surface over a grid: `heights`, meters along y, row after row, columns x rows of them; that of column c and row r
-/// stands at x = (c - (columns - 1) / 2) * spacing.x, z = (r - (rows - 1) / 2) * spacing.y. Refused (invalid_value) for
-/// fewer than 2 columns or rows, more than 2^28 heights, another number of heights, a spacing that is no size, or a
-/// height that is not finite or exceeds 1e6. Errors: invalid_value.
+/// stands at x = (c - (columns - 1) / 2) * spacing.x, z = (r - (rows - 1) / 2) * spacing.y. Triangles of which a corner
+/// has the height +infinity are holes. Refused (invalid_value) for fewer than 2 columns or rows, more than 2^28
+/// heights, another number of heights, a spacing that is no size, a height that is no number or exceeds 1e6 and is not
+/// +infinity, or holes alone. Errors: invalid_value.
 CAIRN_C_API cairn_result cairn_geometry_create_height_field(int columns, int rows, cairn_vec2 spacing,
                                                             const float* heights, size_t height_count,
                                                             cairn_geometry** geometry);
@@ -251,12 +252,13 @@ CAIRN_C_API cairn_result cairn_geometry_create_height_field(int columns, int row
 /// Gives a geometry back. Null: nothing happens.
 CAIRN_C_API void cairn_geometry_release(cairn_geometry* geometry);
 
-/// The corners of a hull or the vertices of a mesh, meters. Refused (invalid_value) for a height field. Errors:
-/// invalid_value.
+/// The corners of a hull, the vertices of a mesh, or where the heights of a height field stand, meters; y of a hole is
+/// +infinity. Errors: invalid_value.
 CAIRN_C_API cairn_result cairn_geometry_get_vertices(const cairn_geometry* geometry, cairn_vec3* vertices,
                                                      size_t capacity, size_t* count);
 
-/// The triangles of a mesh, three indices each. Refused (invalid_value) for others. Errors: invalid_value.
+/// The triangles of a mesh, or of a height field that are no holes, three indices of its vertices each,
+/// counterclockwise as seen from outside. Refused (invalid_value) for a hull. Errors: invalid_value.
 CAIRN_C_API cairn_result cairn_geometry_get_indices(const cairn_geometry* geometry, uint32_t* indices, size_t capacity,
                                                     size_t* count);
 
