@@ -29,9 +29,9 @@ World turned_world(const RandomStart& start, const Material& material, int subst
 }
 
 // Bodies, and where they were made.
-class Structure {
+class Masonry {
   public:
-    Structure(World& world, const RandomStart& start, const Material& material)
+    Masonry(World& world, const RandomStart& start, const Material& material)
         : world_(world), start_(start), material_(material) {}
     void add(const Shape& shape, const glm::dvec3& at) {
         BodyDef def;
@@ -102,7 +102,7 @@ bool stands(const Arch& arch, double thickness, double radius, double depth, con
             double dt) {
     const Material stone = surface(0.8f);
     World world = turned_world(start, stone, substeps);
-    Structure structure(world, start, stone);
+    Masonry masonry(world, start, stone);
     for (int i = 0; i < arch.stones; ++i) {
         const double middle = (i + 0.5) * arch.angle(), center = arch.center(thickness);
         const glm::dvec3 at = center * glm::dvec3(std::cos(middle), std::sin(middle), 0);
@@ -111,9 +111,9 @@ bool stands(const Arch& arch, double thickness, double radius, double depth, con
             for (const double r : {1 - 0.5 * thickness, 1 + 0.5 * thickness})
                 for (const double z : {-0.5 * depth, 0.5 * depth})
                     corners.push_back(Vec3(radius * (glm::dvec3(r * std::cos(angle), r * std::sin(angle), z) - at)));
-        structure.add(Hull(corners), radius * at);
+        masonry.add(Hull(corners), radius * at);
     }
-    return structure.stands(dt, 0.05 * radius);
+    return masonry.stands(dt, 0.05 * radius);
 }
 
 // --- planks
@@ -130,13 +130,13 @@ bool stands_over_edge(int planks, double half_length, double part, const RandomS
     def.position = start.place({-half_length, 0.5 * table, 0});
     def.rotation = start.quat();
     add_body(world, Box{Vec3(half_length, 0.5 * table, half_length)}, def, wood);
-    Structure structure(world, start, wood);
+    Masonry masonry(world, start, wood);
     double edge = 0;
     for (int k = 0; k < planks; ++k) {
         edge += part * half_length / (planks - k);
-        structure.add(Box{Vec3(half)}, {edge - half_length, table + (2 * k + 1) * half.y, 0});
+        masonry.add(Box{Vec3(half)}, {edge - half_length, table + (2 * k + 1) * half.y, 0});
     }
-    return structure.stands(dt, 0.05 * half_length);
+    return masonry.stands(dt, 0.05 * half_length);
 }
 
 } // namespace
