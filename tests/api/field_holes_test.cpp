@@ -73,7 +73,8 @@ TEST(FieldHoles, RaysMeetWhatAMeshOfTheirTrianglesHas) {
         for (int k = 0; k < 60; ++k) {
             const Position from = worlds.placed(chance.in_box(5)), to = worlds.placed(chance.in_box(3));
             const Vec3 way(to - from);
-            const auto a = worlds.field.cast_ray(from, way, 1.5), b = worlds.mesh.cast_ray(from, way, 1.5);
+            const double far = 2.0 * glm::length(to - from);
+            const auto a = worlds.field.cast_ray(from, way, far), b = worlds.mesh.cast_ray(from, way, far);
             ASSERT_EQ(a.has_value(), b.has_value()) << i << ", " << k;
             ++(a ? hits : misses);
             if (!a) continue;
@@ -81,7 +82,7 @@ TEST(FieldHoles, RaysMeetWhatAMeshOfTheirTrianglesHas) {
             EXPECT_LT(glm::length(a->normal - b->normal), 1e-4f) << i << ", " << k;
         }
     }
-    EXPECT_GT(hits, 2000);
+    EXPECT_GT(hits, 1000);
     EXPECT_GT(misses, 2000);
 }
 
