@@ -7,6 +7,7 @@ else()
 endif()
 # ./dev sets it. By hand it is off: who changes a header that is read so builds all of the engine anew.
 option(CAIRN_PRECOMPILED "Read the headers that nearly all files of the engine include once for all" ${default})
+unset(default)
 option(CAIRN_UNITY "Compile several files at a time, where headers take most of the time (not the engine)" ON)
 
 # cairn_quick_build(LEVEL TARGET...): for what takes no time in a step. The sources of these targets are compiled several

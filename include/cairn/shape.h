@@ -138,8 +138,7 @@ class HeightField {
     int rows() const;
     glm::vec2 spacing() const; ///< Meters along x and z.
     std::span<const float> heights() const;
-    std::vector<Vec3>
-    vertices() const; ///< Where the heights stand, meters, in the shape's frame; y of a hole is `hole`.
+    std::vector<Vec3> vertices() const;         ///< Where the heights stand, meters; y of a hole is `hole`.
     std::vector<std::uint32_t> indices() const; ///< Of the triangles that are no holes; three each, as those of a mesh.
 
     /// For the engine.

@@ -103,10 +103,8 @@ std::span<const Case> cases() {
          measure_turntable},
         {32, "masonry", "Arches, and planks that overhang",
          "An arch of rigid stones stands if a line of thrust fits into it (J. Heyman, The stone skeleton, 1966): half "
-         "a "
-         "circle of many stones from a thickness of 0.1075 of its radius on. Planks overhang until the center of mass "
-         "of all "
-         "above an edge is over it: by 1/2 + 1/4 + 1/6 + ... of their length.",
+         "a circle of many stones from 0.1075 of its radius in thickness on. Planks overhang until the center of mass "
+         "of all above an edge is over it: by 1/2 + 1/4 + 1/6 + ... of their length.",
          measure_masonry},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
