@@ -1,26 +1,14 @@
 // Height fields with holes: where a height is none, there is nothing. A mesh of the triangles that are left is the
 // same.
+#include "chance.h"
 #include "test_world.h"
 
 #include <algorithm>
 #include <optional>
-#include <random>
 #include <vector>
 
 namespace cairn::test {
 namespace {
-
-class Chance {
-  public:
-    explicit Chance(unsigned seed) : engine_(seed) {}
-    float between(float low, float high) { return low + (high - low) * float(engine_() / 4294967296.0); }
-    unsigned below(unsigned n) { return engine_() % n; }
-    Vec3 in_box(float half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
-    Quat rotation() { return glm::normalize(Quat(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1))); }
-
-  private:
-    std::mt19937 engine_;
-};
 
 HeightField any_field(Chance& chance, float height) {
     const int columns = 2 + int(chance.below(10)), rows = 2 + int(chance.below(10));

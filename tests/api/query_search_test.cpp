@@ -1,26 +1,14 @@
 // Queries find what a look at each shape alone finds, over random places, directions and lengths.
+#include "chance.h"
 #include "test_world.h"
 
 #include <algorithm>
 #include <optional>
-#include <random>
 #include <variant>
 #include <vector>
 
 namespace cairn::test {
 namespace {
-
-class Chance {
-  public:
-    explicit Chance(unsigned seed) : engine_(seed) {}
-    float between(float low, float high) { return low + (high - low) * float(engine_() / 4294967296.0); }
-    unsigned below(unsigned n) { return engine_() % n; }
-    Vec3 in_box(float half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
-    Quat rotation() { return glm::normalize(Quat(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1))); }
-
-  private:
-    std::mt19937 engine_;
-};
 
 Hull any_hull(Chance& chance) {
     std::vector<Vec3> points;
