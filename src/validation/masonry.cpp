@@ -16,8 +16,7 @@ constexpr double to_fall = 5; // s: what moves little until then stands
 
 // A world that is turned as a start says, on a plane.
 World turned_world(const RandomStart& start, const Material& material, int substeps) {
-    WorldDef def;
-    def.gravity = Vec3(start.turned({0, -gravity, 0}));
+    WorldDef def = with_turned_gravity(start);
     def.substeps = substeps;
     World world(def);
     BodyDef ground;

@@ -35,4 +35,11 @@ class RandomStart {
     glm::dvec3 offset_{0, 0, 0}; // m
 };
 
+// Settings with a gravity that is turned as a start says.
+inline WorldDef with_turned_gravity(const RandomStart& start) {
+    WorldDef def;
+    def.gravity = Vec3(start.turned({0, -gravity, 0}));
+    return def;
+}
+
 } // namespace cairn::validation

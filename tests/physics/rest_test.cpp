@@ -66,9 +66,7 @@ TEST(Rest, BoxThatIsPushedSlidesAsOneThatWasNeverAtRest) {
 TEST(Rest, WhatIsMadeTouchingIsHeldFromTheFirstStep) {
     for (int i = 0; i < 60; ++i) {
         RandomStart start(std::uint32_t(90 + i));
-        WorldDef settings;
-        settings.gravity = Vec3(start.turned({0, -gravity, 0}));
-        World world(settings);
+        World world(with_turned_gravity(start));
         BodyDef def;
         def.type = BodyType::static_;
         def.position = start.place({0, 0, 0});

@@ -71,9 +71,7 @@ TEST(SlowMachines, AFlywheelComesUpToSpeed) {
 TEST(SlowMachines, ACamLiftsItsFollower) {
     for (int i = 0; i < 24; ++i) {
         RandomStart start(std::uint32_t(200 + i));
-        WorldDef settings;
-        settings.gravity = Vec3(start.turned({0, -gravity, 0}));
-        World world(settings);
+        World world(with_turned_gravity(start));
         const double radius = start.uniform(0.1, 0.5), beside = radius * start.uniform(0.1, 0.5),
                      rate = std::sqrt(gravity / beside * start.uniform(0.02, 0.4)), up = radius + 0.05;
         BodyDef def;
