@@ -9,6 +9,12 @@ endif()
 option(CAIRN_PRECOMPILED "Read the headers that nearly all files of the engine include once for all" ${default})
 unset(default)
 option(CAIRN_UNITY "Compile several files at a time, where headers take most of the time (not the engine)" ON)
+# How many. A file that is changed by hand takes its neighbors along; who builds all of it once is done sooner with more.
+if(CAIRN_PRECOMPILED)
+    set(cairn_unity_size 32)
+else()
+    set(cairn_unity_size 8)
+endif()
 
 # cairn_quick_build(LEVEL TARGET...): for what takes no time in a step. The sources of these targets are compiled several
 # at a time, and a Release build optimizes them by LEVEL (-O1, -O2). Never for the engine: its hot loops want -O3, and what
@@ -20,31 +26,43 @@ function(cairn_quick_build level)
     endif()
     foreach(target ${ARGN})
         target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ${CAIRN_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ${CAIRN_UNITY} UNITY_BUILD_BATCH_SIZE ${cairn_unity_size})
     endforeach()
 endfunction()
 
+# A program for the headers that some tests read once for all.
+function(cairn_test_headers name)
+    add_executable(${name} EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/headers.cpp)
+    target_link_libraries(${name} PRIVATE cairn_flags cairn::cairn GTest::gtest)
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h> <algorithm> <array> <chrono> <cmath> <filesystem> <fstream>
+                              <functional> <random> <span> <string> <thread> <vector> ${ARGN})
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # cairn_quick_tests(FOLDER): the tests below it. In a Release build they are optimized by -O1 (what takes time in them is
-# the engine), and read the headers that nearly all of them include once for all.
+# the engine), and read the headers that nearly all of them include once for all: those that see the engine from within,
+# where it has its own names for things, without the public ones.
 function(cairn_quick_tests folder)
     if(NOT TARGET cairn_test_headers)
-        add_executable(cairn_test_headers EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/headers.cpp)
-        target_link_libraries(cairn_test_headers PRIVATE cairn_flags GTest::gtest)
-        target_precompile_headers(cairn_test_headers PRIVATE <gtest/gtest.h> <algorithm> <array> <chrono> <cmath> <filesystem>
-                                   <fstream> <functional> <random> <span> <string> <thread> <vector>)
-        target_compile_options(cairn_test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
+        cairn_test_headers(cairn_test_headers)
+        cairn_test_headers(cairn_public_test_headers <cairn/cairn.h>)
     endif()
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
     foreach(target ${targets})
         get_target_property(type ${target} TYPE)
         get_target_property(libraries ${target} LINK_LIBRARIES)
-        if(NOT type STREQUAL "EXECUTABLE" OR target STREQUAL "cairn_test_headers")
+        if(NOT type STREQUAL "EXECUTABLE" OR target MATCHES "_test_headers$")
             continue()
         endif()
         target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
         get_target_property(sources ${target} SOURCES)
         if(CAIRN_UNITY AND "GTest::gtest" IN_LIST libraries AND "cairn_flags" IN_LIST libraries AND NOT sources MATCHES "\\.c(;|$)")
-            target_precompile_headers(${target} REUSE_FROM cairn_test_headers)
+            get_target_property(folders ${target} INCLUDE_DIRECTORIES)
+            set(headers cairn_public_test_headers)
+            if("${PROJECT_SOURCE_DIR}/src" IN_LIST folders)
+                set(headers cairn_test_headers)
+            endif()
+            target_precompile_headers(${target} REUSE_FROM ${headers})
         endif()
     endforeach()
     get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)

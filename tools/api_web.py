@@ -151,8 +151,8 @@ def values(table):
         text += struct_values(table, layout, struct)
     for variant in table.variants.values():
         text += variant_values(table, layout, variant)
-    text += "\n// Of what lists by hand in world.js are made, and of definitions.\n"
-    for kind in ("JointSpring", "JointLimit", "JointDrive", "JointDef", "Joint", "BodyDef", "WorldDef", "SnapshotSizes", "BodyArrays"):
+    text += "\n// Of what lists by hand are made, and of definitions.\n"
+    for kind in ("Material", "JointSpring", "JointLimit", "JointDrive", "JointDef", "Joint", "BodyDef", "WorldDef", "SnapshotSizes", "BodyArrays"):
         text += f"export const {constant_name(kind)}_BYTES = {layout.size(kind)[0]};\n"
     text += "export const BODY_ARRAYS_OFFSETS = { " + ", ".join(
         f"{camel(name)}: {place.offset}" for name, place in layout.of("BodyArrays").items() if not name.endswith("stride")) + " };\n"

@@ -82,19 +82,38 @@ export class Geometry {
     /**
      * A surface of triangles: three indices each, counterclockwise as seen from outside; vertices are x, y, z in meters. Triangles
      * without area are left out. Throws invalidValue when a coordinate is not finite or exceeds 1e6, when an index is out of range
-     * or their number is no multiple of three, or when no triangle is left.
+     * or their number is no multiple of three, or when no triangle is left. `materials`: those that parts of it have beside that of
+     * the shape; `materialNumbers`: which one each triangle has, 0 for that of the shape, k for materials[k - 1]; without any, all
+     * have that of the shape.
      */
-    static mesh(vertices: readonly number[] | Float32Array | Float64Array, indices: readonly number[] | Uint32Array | Uint16Array): Geometry;
+    static mesh(
+        vertices: readonly number[] | Float32Array | Float64Array,
+        indices: readonly number[] | Uint32Array | Uint16Array,
+        materials?: readonly Material[],
+        materialNumbers?: readonly number[] | Uint16Array | Uint8Array,
+    ): Geometry;
     /**
      * A surface over a grid: meters along y, row after row, columns x rows of them. Throws invalidValue for fewer than 2 columns or
      * rows, another number of heights, a spacing that is no size, a height that is no number or exceeds 1e6 and is not Infinity,
-     * or holes alone. Triangles of which a corner has the height Infinity are holes.
+     * or holes alone. Triangles of which a corner has the height Infinity are holes. Materials as of a mesh, with a number for each
+     * cell, row after row.
      */
-    static heightField(columns: number, rows: number, spacing: Vec2Like, heights: readonly number[] | Float32Array | Float64Array): Geometry;
+    static heightField(
+        columns: number,
+        rows: number,
+        spacing: Vec2Like,
+        heights: readonly number[] | Float32Array | Float64Array,
+        materials?: readonly Material[],
+        materialNumbers?: readonly number[] | Uint16Array | Uint8Array,
+    ): Geometry;
     /** The corners of a hull, the vertices of a mesh, or where the heights of a height field stand: x, y, z each; y of a hole is Infinity. */
     get vertices(): Float32Array;
     /** The triangles of a mesh, or of a height field that are no holes: three indices of its vertices each. Throws invalidValue for a hull. */
     get indices(): Uint32Array;
+    /** The materials of a mesh or height field beside that of the shape. Throws invalidValue for a hull. */
+    get materials(): Material[];
+    /** Of each triangle of a mesh, or each cell of a height field; none: all have that of the shape. Throws invalidValue for a hull. */
+    get materialNumbers(): Uint16Array;
     /** How many triangles of a mesh had no area. Throws invalidValue for others. */
     get droppedTriangles(): number;
     /** The faces of a hull: indices of their corners, counterclockwise as seen from outside. Throws invalidValue for others. */

@@ -14,8 +14,6 @@ namespace cairn::cli {
 
 namespace {
 
-using sweep::Outcome;
-
 std::vector<Column> columns_of(const sweep::Plan& plan) {
     std::vector<Column> columns;
     for (const std::string& name : plan.columns()) columns.push_back({name, Column::Kind::real64});
@@ -67,9 +65,9 @@ std::string sweep_json(const sweep::Plan& plan, const sweep::Summary& summary,
     json["plan"] = plan.file;
     json["scene"] = plan.scene.generic_string();
     json["rows"] = summary.rows();
-    json["ran"] = summary.count(Outcome::ran);
-    json["stopped"] = summary.count(Outcome::stopped);
-    json["failed"] = summary.count(Outcome::failed);
+    json["ran"] = summary.count(sweep::Outcome::ran);
+    json["stopped"] = summary.count(sweep::Outcome::stopped);
+    json["failed"] = summary.count(sweep::Outcome::failed);
     json["failures"] = failures;
     json["hash"] = fmt::format("{:016x}", summary.hash());
     json["columns"] = nlohmann::ordered_json::array();
@@ -99,11 +97,11 @@ std::string sweep_json(const sweep::Plan& plan, const sweep::Summary& summary,
 
 std::string sweep_text(const sweep::Plan& plan, const sweep::Summary& summary, const std::vector<std::string>& failures,
                        const std::filesystem::path& folder) {
-    std::string text =
-        fmt::format("{}: {} rows: {} ran to the end, {} stopped before, {} failed\n", plan.file, summary.rows(),
-                    summary.count(Outcome::ran), summary.count(Outcome::stopped), summary.count(Outcome::failed));
+    std::string text = fmt::format("{}: {} rows: {} ran to the end, {} stopped before, {} failed\n", plan.file,
+                                   summary.rows(), summary.count(sweep::Outcome::ran),
+                                   summary.count(sweep::Outcome::stopped), summary.count(sweep::Outcome::failed));
     for (const std::string& line : failures) text += line + "\n";
-    if (summary.count(Outcome::failed) > failures.size()) text += "...\n";
+    if (summary.count(sweep::Outcome::failed) > failures.size()) text += "...\n";
     const std::vector<sweep::ColumnSummary> columns = summary.columns();
     for (std::size_t i = plan.design.parameters().size(); i < columns.size(); ++i) {
         const sweep::ColumnSummary& c = columns[i];

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cairn::viewer {
 
 namespace {
 
-constexpr float pi = 3.1415927f;
 constexpr float max_pitch = 1.55f;       // radians, just short of the pole
 constexpr float min_distance = 0.05f;    // meters
 constexpr float max_distance = 20000.0f; // meters
@@ -121,7 +121,7 @@ void OrbitCamera::turn_above(const Ground& ground) {
         double(ground.normal.x) * std::sin(double(yaw_)) + double(ground.normal.z) * std::cos(double(yaw_));
     const double b = double(ground.normal.y), reach = std::hypot(a, b), steepest = std::atan2(b, a);
     if (is_parallel_) {
-        pitch_ = std::min(std::max(pitch_, float(steepest) - 0.5f * pi), max_pitch);
+        pitch_ = std::min(std::max(pitch_, float(steepest) - 0.5f * std::numbers::pi_v<float>), max_pitch);
         return;
     }
     const double wanted = (clearance() - height(ground, target_)) / (double(distance_) * reach);

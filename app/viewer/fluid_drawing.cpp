@@ -7,8 +7,8 @@ namespace cairn::viewer {
 
 namespace {
 
-const Vec3 surface_color{0.03f, 0.22f, 0.42f}; // linear
-constexpr double farthest = 1000;              // m
+const Vec3 water_color{0.03f, 0.22f, 0.42f}; // linear
+constexpr double farthest = 1000;            // m
 
 } // namespace
 
@@ -42,8 +42,8 @@ void draw_fluids(RenderFrame& frame, const WorldMotion& motion) {
             }
             corners[std::size_t(i)] = Vec3(p);
         }
-        frame.fluids.push_back({corners[0], corners[1], corners[3], surface_color});
-        frame.fluids.push_back({corners[0], corners[3], corners[2], surface_color});
+        frame.fluids.push_back({corners[0], corners[1], corners[3], water_color});
+        frame.fluids.push_back({corners[0], corners[3], corners[2], water_color});
     }
 }
 

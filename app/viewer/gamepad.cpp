@@ -15,7 +15,7 @@ constexpr float zoom_speed = 12.0f;   // notches per second
 constexpr float longest_frame = 0.1f; // s: after a pause the camera does not leap
 constexpr float first_repeat = 0.4f, next_repeat = 0.05f; // s
 
-constexpr PadBinding bindings[] = {
+constexpr PadBinding all_pad_bindings[] = {
     {PadButton::a, Action::toggle_pause, "A"},
     {PadButton::b, Action::shoot, "B"},
     {PadButton::x, Action::reset_scene, "X"},
@@ -44,7 +44,7 @@ glm::vec2 shaped(const glm::vec2& stick) {
 
 } // namespace
 
-std::span<const PadBinding> pad_bindings() { return bindings; }
+std::span<const PadBinding> pad_bindings() { return all_pad_bindings; }
 
 void Gamepad::update(const std::optional<GamepadState>& state, float seconds, float aspect, Controller& controller) {
     if (state) {
@@ -61,7 +61,7 @@ void Gamepad::update(const std::optional<GamepadState>& state, float seconds, fl
 }
 
 void Gamepad::press_buttons(const GamepadState& now, float seconds, Controller& controller) {
-    for (const PadBinding& binding : bindings) {
+    for (const PadBinding& binding : all_pad_bindings) {
         const auto k = std::size_t(binding.button);
         if (!now.down[k]) continue;
         if (!last_->down[k]) {

@@ -35,6 +35,8 @@ struct ContactHit {
     /// latest, as the solver may stop it a substep early, and at its beginning if they overlapped by then. Hits are not
     /// listed in its order.
     float time;
+    /// Of a mesh or height field, where it was hit: the number of its material (SurfaceMaterials). Else 0.
+    int surface_material = 0;
 };
 
 /// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). Triggers see what is on dynamic and kinematic
@@ -75,7 +77,7 @@ struct ContactPoint {
 };
 
 /// A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
-/// surfaces of several of its faces, in several of these, one for each normal.
+/// surfaces of several of its faces, in several of these, one for each normal and material.
 struct Contact {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
@@ -83,6 +85,7 @@ struct Contact {
     Vec3 friction_impulse; ///< N s on B during the last step, world axes.
     int point_count;       ///< 1 to 4.
     ContactPoint points[4];
+    int surface_material = 0; ///< Of a mesh or height field there: the number of its material (SurfaceMaterials).
 };
 
 } // namespace cairn

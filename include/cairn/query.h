@@ -18,23 +18,28 @@ struct RayHit {
     Position point;  ///< On the surface, meters.
     Vec3 normal;     ///< Unit outward normal of the surface there.
     double distance; ///< From the ray's origin, meters.
+    /// Of a mesh: the one of the triangles of `Mesh::indices()` that it met; of a height field: twice the number of its
+    /// cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+    int triangle = -1;
 };
 
 /// The first thing that a moving shape met.
 struct ShapeCastHit {
     ShapeId shape;
     BodyId body;
-    double fraction; ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
-    Position point;  ///< Where they meet, meters.
-    Vec3 normal;     ///< Unit, out of the shape that was met.
+    double fraction;   ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
+    Position point;    ///< Where they meet, meters.
+    Vec3 normal;       ///< Unit, out of the shape that was met.
+    int triangle = -1; ///< That was met; as in RayHit.
 };
 
 /// The surface point nearest to a given one.
 struct ClosestPoint {
     ShapeId shape;
     BodyId body;
-    Position point;  ///< On the surface, meters; the given point itself if that lies inside.
-    double distance; ///< Meters; 0 inside.
+    Position point;    ///< On the surface, meters; the given point itself if that lies inside.
+    double distance;   ///< Meters; 0 inside.
+    int triangle = -1; ///< That it is on; as in RayHit.
 };
 
 /// The trees of the broad phase: those of what is fixed, of what is awake, of shapes that are awake and large beside

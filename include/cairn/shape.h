@@ -96,6 +96,31 @@ class Hull {
     std::shared_ptr<const HullData> data_;
 };
 
+/// How the coefficients of two touching materials become one. Where the two materials disagree on the rule,
+/// the stronger one counts, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies).
+enum class CombineRule : std::uint8_t { average, minimum, maximum, multiply };
+
+/// Surface properties of a shape.
+struct Material {
+    float static_friction = 0.6f;      ///< Coulomb coefficient while the contact sticks, >= 0.
+    float dynamic_friction = 0.6f;     ///< Coulomb coefficient while it slides, >= 0.
+    float restitution = 0.0f;          ///< Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic).
+    float rolling_friction = 0.0f;     ///< Lever arm of the rolling resistance torque in meters, >= 0.
+    float torsional_friction = 0.001f; ///< Radius of the contact patch in meters, >= 0: a spinning one-point contact
+                                       ///< feels a torque of at most friction x normal force x this radius. Without
+                                       ///< any, a ball that spins upright never comes to rest.
+    CombineRule friction_combine = CombineRule::average;
+    CombineRule restitution_combine = CombineRule::average;
+};
+
+/// Materials of the parts of a mesh or height field, beside that of the shape (`ShapeDef::material`).
+struct SurfaceMaterials {
+    std::vector<Material> materials{}; ///< At most 65,535.
+    /// Which one each triangle of a mesh has, or each cell of a height field, row after row: 0 for that of the shape,
+    /// k for materials[k - 1]. Empty: all have that of the shape.
+    std::vector<std::uint16_t> numbers{};
+};
+
 /// A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise: what
 /// has sunk below a triangle so that a part of it is still above is pushed out along its normal. Walls may be as thin
 /// as you like: sheets whose triangles have others on their backs hold on both sides. It never changes, so that copies
@@ -104,13 +129,16 @@ class Mesh {
   public:
     /// Three indices a triangle, counterclockwise as seen from outside. Corners at the same place count as one;
     /// triangles without area are left out (see `dropped_triangles`). Throws `Error` (invalid_value) when a coordinate
-    /// is not finite or exceeds 1e6, when an index is out of range or their number is no multiple of three, or when no
-    /// triangle is left.
-    Mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
+    /// is not finite or exceeds 1e6, when an index is out of range or their number is no multiple of three, when no
+    /// triangle is left, or when `materials` has a material that is none, a number beyond them, or numbers that are not
+    /// as many as the triangles.
+    Mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices,
+         const SurfaceMaterials& materials = {});
 
     std::span<const Vec3> vertices() const;         ///< Meters, in the shape's frame.
     std::span<const std::uint32_t> indices() const; ///< Three a triangle.
     std::size_t dropped_triangles() const;          ///< How many had no area.
+    const SurfaceMaterials& materials() const;      ///< A number for each triangle of `indices()`, or none.
 
     /// For the engine.
     const std::shared_ptr<const MeshData>& data() const { return data_; }
@@ -131,13 +159,16 @@ class HeightField {
     /// x = (c - (columns - 1) / 2) * spacing.x, z = (r - (rows - 1) / 2) * spacing.y. Each cell is two triangles, cut
     /// from its corner of least x and z to the opposite one. Throws `Error` (invalid_value) for fewer than 2 columns
     /// or rows, more than 2^28 heights, a number of heights that is not columns x rows, a spacing that is no size, a
-    /// height that is no number or exceeds 1e6 and is not `hole`, or holes alone.
-    HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights);
+    /// height that is no number or exceeds 1e6 and is not `hole`, holes alone, or `materials` with a material that is
+    /// none, a number beyond them, or numbers that are not as many as the cells.
+    HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights,
+                const SurfaceMaterials& materials = {});
 
     int columns() const;
     int rows() const;
     glm::vec2 spacing() const; ///< Meters along x and z.
     std::span<const float> heights() const;
+    const SurfaceMaterials& materials() const;  ///< A number for each cell, or none.
     std::vector<Vec3> vertices() const;         ///< Where the heights stand, meters; y of a hole is `hole`.
     std::vector<std::uint32_t> indices() const; ///< Of the triangles that are no holes; three each, as those of a mesh.
 
@@ -153,23 +184,6 @@ class HeightField {
 using Shape = std::variant<Sphere, Box, Plane, Capsule, Cylinder, Hull, Mesh, HeightField>;
 
 enum class ShapeType : std::uint8_t { sphere, box, plane, rectangle, capsule, cylinder, hull, mesh, height_field };
-
-/// How the coefficients of two touching materials become one. Where the two materials disagree on the rule,
-/// the stronger one counts, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies).
-enum class CombineRule : std::uint8_t { average, minimum, maximum, multiply };
-
-/// Surface properties of a shape.
-struct Material {
-    float static_friction = 0.6f;      ///< Coulomb coefficient while the contact sticks, >= 0.
-    float dynamic_friction = 0.6f;     ///< Coulomb coefficient while it slides, >= 0.
-    float restitution = 0.0f;          ///< Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic).
-    float rolling_friction = 0.0f;     ///< Lever arm of the rolling resistance torque in meters, >= 0.
-    float torsional_friction = 0.001f; ///< Radius of the contact patch in meters, >= 0: a spinning one-point contact
-                                       ///< feels a torque of at most friction x normal force x this radius. Without
-                                       ///< any, a ball that spins upright never comes to rest.
-    CombineRule friction_combine = CombineRule::average;
-    CombineRule restitution_combine = CombineRule::average;
-};
 
 /// Which shapes meet: two do if each is in a layer that the other collides with.
 struct CollisionFilter {

@@ -1,6 +1,6 @@
 # Made by tools/api.py from api/: change those, and run it.
 """The part of the package that is written in C++."""
-from typing import Any, Sequence
+from typing import Any, Iterable, Sequence
 
 import numpy as np
 
@@ -58,10 +58,17 @@ class Hull:
 
 class Mesh:
     """A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise."""
-    def __init__(self, vertices: Any, indices: Any) -> None:
+    def __init__(self, vertices: Any, indices: Any, materials: Iterable[Material] = (), material_numbers: Any = None) -> None:
         """Vertices (n x 3), meters; triangles (m x 3), counterclockwise as seen from outside. Triangles without area are left
-        out. Raises InvalidValueError when a coordinate is not finite or exceeds 1e6, when an index is out of range, or when no
-        triangle is left."""
+        out. `materials`: those that parts of it have beside that of the shape; `material_numbers` (m): which one each triangle
+        has, 0 for that of the shape, k for materials[k - 1]; None: all have that of the shape. Raises InvalidValueError when a
+        coordinate is not finite or exceeds 1e6, when an index is out of range, when no triangle is left, or when a material or
+        a number is none."""
+    @property
+    def materials(self) -> list[Material]: ...
+    @property
+    def material_numbers(self) -> np.ndarray:
+        """One for each row of `indices`; empty: all have that of the shape."""
     @property
     def vertices(self) -> np.ndarray: ...
     @property
@@ -72,11 +79,20 @@ class Mesh:
 
 class HeightField:
     """A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies."""
-    def __init__(self, heights: Any, spacing: Vector) -> None:
+    def __init__(
+        self, heights: Any, spacing: Vector, materials: Iterable[Material] = (), material_numbers: Any = None
+    ) -> None:
         """Heights (rows x columns), meters along y: that of row r and column c stands at x = (c - (columns - 1) / 2) *
-        spacing[0], z = (r - (rows - 1) / 2) * spacing[1]. Triangles of which a corner has the height +infinity are holes. Raises
+        spacing[0], z = (r - (rows - 1) / 2) * spacing[1]. Triangles of which a corner has the height +infinity are holes.
+        `materials`: those that parts of it have beside that of the shape; `material_numbers` (rows - 1 x columns - 1): which one
+        each cell has, 0 for that of the shape, k for materials[k - 1]; None: all have that of the shape. Raises
         InvalidValueError for fewer than 2 columns or rows, a spacing that is no size, a height that is no number or exceeds 1e6
-        and is not +infinity, or holes alone."""
+        and is not +infinity, holes alone, or a material or a number that is none."""
+    @property
+    def materials(self) -> list[Material]: ...
+    @property
+    def material_numbers(self) -> np.ndarray:
+        """Of each cell (rows - 1 x columns - 1); empty: all have that of the shape."""
     @property
     def indices(self) -> np.ndarray:
         """Its triangles that are no holes (n x 3): indices of its vertices, counterclockwise as seen from above."""

@@ -1,5 +1,7 @@
 // Hulls, meshes and height fields: made from arrays.
+#include "module/definitions.h"
 #include "module/docs.h"
+#include "module/generated/types.h"
 #include "module/module.h"
 
 #include <pybind11/numpy.h>
@@ -43,7 +45,32 @@ std::vector<std::uint32_t> indices(const Numbers<std::int64_t>& array) {
     return list;
 }
 
-HeightField height_field(const Numbers<float>& heights, py::object spacing) {
+// Numbers of any shape, one after the other. Those that are negative or too large must not come around as others.
+SurfaceMaterials materials_of(const py::iterable& materials, const py::object& numbers) {
+    SurfaceMaterials own;
+    for (const py::handle& material : materials) {
+        own.materials.emplace_back();
+        read(material, own.materials.back(), {nullptr, "materials"});
+    }
+    if (numbers.is_none()) return own;
+    const auto list = py::cast<Numbers<std::int64_t>>(numbers);
+    for (const std::int64_t number : std::span(list.data(), std::size_t(list.size()))) {
+        if (number < 0 || number > std::int64_t(own.materials.size()))
+            throw Error(ErrorCode::invalid_value, "material_numbers", std::to_string(number),
+                        "must be at most the number of materials, " + std::to_string(own.materials.size()));
+        own.numbers.push_back(std::uint16_t(number));
+    }
+    return own;
+}
+
+py::list list_of(const std::vector<Material>& materials) {
+    py::list list;
+    for (const Material& material : materials) list.append(write(material));
+    return list;
+}
+
+HeightField height_field(const Numbers<float>& heights, py::object spacing, const py::iterable& materials,
+                         const py::object& numbers) {
     if (heights.ndim() != 2) {
         PyErr_SetString(PyExc_ValueError, "heights: must be of shape (rows, columns)");
         throw py::error_already_set();
@@ -54,7 +81,7 @@ HeightField height_field(const Numbers<float>& heights, py::object spacing) {
     glm::vec2 size;
     read(spacing, size, {nullptr, "spacing"});
     return HeightField(int(heights.shape(1)), int(heights.shape(0)), size,
-                       std::span(heights.data(), std::size_t(heights.size())));
+                       std::span(heights.data(), std::size_t(heights.size())), materials_of(materials, numbers));
 }
 
 // Three indices each.
@@ -86,15 +113,33 @@ void add_geometry(py::module_& m) {
                                })
         .def_property_readonly("volume", &Hull::volume);
     py::class_<Mesh>(m, "Mesh", doc_of("Mesh"))
-        .def(py::init([](const Numbers<float>& vertices, const Numbers<std::int64_t>& triangles) {
-                 return Mesh(points(vertices, "vertices"), indices(triangles));
+        .def(py::init([](const Numbers<float>& vertices, const Numbers<std::int64_t>& triangles,
+                         const py::iterable& materials, const py::object& numbers) {
+                 return Mesh(points(vertices, "vertices"), indices(triangles), materials_of(materials, numbers));
              }),
-             py::arg("vertices"), py::arg("indices"), doc_of("Mesh.__init__"))
+             py::arg("vertices"), py::arg("indices"), py::arg("materials") = py::tuple(),
+             py::arg("material_numbers") = py::none(), doc_of("Mesh.__init__"))
+        .def_property_readonly("materials", [](const Mesh& mesh) { return list_of(mesh.materials().materials); })
+        .def_property_readonly("material_numbers",
+                               [](const Mesh& mesh) {
+                                   const auto& numbers = mesh.materials().numbers;
+                                   return py::array_t<std::uint16_t>(py::ssize_t(numbers.size()), numbers.data());
+                               })
         .def_property_readonly("vertices", [](const Mesh& mesh) { return array_of(mesh.vertices()); })
         .def_property_readonly("indices", [](const Mesh& mesh) { return triangles(mesh.indices()); })
         .def_property_readonly("dropped_triangles", &Mesh::dropped_triangles);
     py::class_<HeightField>(m, "HeightField", doc_of("HeightField"))
-        .def(py::init(&height_field), py::arg("heights"), py::arg("spacing"), doc_of("HeightField.__init__"))
+        .def(py::init(&height_field), py::arg("heights"), py::arg("spacing"), py::arg("materials") = py::tuple(),
+             py::arg("material_numbers") = py::none(), doc_of("HeightField.__init__"))
+        .def_property_readonly("materials",
+                               [](const HeightField& field) { return list_of(field.materials().materials); })
+        .def_property_readonly(
+            "material_numbers",
+            [](const HeightField& field) {
+                const auto& numbers = field.materials().numbers;
+                if (numbers.empty()) return py::array_t<std::uint16_t>(py::ssize_t(0));
+                return py::array_t<std::uint16_t>({field.rows() - 1, field.columns() - 1}, numbers.data());
+            })
         .def_property_readonly("heights",
                                [](const HeightField& field) {
                                    return py::array_t<float>({field.rows(), field.columns()}, field.heights().data());

@@ -1,5 +1,5 @@
 // Hulls, meshes and height fields, whose data a program of C holds by a pointer.
-#include "c_api/convert.h"
+#include "c_api/generated/convert.h"
 #include "c_api/support.h"
 
 #include <cairn/c/cairn.h>
@@ -32,6 +32,20 @@ template <class T> const T& as(const cairn_geometry* geometry, const char* what)
     const T* shape = std::get_if<T>(&required(geometry, "geometry").shape);
     if (!shape) refuse("geometry", "another kind", std::string("must be a ") + what);
     return *shape;
+}
+
+SurfaceMaterials materials_of(const cairn_material* materials, std::size_t material_count, const std::uint16_t* numbers,
+                              std::size_t number_count) {
+    require_list(materials, material_count, "materials");
+    require_list(numbers, number_count, "numbers");
+    SurfaceMaterials own;
+    for (std::size_t i = 0; i < material_count; ++i) own.materials.push_back(to_cpp(materials[i]));
+    own.numbers.assign(numbers, numbers + number_count);
+    return own;
+}
+const SurfaceMaterials& materials_of(const cairn_geometry* geometry) {
+    if (const auto* field = std::get_if<HeightField>(&required(geometry, "geometry").shape)) return field->materials();
+    return as<Mesh>(geometry, "mesh or height field").materials();
 }
 
 template <class List, class T> void write_numbers(const List& list, T* out, std::size_t capacity, std::size_t* count) {
@@ -82,6 +96,49 @@ cairn_result cairn_geometry_create_height_field(int columns, int rows, cairn_vec
         required(geometry, "geometry");
         require_list(heights, height_count, "heights");
         make(geometry, HeightField(columns, rows, to_cpp(spacing), std::span(heights, height_count)));
+    });
+}
+
+cairn_result cairn_geometry_create_mesh_with_materials(const float* vertices, size_t vertex_count, size_t stride,
+                                                       const uint32_t* indices, size_t index_count,
+                                                       const cairn_material* materials, size_t material_count,
+                                                       const uint16_t* numbers, size_t number_count,
+                                                       cairn_geometry** geometry) {
+    return guarded([&] {
+        required(geometry, "geometry");
+        require_list(indices, index_count, "indices");
+        make(geometry, Mesh(points_of(vertices, vertex_count, stride, "vertices"), std::span(indices, index_count),
+                            materials_of(materials, material_count, numbers, number_count)));
+    });
+}
+
+cairn_result cairn_geometry_create_height_field_with_materials(int columns, int rows, cairn_vec2 spacing,
+                                                               const float* heights, size_t height_count,
+                                                               const cairn_material* materials, size_t material_count,
+                                                               const uint16_t* numbers, size_t number_count,
+                                                               cairn_geometry** geometry) {
+    return guarded([&] {
+        required(geometry, "geometry");
+        require_list(heights, height_count, "heights");
+        make(geometry, HeightField(columns, rows, to_cpp(spacing), std::span(heights, height_count),
+                                   materials_of(materials, material_count, numbers, number_count)));
+    });
+}
+
+cairn_result cairn_geometry_get_materials(const cairn_geometry* geometry, cairn_material* materials, size_t capacity,
+                                          size_t* count) {
+    return guarded([&] {
+        require_room(materials, capacity, count, "materials");
+        write_list(materials_of(geometry).materials, materials, capacity, count,
+                   [](const Material& material) { return to_c(material); });
+    });
+}
+
+cairn_result cairn_geometry_get_material_numbers(const cairn_geometry* geometry, uint16_t* numbers, size_t capacity,
+                                                 size_t* count) {
+    return guarded([&] {
+        require_room(numbers, capacity, count, "numbers");
+        write_numbers(materials_of(geometry).numbers, numbers, capacity, count);
     });
 }
 

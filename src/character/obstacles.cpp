@@ -143,7 +143,7 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     case ShapeType::mesh:
     case ShapeType::height_field:
         o.is_one_sided = true;
-        for_each_triangle_near(posed, near.lo, near.hi, [&](const Convex& triangle) {
+        for_each_triangle_near(posed, near.lo, near.hi, [&](const Convex& triangle, std::uint32_t) {
             o.convex = triangle;
             o.bounds = {triangle.corners[0], triangle.corners[0]};
             for (int i = 1; i < 3; ++i)

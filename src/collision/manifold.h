@@ -22,6 +22,9 @@ inline constexpr std::uint32_t on_first_face = 1u << 30, on_second_face = 1u << 
 // Likewise: whether the second is a round side that has several places of touch (flat_side.h).
 inline constexpr std::uint32_t on_flat_side = 1u << 29;
 
+// Likewise, of patches: the number of the material of their triangles (SurfaceMaterials), in 16 bits from this one on.
+inline constexpr int surface_material_bit = 8;
+
 // The features of no point, as they are kept for the next step: a byte of each point, the first point's lowest.
 inline constexpr std::uint32_t no_features = 0xffffffffu;
 

@@ -3,6 +3,7 @@
 #include "collision/box_triangle.h"
 #include "collision/contact_points.h"
 #include "collision/convex_contact.h"
+#include "shapes/surface_materials.h"
 
 #include <algorithm>
 
@@ -124,6 +125,12 @@ template <class F> void with_data(const Surface& surface, F&& f) {
         f(height_field_of(surface.data));
 }
 
+std::uint32_t material_number(const Surface& surface, std::uint32_t triangle) {
+    std::uint32_t number = 0;
+    with_data(surface, [&](const auto& data) { number = material_number(data, triangle); });
+    return number;
+}
+
 // Whether a point is on a triangle, but for a tolerance.
 bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
     const DVec3 n = math::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -225,6 +232,7 @@ class HitSearch {
         return std::any_of(scratch_.hits.begin(), scratch_.hits.end(), [&](const TriangleHit& hit) {
             const Convex t = placed(hit.triangle);
             return is_near(-t.axes.c1, face.normal, same_normal) &&
+                   material_number(surface_, hit.triangle) == face.material &&
                    is_on({t.corners[0], t.corners[1], t.corners[2]}, foot, tolerance);
         });
     }
@@ -401,19 +409,22 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
             return is_internal_edge(scratch, p, hit, size);
         });
         if (is_edge || !minima.has(place)) continue;
+        const std::uint32_t material = material_number(surface, hit.triangle);
         const auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
-            return is_near(patch.normal, hit.normal, same_patch);
+            return patch.material == material && is_near(patch.normal, hit.normal, same_patch);
         });
         hit.patch = std::size_t(same - scratch.patches.begin());
         if (same == scratch.patches.end())
-            scratch.patches.push_back({hit.normal, hit.foot, hit.depth, hit.on_face});
+            scratch.patches.push_back({hit.normal, hit.foot, hit.depth, hit.on_face, material});
         else if (hit.on_face && is_near(same->normal, hit.normal, same_normal))
             same->on_face = true;
     }
     manifolds.resize(scratch.patches.size());
-    for (std::size_t i = 0; i < manifolds.size(); ++i)
+    for (std::size_t i = 0; i < manifolds.size(); ++i) {
         if (!search.lies_on_plane(i, flatness * size, manifolds[i]))
             write_patch(scratch, i, frame, a.extent, manifolds[i]);
+        manifolds[i].features[0] |= scratch.patches[i].material << surface_material_bit;
+    }
     return 0;
 }
 

@@ -30,12 +30,13 @@ struct TriangleHit {
     std::size_t patch; // that it is a part of
 };
 
-// One direction in which the shape touches the surface.
+// One direction in which the shape touches the surface, where that is of one material.
 struct SurfacePatch {
     math::DVec3 normal; // from the shape to the surface
     math::DVec3 foot;   // where the surface is
     double depth = 0;
-    bool on_face = false; // of a triangle that has its normal
+    bool on_face = false;       // of a triangle that has its normal
+    std::uint32_t material = 0; // of its triangles: the number (SurfaceMaterials)
 };
 
 // Working memory.
@@ -48,10 +49,10 @@ struct SurfaceScratch {
     std::vector<std::uint32_t> which; // of points they are
 };
 
-// All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,
-// deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
-// is emptied before. Where there are none, returns how far apart they are at least, as far as has been looked: `reach`,
-// at least the margin, at most.
+// All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals
+// or materials, deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them.
+// `manifolds` is emptied before. Where there are none, returns how far apart they are at least, as far as has been
+// looked: `reach`, at least the margin, at most.
 double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
                          double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds);
 

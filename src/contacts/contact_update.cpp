@@ -75,6 +75,7 @@ void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const F
         wake_island(bodies, islands, events, bodies.links[c.body_a].island);
     count_contact(bodies, c);
     c.load = c.force = first_load(bodies, fields, settings, c, normal);
+    c.substep_time = 0;
 }
 
 // Planes have no end.
@@ -295,7 +296,15 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
     const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(touch.arm);
     const float until_touch = separation > 0 ? std::min(separation / touch.approach_speed, dt) : 0.0f;
     const math::Vec3 n = touch.normal;
-    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, touch.approach_speed, until_touch});
+    events.hits.push_back({a,
+                           b,
+                           body_a,
+                           body_b,
+                           {p.x, p.y, p.z},
+                           {n.x, n.y, n.z},
+                           touch.approach_speed,
+                           until_touch,
+                           c.surface_material});
 }
 
 // Whether the step has made a contact begin or cease to touch.

@@ -209,10 +209,18 @@ PairMaterial combined_material(const Material& a, const Material& b) {
     return m;
 }
 
+const Material& material_of(const Shapes& shapes, std::uint32_t shape, std::uint32_t number) {
+    return number == 0 ? shapes.materials[shape] : surface_materials(shapes.data[shape])[number - 1];
+}
+
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact) {
     ContactInfo& c = contacts.info[contact];
-    const PairMaterial m = combined_material(shapes.materials[c.shape_a], shapes.materials[c.shape_b]);
+    const Material& own = shapes.materials[c.shape_a];
+    const PairMaterial m = combined_material(own, material_of(shapes, c.shape_b, c.surface_material));
     c.bounces = m.restitution > 0;
+    if (is_group(c))
+        for (const Material& other : surface_materials(shapes.data[c.shape_b]))
+            c.bounces |= combined_material(own, other).restitution > 0;
     if (!contacts.records.has(contact)) return;
     ContactRecord& r = contacts.records[contact];
     r.friction = m.friction;
@@ -237,6 +245,7 @@ void renew_contacts(const Shapes& shapes, Contacts& contacts, std::uint32_t shap
         if (!c.in_use || (c.shape_a != shape && c.shape_b != shape)) continue;
         size_contact(shapes, c);
         c.is_conveyor = shapes.traits[c.shape_b].has_surface_velocity;
+        if (c.surface_material > surface_materials(shapes.data[c.shape_b]).size()) c.surface_material = 0;
         combine_materials(shapes, contacts, id);
     }
 }

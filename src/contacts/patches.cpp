@@ -28,13 +28,15 @@ constexpr float same_patch = 0.9f;      // cosine: normals that turn by less fro
 constexpr float looked_ahead_steps = 3; // for what is apart
 constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 
-// The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
+// The patch of the group whose last normal was nearest to that of the manifold, among those of the same material that
+// have not yet been found.
 std::int32_t matching_patch(const Contacts& contacts, const NarrowScratch& narrow, const ContactInfo& group,
                             const Manifold& m) {
     std::int32_t best = none;
     float nearest = same_patch;
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) {
-        if (narrow.patch_outcomes[p] != not_found) continue;
+        if (narrow.patch_outcomes[p] != not_found || contacts.info[p].surface_material != surface_material_of(m))
+            continue;
         const float cosine = math::dot(to_vec(m.normal), to_vec(contacts.records[p].normal));
         if (cosine > nearest) nearest = cosine, best = p;
     }
@@ -85,7 +87,9 @@ Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t
     const Approach approach = find_touch(in, group, own.triangles, dt, touch);
     if (approach != Approach::later) return approach;
     if (touch.is_beside) {
+        const std::uint32_t material = surface_material_of(hit);
         hit = touch.manifold;
+        hit.features[0] |= material << surface_material_bit;
         return approach;
     }
     const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
@@ -97,13 +101,15 @@ Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t
     return approach;
 }
 
-std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32_t group_id) {
+std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32_t group_id,
+                           std::uint16_t surface_material) {
     const std::uint32_t id = new_contact(contacts, contacts.info[group_id].body_a);
     ContactInfo &patch = contacts.info[id], &group = contacts.info[group_id];
     patch = group;
     patch.kind = PairKind::patch;
     patch.point_count = 0;
     patch.touching = 0;
+    patch.surface_material = surface_material;
     patch.related = std::int32_t(group_id);
     patch.next = group.related;
     group.related = std::int32_t(id);
@@ -274,8 +280,9 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
             end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch);
     });
     for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
-        const std::uint32_t patch = create_patch(s.shapes, s.contacts, id);
-        follow_up(s, patch, take_fresh_patch(s, patch, narrow.fresh[k]), dt);
+        const FreshPatch& fresh = narrow.fresh[k];
+        const std::uint32_t patch = create_patch(s.shapes, s.contacts, id, surface_material_of(fresh.manifold));
+        follow_up(s, patch, take_fresh_patch(s, patch, fresh), dt);
         if (s.contacts.info[patch].point_count > 0) continue;
         end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
         drop_answer(s.bodies, s.contacts, id);
@@ -284,10 +291,12 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
 }
 
 std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, std::uint32_t group, math::Vec3 normal,
-                          Communicator* ranks) {
+                          std::uint16_t surface_material, Communicator* ranks) {
     for (std::int32_t p = contacts.info[group].related; p != none; p = contacts.info[p].next)
-        if (math::dot(normal_of(contacts, std::uint32_t(p), ranks), normal) > same_patch) return std::uint32_t(p);
-    return create_patch(shapes, contacts, group);
+        if (contacts.info[p].surface_material == surface_material &&
+            math::dot(normal_of(contacts, std::uint32_t(p), ranks), normal) > same_patch)
+            return std::uint32_t(p);
+    return create_patch(shapes, contacts, group, surface_material);
 }
 
 void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,

@@ -33,9 +33,9 @@ void test_held_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& n
 void collect_fresh_patches(NarrowScratch& narrow);
 // The group at that place among the candidates.
 void follow_up_group(const FollowUpContext& context, std::uint32_t place, float dt);
-// The patch of a group with a normal from A, or a new one, without points.
+// The patch of a group with a normal from A, on triangles of that material, or a new one, without points.
 std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, std::uint32_t group, math::Vec3 normal,
-                          Communicator* ranks);
+                          std::uint16_t surface_material, Communicator* ranks);
 // Ends a patch, and takes it out of its group.
 void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
                std::uint32_t patch);

@@ -79,6 +79,7 @@ class TestTeller {
             Contacts one;
             one.info.push_back(s.contacts.info[group]);
             one.info[0].kind = PairKind::patch, one.info[0].point_count = 0, one.info[0].touching = 0;
+            one.info[0].surface_material = surface_material_of(fresh->manifold);
             one.answers.emplace_back();
             one.records.open(0, true);
             take_manifold(in.bodies, in.shapes, one, in.islands, 0, fresh->manifold,
@@ -86,6 +87,7 @@ class TestTeller {
             stream_.put(true);
             stream_.put(fresh->is_ahead);
             stream_.put(one.info[0].point_count);
+            stream_.put(one.info[0].surface_material);
             stream_.put(how_it_begins(one, 0, dt_));
         }
         stream_.put(false);
@@ -111,6 +113,7 @@ class TestHearer {
         for (std::uint32_t order = 0; stream.take<bool>(); ++order) {
             FreshPatch fresh{place, order, {}, stream.take<bool>(), {}};
             fresh.manifold.count = stream.take<std::uint8_t>();
+            fresh.manifold.features[0] = std::uint32_t{stream.take<std::uint16_t>()} << surface_material_bit;
             s.narrow.fresh.push_back(fresh);
             s.narrow.begun.push_back(stream.take<BegunContact>());
         }

@@ -44,7 +44,7 @@ class RowMaker {
     ImpactRow finished(DVec3 direction, DVec3 arm_a, DVec3 arm_b, double inverse_mass) const {
         const DVec3 turn_a = a_.inverse_inertia * arm_a, turn_b = b_.inverse_inertia * arm_b;
         return {direction, arm_a, arm_b,   turn_a,  turn_b, inverse_mass + (dot(arm_a, turn_a) + dot(arm_b, turn_b)),
-                0,         0,     pair_.a, pair_.b, index_};
+                0,         0,     pair_.a, pair_.b, index_, 0};
     }
     const ImpactPair& pair_;
     const std::int32_t index_;
@@ -61,7 +61,7 @@ constexpr std::size_t rows_per_point = 6;
 
 // `share`: of friction and couples that acts. Gauss-Seidel from the velocities before, to those of `bodies`. Returns
 // the energy that the impulses have added, by their work: half of the velocities before and after.
-double solve(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs, ImpactBuffer& buffer, double share,
+double solve(std::span<ImpactBody> bodies, std::span<const ImpactPoint> points, ImpactBuffer& buffer, double share,
              double scale) {
     std::vector<ImpactRow>& rows = buffer.rows;
     std::copy(buffer.before.begin(), buffer.before.end(), bodies.begin());
@@ -91,7 +91,7 @@ double solve(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs, Im
         };
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             ImpactRow& normal = rows[k];
-            const ImpactMaterial& material = pairs[std::size_t(normal.pair)].material;
+            const ImpactMaterial& material = points[std::size_t(normal.point)].material;
             apply(normal, std::max(normal.impulse +
                                        (normal.target - velocity_along(normal, bodies)) / normal.inverse_effective_mass,
                                    0.0));
@@ -121,14 +121,17 @@ ImpactOutcome make_rows(std::span<const ImpactBody> bodies, std::span<const Impa
             ImpactRow normal = make.row_along(next->normal, next->position);
             const double approach = -velocity_along(normal, bodies);
             if (!(approach > 0 || pair.rests) || !(normal.inverse_effective_mass > 0)) continue;
-            const bool bounces =
-                !pair.rests && pair.material.restitution > 0 && approach > pair.material.restitution_speed;
-            normal.target = std::max(bounces ? pair.material.restitution * approach : 0.0, next->rebound);
+            const ImpactMaterial& material = next->material;
+            const bool bounces = !pair.rests && material.restitution > 0 && approach > material.restitution_speed;
+            normal.target = std::max(bounces ? material.restitution * approach : 0.0, next->rebound);
+            normal.point = std::int32_t(next - points.begin());
             greatest = std::max(greatest, approach);
             if (p == 0) {
                 outcome.bounces |= bounces;
-                if (approach > outcome.approach)
+                if (approach > outcome.approach) {
                     outcome.approach = approach, outcome.position = next->position, outcome.normal = next->normal;
+                    outcome.surface_material = next->surface_material;
+                }
             }
             const DVec3 first = any_tangent(next->normal), second = cross(next->normal, first);
             rows.push_back(normal);
@@ -149,7 +152,7 @@ ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> 
     if (!(outcome.approach > 0)) return outcome;
     buffer.before.assign(bodies.begin(), bodies.end());
     for (double share = 1;; share = share > min_friction_share ? 0.5 * share : 0) {
-        const double work = solve(bodies, pairs, buffer, share, greatest);
+        const double work = solve(bodies, points, buffer, share, greatest);
         double scale = 0, given = 0; // of the energies along the normals; what rebounds add
         outcome.impulse = 0;
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {

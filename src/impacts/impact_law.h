@@ -18,10 +18,11 @@
 namespace cairn {
 
 struct ImpactOutcome {
-    double approach = 0;          // m/s: the greatest, before; 0: nothing approached, and nothing was changed
-    bool bounces = false;         // some point leaves faster than it has to
-    double impulse = 0;           // N s: along the normals
-    math::DVec3 position, normal; // of the fastest point
+    double approach = 0;                // m/s: the greatest, before; 0: nothing approached, and nothing was changed
+    bool bounces = false;               // some point leaves faster than it has to
+    double impulse = 0;                 // N s: along the normals
+    math::DVec3 position, normal;       // of the fastest point
+    std::uint16_t surface_material = 0; // likewise
 };
 // Changes the velocities of bodies. `points`: of one pair after another. The outcome is that of the first pair; the
 // others are what its bodies lie on, which is pushed at the same time unless energy would grow by that.

@@ -65,7 +65,8 @@ void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32
         for (int i = 0; i < hit.count; ++i) {
             if (!(hit.points[i][3] <= margin)) continue;
             const DVec3 n = to_double(math::to_vec(hit.normal)), normal = math::normalized(swapped ? -n : n);
-            points.push_back({center + to_double(math::to_vec(hit.points[i])), normal, double(-hit.points[i][3]), 0});
+            points.push_back({center + to_double(math::to_vec(hit.points[i])), normal, double(-hit.points[i][3]),
+                              *kind == PairKind::group ? surface_material_of(hit) : std::uint16_t{}});
         }
 }
 

@@ -256,6 +256,14 @@ class ImpactQueue {
         const StruckBody& body = struck_[std::size_t(i)];
         return {bodies_[std::size_t(i)].x, body.rotation, body.v, body.w};
     }
+    ImpactMaterial material_at(const SweptPair& pair, std::uint16_t number) const {
+        const auto of = [&](std::uint32_t shape) {
+            return material_of(s.shapes, shape, surface_materials(s.shapes.data[shape]).empty() ? 0u : number);
+        };
+        const PairMaterial m = combined_material(of(pair.shape), of(pair.other));
+        return {double(m.restitution), double(m.friction), double(m.torsion_radius), double(m.rolling_radius),
+                double(s.settings.restitution_speed)};
+    }
     void add_touching(const SweptPair& pair, double time, bool rests) {
         const std::int32_t a = add_struck(pair.first, s.shapes.links[pair.shape].body, time),
                            b = add_struck(pair.second, s.shapes.links[pair.other].body, time);
@@ -264,11 +272,8 @@ class ImpactQueue {
         find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.axis, scratch_, points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
         if (!rests) set_rebounds(movers_, s.shapes, pair, now_a, now_b, points);
-        const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
-        const ImpactMaterial law{double(material.restitution), double(material.friction),
-                                 double(material.torsion_radius), double(material.rolling_radius),
-                                 double(s.settings.restitution_speed)};
-        touching_.push_back({a, b, int(points.size()), law, rests});
+        for (ImpactPoint& point : points) point.material = material_at(pair, point.surface_material);
+        touching_.push_back({a, b, int(points.size()), rests});
         for (const auto& [place, shape] : {std::pair(a, pair.shape), std::pair(b, pair.other)}) {
             const DVec3 belt = surface_velocity(shape, points);
             struck_[std::size_t(place)].belt += belt, bodies_[std::size_t(place)].v += belt;
@@ -348,8 +353,9 @@ class ImpactQueue {
         };
         const ImpactBody before[] = {on_its_way(pair.first, pair.shape), on_its_way(pair.second, pair.other)};
         ImpactBody after[] = {before[0], before[1]};
-        const ImpactPair smooth{0, 1, touching_.front().points, {}};
-        for (int i = 0; i < smooth.points; ++i) points_[std::size_t(i)].rebound = 0;
+        const ImpactPair smooth{0, 1, touching_.front().points};
+        for (int i = 0; i < smooth.points; ++i)
+            points_[std::size_t(i)].rebound = 0, points_[std::size_t(i)].material = {};
         const ImpactOutcome outcome = cairn::collide(after, std::span(&smooth, 1), points_, buffer_);
         if (!(outcome.approach * (1 - time) * double(dt_) > impact_tolerance(half_width_of(pair.shape, pair.other))))
             return false;
@@ -422,8 +428,15 @@ class ImpactQueue {
         if (outcome.approach < double(s.settings.hit_speed)) return;
         const DVec3 p = outcome.position;
         const double moment = time * double(dt_);
-        s.events.hits.push_back(
-            {a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach), float(moment)});
+        s.events.hits.push_back({a,
+                                 b,
+                                 body_a,
+                                 body_b,
+                                 {p.x, p.y, p.z},
+                                 {n.x, n.y, n.z},
+                                 float(outcome.approach),
+                                 float(moment),
+                                 outcome.surface_material});
     }
     // The record of the contact gets the point that was struck. `normal`: from its A.
     bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
@@ -432,7 +445,7 @@ class ImpactQueue {
         if (is_group(s.contacts.info[id])) {
             for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
                 has_touched |= s.contacts.info[p].touching != 0;
-            id = patch_along(s.shapes, s.contacts, id, normal, s.ranks);
+            id = patch_along(s.shapes, s.contacts, id, normal, outcome.surface_material, s.ranks);
         }
         s.contacts.info[id].touching = 1;
         if (s.contacts.info[id].point_count > 0) { // the solver has had it, and will report what it bore

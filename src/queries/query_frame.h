@@ -75,7 +75,7 @@ template <class F> void for_each_triangle_near(const PosedInQuery& surface, math
     const auto visit = [&](const auto& data) {
         for_each_triangle(data, local_lo, local_hi, [&](std::uint32_t index) {
             const Triangle t = triangle_of(data, index);
-            f(make_triangle(corner(t.a), corner(t.b), corner(t.c)));
+            f(make_triangle(corner(t.a), corner(t.b), corner(t.c)), index);
         });
     };
     if (surface.geometry.type == ShapeType::mesh)

@@ -12,7 +12,8 @@ namespace cairn::recording {
 
 namespace {
 
-enum class Kind : std::uint8_t { hull, mesh, height_field };
+// Of a mesh or height field with materials those come first.
+enum class Kind : std::uint8_t { hull, mesh, height_field, mesh_with_materials, height_field_with_materials };
 
 void append(std::string& to, float x) { RecordWriter(to).number(std::bit_cast<std::uint32_t>(x)); }
 void append(std::string& to, std::span<const Vec3> points) {
@@ -40,7 +41,40 @@ std::vector<Vec3> read_points(RecordReader& from, const std::string& what) {
     return points;
 }
 
-Shape read_mesh(RecordReader& from, const std::string& what) {
+void append(std::string& to, const SurfaceMaterials& materials) {
+    append_leb128(to, materials.materials.size());
+    for (const Material& m : materials.materials) {
+        for (const float x :
+             {m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction})
+            append(to, x);
+        to += char(m.friction_combine);
+        to += char(m.restitution_combine);
+    }
+    append_leb128(to, materials.numbers.size());
+    for (const std::uint16_t number : materials.numbers) append_leb128(to, number);
+}
+
+SurfaceMaterials read_materials(RecordReader& from, const std::string& what) {
+    SurfaceMaterials materials;
+    materials.materials.resize(read_count(from, 22, what));
+    for (Material& m : materials.materials) {
+        for (float* const x :
+             {&m.static_friction, &m.dynamic_friction, &m.restitution, &m.rolling_friction, &m.torsional_friction})
+            *x = read_float(from);
+        m.friction_combine = CombineRule(from.number<std::uint8_t>());
+        m.restitution_combine = CombineRule(from.number<std::uint8_t>());
+    }
+    materials.numbers.resize(read_count(from, 1, what));
+    for (std::uint16_t& number : materials.numbers) {
+        const std::uint64_t value = from.leb128();
+        if (value > materials.materials.size())
+            throw Error(ErrorCode::invalid_file, what, std::to_string(value), "must be the number of a material");
+        number = std::uint16_t(value);
+    }
+    return materials;
+}
+
+Shape read_mesh(RecordReader& from, const std::string& what, const SurfaceMaterials& materials = {}) {
     const std::vector<Vec3> vertices = read_points(from, what);
     std::vector<std::uint32_t> indices(read_count(from, 1, what));
     for (std::uint32_t& index : indices) {
@@ -49,17 +83,23 @@ Shape read_mesh(RecordReader& from, const std::string& what) {
             throw Error(ErrorCode::invalid_file, what, std::to_string(value), "must be the index of a vertex");
         index = std::uint32_t(value);
     }
-    return Mesh(vertices, indices);
+    return Mesh(vertices, indices, materials);
 }
 
-Shape read_height_field(RecordReader& from, const std::string& what) {
+Shape read_height_field(RecordReader& from, const std::string& what, const SurfaceMaterials& materials = {}) {
     const std::uint32_t columns = from.number<std::uint32_t>(), rows = from.number<std::uint32_t>();
     glm::vec2 spacing;
     spacing.x = read_float(from);
     spacing.y = read_float(from);
     std::vector<float> heights(read_count(from, 4, what));
     for (float& height : heights) height = read_float(from);
-    return HeightField(int(columns), int(rows), spacing, heights);
+    return HeightField(int(columns), int(rows), spacing, heights, materials);
+}
+
+void begin(std::string& to, const SurfaceMaterials& materials, Kind without, Kind with) {
+    const bool has_any = !materials.materials.empty() || !materials.numbers.empty();
+    to += char(has_any ? with : without);
+    if (has_any) append(to, materials);
 }
 
 } // namespace
@@ -70,13 +110,13 @@ std::string encode_geometry(const Shape& shape) {
         bytes += char(Kind::hull);
         append(bytes, hull->vertices());
     } else if (const auto* mesh = std::get_if<Mesh>(&shape)) {
-        bytes += char(Kind::mesh);
+        begin(bytes, mesh->materials(), Kind::mesh, Kind::mesh_with_materials);
         append(bytes, mesh->vertices());
         append_leb128(bytes, mesh->indices().size());
         for (const std::uint32_t index : mesh->indices()) append_leb128(bytes, index);
     } else {
         const HeightField& field = std::get<HeightField>(shape);
-        bytes += char(Kind::height_field);
+        begin(bytes, field.materials(), Kind::height_field, Kind::height_field_with_materials);
         RecordWriter(bytes).number(std::uint32_t(field.columns())).number(std::uint32_t(field.rows()));
         append(bytes, field.spacing().x), append(bytes, field.spacing().y);
         append_leb128(bytes, field.heights().size());
@@ -92,9 +132,18 @@ Shape decode_geometry(std::string_view bytes, const std::string& what) {
     if (kind == std::uint8_t(Kind::hull)) shape = Hull(read_points(from, what));
     if (kind == std::uint8_t(Kind::mesh)) shape = read_mesh(from, what);
     if (kind == std::uint8_t(Kind::height_field)) shape = read_height_field(from, what);
+    if (kind == std::uint8_t(Kind::mesh_with_materials)) {
+        const SurfaceMaterials materials = read_materials(from, what);
+        shape = read_mesh(from, what, materials);
+    }
+    if (kind == std::uint8_t(Kind::height_field_with_materials)) {
+        const SurfaceMaterials materials = read_materials(from, what);
+        shape = read_height_field(from, what, materials);
+    }
     if (!shape)
         throw Error(ErrorCode::unsupported, what, std::to_string(kind),
-                    "must be of kind 0 (hull), 1 (mesh) or 2 (height field) in this version of Cairn");
+                    "must be of kind 0 (hull), 1 (mesh), 2 (height field), or 3 or 4 (those with materials) in this "
+                    "version of Cairn");
     if (!from.is_empty()) throw Error(ErrorCode::invalid_file, what, "", "has bytes behind its end");
     return *shape;
 }

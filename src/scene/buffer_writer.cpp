@@ -77,6 +77,14 @@ std::size_t BufferWriter::add_indices(std::span<const std::uint32_t> values) {
     return finish(start, index_target, accessor(index_type, values.size(), "SCALAR"));
 }
 
+std::size_t BufferWriter::add_numbers(std::span<const std::uint16_t> values) {
+    const std::size_t start = bytes_.size();
+    for (const std::uint16_t v : values) append(v);
+    const std::size_t index = finish(start, no_target, accessor(short_type, values.size(), "SCALAR"));
+    if (values.size() % 2 != 0) append(std::uint16_t{0}); // what comes next begins at a multiple of four
+    return index;
+}
+
 std::size_t BufferWriter::add_scalars(std::span<const float> values, bool with_bounds) {
     const std::size_t start = bytes_.size();
     for (const float v : values) append(v);

@@ -21,6 +21,7 @@ class BufferWriter {
     std::size_t add_vectors(std::span<const Vec3> values);                    // of anything else
     std::size_t add_quaternions(std::span<const Quat> values);
     std::size_t add_indices(std::span<const std::uint32_t> values);
+    std::size_t add_numbers(std::span<const std::uint16_t> values);
     std::size_t add_scalars(std::span<const float> values, bool with_bounds);
     std::size_t add_coordinates(std::span<const glm::vec2> values);
     std::size_t add_bone_numbers(std::span<const BoneWeights> weights);

@@ -10,7 +10,7 @@ struct Member {
     const char* name;
     float CharacterDef::*value;
 };
-constexpr Member members[] = {
+constexpr Member all_members[] = {
     {"max_slope", &CharacterDef::max_slope},
     {"step_height", &CharacterDef::step_height},
     {"stick_distance", &CharacterDef::stick_distance},
@@ -26,7 +26,7 @@ void read_character(const Value& here, Body body) {
     here.must_be_object();
     CharacterDef def;
     if (const auto up = here.find("up")) def.up = up->float_vector3();
-    for (const Member& member : members)
+    for (const Member& member : all_members)
         if (const auto value = here.find(member.name)) def.*member.value = value->real();
     if (const auto flies = here.find("flies")) def.flies = flies->boolean();
     try {
@@ -41,7 +41,7 @@ nlohmann::ordered_json written_character(const Body& body) {
     const CharacterDef def = body.character(), usual;
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     if (def.up != usual.up) json["up"] = number_array(def.up);
-    for (const Member& member : members)
+    for (const Member& member : all_members)
         if (def.*member.value != usual.*member.value) json[member.name] = shortest(def.*member.value);
     if (def.flies) json["flies"] = true;
     if (body.walk_velocity() != Vec3(0.0f)) json["walk_velocity"] = number_array(body.walk_velocity());

@@ -3,6 +3,7 @@
 #include "scene/document.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cairn::scene {
@@ -15,7 +16,7 @@ bool has_no_mass(const Shape& shape) {
 }
 
 // Only the vertices that triangles use: others are no part of the surface.
-std::vector<Vec3> used_vertices(const Triangles& triangles) {
+std::vector<Vec3> used_vertices(const GatheredTriangles& triangles) {
     std::vector<bool> used(triangles.vertices.size(), false);
     for (const std::uint32_t corner : triangles.indices) used[corner] = true;
     std::vector<Vec3> result;
@@ -69,7 +70,7 @@ const std::vector<Hull>& Colliders::parts_of(const Value& geometry, const Value&
     const Key key{node.index(max_nodes, "nodes"), false, scale.x, scale.y, scale.z};
     std::shared_ptr<const Surface>& surface = surfaces_in_parts_[key];
     if (!surface) {
-        Triangles triangles = surfaces_.geometry(node, affine(scale), warnings);
+        GatheredTriangles triangles = surfaces_.geometry(node, affine(scale), warnings);
         surface =
             std::make_shared<const Surface>(Surface{std::move(triangles.vertices), {}, std::move(triangles.indices)});
     }
@@ -88,15 +89,34 @@ TurnedShape Colliders::implicit_shape(const Value& index, const glm::dvec3& scal
     return made;
 }
 
+// Those of its parts, one after the other.
+SurfaceMaterials Colliders::materials_of(const GatheredTriangles& triangles) {
+    SurfaceMaterials result;
+    const auto has_materials = [](const auto& part) { return part.own && part.own->find("materials"); };
+    if (std::none_of(triangles.parts.begin(), triangles.parts.end(), has_materials)) return result;
+    for (const auto& part : triangles.parts) {
+        const std::size_t first = result.materials.size();
+        SurfaceMaterials own;
+        if (has_materials(part)) own = definitions_.surface_materials(*part.own, part.triangles, surfaces_.accessors());
+        own.numbers.resize(part.triangles);
+        result.materials.insert(result.materials.end(), own.materials.begin(), own.materials.end());
+        if (result.materials.size() > std::numeric_limits<std::uint16_t>::max())
+            part.own->fail("must not bring the materials of a collider above 65535");
+        for (const std::uint16_t number : own.numbers)
+            result.numbers.push_back(static_cast<std::uint16_t>(number == 0 ? 0 : number + first));
+    }
+    return result;
+}
+
 Shape Colliders::mesh_shape(const Value& geometry, const Value& node, const glm::dvec3& scale, bool is_hull,
                             std::vector<std::string>& warnings) {
     const Key key{node.index(max_nodes, "nodes"), is_hull, scale.x, scale.y, scale.z};
     if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
-    const Triangles triangles = surfaces_.geometry(node, affine(scale), warnings);
+    const GatheredTriangles triangles = surfaces_.geometry(node, affine(scale), warnings);
     try {
         const auto make = [&]() -> Shape {
             if (is_hull) return Hull(used_vertices(triangles));
-            return Mesh(triangles.vertices, triangles.indices);
+            return Mesh(triangles.vertices, triangles.indices, materials_of(triangles));
         };
         return meshes_.emplace(key, make()).first->second;
     } catch (const Error& error) {

@@ -31,6 +31,7 @@ class Colliders {
                                       std::vector<std::string>& warnings);
     Shape mesh_shape(const Value& geometry, const Value& node, const glm::dvec3& scale, bool is_hull,
                      std::vector<std::string>& warnings);
+    SurfaceMaterials materials_of(const GatheredTriangles& triangles);
     TurnedShape implicit_shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings);
 
     Definitions definitions_;

@@ -106,7 +106,11 @@ DefinitionWriter::DefinitionWriter(const Scene& scene) { name_layers(scene); }
 
 std::size_t DefinitionWriter::shape(const Shape& shape) {
     uses_shape_extension_ = uses_shape_extension_ || rounding_of(shape) > 0.0f;
-    if (const auto* field = std::get_if<HeightField>(&shape)) return shapes_.index(height_field(*field));
+    if (const auto* field = std::get_if<HeightField>(&shape)) {
+        const auto [found, is_new] = height_fields_.try_emplace(field->data().get());
+        if (is_new) found->second = shapes_.index(height_field(*field));
+        return found->second;
+    }
     return shapes_.index(std::visit(ShapeWriter{}, shape));
 }
 
@@ -116,17 +120,26 @@ Json DefinitionWriter::height_field(const HeightField& field) {
     Json holes = Json::array();
     for (std::size_t i = 0; i < heights.size(); ++i)
         if (heights[i] == HeightField::hole) heights[i] = 0.0f, holes.push_back(i);
-    const void* data = field.data().get();
-    auto found = height_accessors_.find(data);
-    if (found == height_accessors_.end())
-        found = height_accessors_.emplace(data, buffer_.add_scalars(heights, false)).first;
     const glm::vec2 spacing = field.spacing();
     Json grid{{"columns", field.columns()},
               {"rows", field.rows()},
               {"spacing", Json::array({shortest(spacing.x), shortest(spacing.y)})},
-              {"heights", found->second}};
+              {"heights", buffer_.add_scalars(heights, false)}};
     if (!holes.empty()) grid["holes"] = std::move(holes);
+    add_materials(field.materials(), grid);
     return {{"type", "CAIRN_height_field"}, {"extensions", {{"CAIRN_height_field", std::move(grid)}}}};
+}
+
+// Of a mesh or height field, into its extension.
+void DefinitionWriter::add_materials(const SurfaceMaterials& materials, Json& own) {
+    if (materials.numbers.empty()) return;
+    for (const Material& material : materials.materials) {
+        ShapeDef def;
+        def.material = material;
+        own["materials"].push_back(this->material(Sphere{}, def));
+    }
+    if (materials.materials.empty()) return;
+    own["numbers"] = buffer_.add_numbers(materials.numbers);
 }
 
 std::size_t DefinitionWriter::material(const Shape& shape, const ShapeDef& def) {
@@ -222,6 +235,12 @@ std::size_t DefinitionWriter::collider_mesh(const Shape& shape) {
     Json primitive{{"attributes", {{"POSITION", buffer_.add_vertices(vertices, true)}}}};
     primitive["indices"] = hull != nullptr ? buffer_.add_indices(triangles_of(*hull))
                                            : buffer_.add_indices(std::get<Mesh>(shape).indices());
+    Json own = Json::object();
+    if (const auto* mesh = std::get_if<Mesh>(&shape)) add_materials(mesh->materials(), own);
+    if (!own.empty()) {
+        primitive["extensions"]["CAIRN_mesh"] = std::move(own);
+        uses_mesh_extension_ = true;
+    }
     const std::size_t index = meshes_.index({{"primitives", Json::array({std::move(primitive)})}});
     collider_meshes_.emplace(data, index);
     return index;

@@ -46,20 +46,23 @@ class DefinitionWriter {
     bool uses_material_extension() const { return uses_material_extension_; }
     bool uses_joint_extension() const { return uses_joint_extension_; }
     bool uses_shape_extension() const { return uses_shape_extension_; }
-    bool uses_height_fields() const { return !height_accessors_.empty(); }
+    bool uses_height_fields() const { return !height_fields_.empty(); }
+    bool uses_mesh_extension() const { return uses_mesh_extension_; }
 
   private:
     void name_layers(const Scene& scene);
     nlohmann::ordered_json layer_names(std::uint64_t layers) const;
     nlohmann::ordered_json height_field(const HeightField& field);
+    void add_materials(const SurfaceMaterials& materials, nlohmann::ordered_json& own);
 
     Table shapes_, materials_, filters_, joints_, meshes_, colors_;
     BufferWriter buffer_;
     LookWriter look_writer_{buffer_};
     // By the address of shared data: looked up, never walked through.
-    std::unordered_map<const void*, std::size_t> collider_meshes_, height_accessors_;
+    std::unordered_map<const void*, std::size_t> collider_meshes_, height_fields_;
     std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
-    bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false;
+    bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false,
+         uses_mesh_extension_ = false;
 };
 
 } // namespace cairn::scene

@@ -12,6 +12,7 @@ namespace cairn::scene {
 namespace {
 
 constexpr int max_grid = 1 << 24; // columns or rows of a height field
+constexpr std::size_t max_surface_materials = 65'535;
 
 std::optional<Value> document_array(const Value& document, const char* name, const char* member) {
     const auto found = extension(document, name);
@@ -127,38 +128,6 @@ TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vect
     return result;
 }
 
-Shape read_height_field(const Value& shape, const glm::dvec3& scale, Accessors& accessors) {
-    const auto field = extension(shape, "CAIRN_height_field");
-    if (!field) shape.fail("must have an extension \"CAIRN_height_field\"");
-    const int columns = field->require("columns").integer(2, max_grid),
-              rows = field->require("rows").integer(2, max_grid);
-    const Value spacing = field->require("spacing");
-    if (spacing.size(2, "numbers") != 2) spacing.fail("must be an array of 2 numbers");
-    const glm::vec2 step(2.0f * half_of(spacing[0].number(positive_float) * scale.x, spacing),
-                         2.0f * half_of(spacing[1].number(positive_float) * scale.z, spacing));
-    const Value index = field->require("heights");
-    const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-    if (accessors.count(index) != count) {
-        index.fail("must be the index of an accessor of columns times rows numbers, which is " + std::to_string(count));
-    }
-    std::vector<float> heights = accessors.scalars(index);
-    for (float& height : heights) {
-        const double scaled = height * scale.y;
-        if (!any_float.contains(scaled)) index.fail("must have heights that fit a float, with the scale of the node");
-        height = static_cast<float>(scaled) + 0.0f;
-    }
-    if (const auto holes = field->find("holes")) {
-        const std::size_t holes_count = holes->size(count, "places in the heights");
-        for (std::size_t i = 0; i < holes_count; ++i)
-            heights[static_cast<std::size_t>((*holes)[i].integer(0, static_cast<int>(count) - 1))] = HeightField::hole;
-    }
-    try {
-        return HeightField(columns, rows, step, heights);
-    } catch (const Error& error) {
-        field->fail(error);
-    }
-}
-
 } // namespace
 
 float read_rounding(const Value& place, const glm::dvec3& scale, std::vector<std::string>& warnings) {
@@ -192,7 +161,7 @@ TurnedShape Definitions::shape(const Value& index, const glm::dvec3& scale, Acce
     if (name == "plane") return {read_plane(found, size)};
     if (name == "capsule") return read_capsule(found, size, warnings);
     if (name == "cylinder") return read_cylinder(found, size, warnings);
-    if (name == "CAIRN_height_field") return {read_height_field(found, size, accessors)};
+    if (name == "CAIRN_height_field") return {height_field(found, size, accessors)};
     type.refuse("shapes of the type \"" + name.substr(0, 40) +
                 "\" are not supported; there are sphere, box, capsule, cylinder, plane and CAIRN_height_field");
 }
@@ -215,6 +184,67 @@ Substance Definitions::substance(const Value& index) const {
     if (const auto value = own->find("surface_velocity")) result.surface_velocity = value->float_vector3();
     if (const auto value = own->find("one_way")) result.one_way = value->float_vector3();
     return result;
+}
+
+SurfaceMaterials Definitions::surface_materials(const Value& own, std::size_t parts, Accessors& accessors) const {
+    const Value list = own.require("materials");
+    const std::size_t count = list.size(max_surface_materials, "physics materials");
+    SurfaceMaterials result;
+    for (std::size_t i = 0; i < count; ++i) result.materials.push_back(substance(list[i]).material);
+    const auto index = own.find("numbers");
+    if (!index) {
+        result.numbers.assign(count == 0 ? 0 : parts, 1);
+        return result;
+    }
+    if (accessors.count(*index) != parts) {
+        index->fail("must be the index of an accessor with a number for each triangle or cell, which is " +
+                    std::to_string(parts));
+    }
+    for (const std::uint32_t number : accessors.indices(*index)) {
+        if (number > count) {
+            index->fail("must have numbers up to that of the materials, " + std::to_string(count) + ", and has " +
+                        std::to_string(number));
+        }
+        result.numbers.push_back(static_cast<std::uint16_t>(number));
+    }
+    return result;
+}
+
+Shape Definitions::height_field(const Value& shape, const glm::dvec3& scale, Accessors& accessors) const {
+    const auto field = extension(shape, "CAIRN_height_field");
+    if (!field) shape.fail("must have an extension \"CAIRN_height_field\"");
+    const int columns = field->require("columns").integer(2, max_grid),
+              rows = field->require("rows").integer(2, max_grid);
+    const Value spacing = field->require("spacing");
+    if (spacing.size(2, "numbers") != 2) spacing.fail("must be an array of 2 numbers");
+    const glm::vec2 step(2.0f * half_of(spacing[0].number(positive_float) * scale.x, spacing),
+                         2.0f * half_of(spacing[1].number(positive_float) * scale.z, spacing));
+    const Value index = field->require("heights");
+    const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    if (accessors.count(index) != count) {
+        index.fail("must be the index of an accessor of columns times rows numbers, which is " + std::to_string(count));
+    }
+    std::vector<float> heights = accessors.scalars(index);
+    for (float& height : heights) {
+        const double scaled = height * scale.y;
+        if (!any_float.contains(scaled)) index.fail("must have heights that fit a float, with the scale of the node");
+        height = static_cast<float>(scaled) + 0.0f;
+    }
+    if (const auto holes = field->find("holes")) {
+        const std::size_t holes_count = holes->size(count, "places in the heights");
+        for (std::size_t i = 0; i < holes_count; ++i)
+            heights[static_cast<std::size_t>((*holes)[i].integer(0, static_cast<int>(count) - 1))] = HeightField::hole;
+    }
+    SurfaceMaterials materials;
+    if (field->find("materials")) {
+        const std::size_t cells = static_cast<std::size_t>(columns - 1) * static_cast<std::size_t>(rows - 1);
+        materials = surface_materials(*field, cells, accessors);
+    }
+    try {
+        return HeightField(columns, rows, step, heights, materials);
+    } catch (const Error& error) {
+        field->fail(error);
+    }
 }
 
 } // namespace cairn::scene

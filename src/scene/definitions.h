@@ -39,8 +39,13 @@ class Definitions {
     TurnedShape shape(const Value& index, const glm::dvec3& scale, Accessors& accessors,
                       std::vector<std::string>& warnings) const;
     Substance substance(const Value& index) const;
+    // What `own`, the extension of a primitive or a height field, says of the materials of its parts, triangles or
+    // cells. Without numbers all have its first material.
+    SurfaceMaterials surface_materials(const Value& own, std::size_t parts, Accessors& accessors) const;
 
   private:
+    Shape height_field(const Value& shape, const glm::dvec3& scale, Accessors& accessors) const;
+
     std::optional<Value> shapes_, materials_;
 };
 

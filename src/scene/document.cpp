@@ -25,8 +25,8 @@ bool is_harmless(std::string_view name) {
 
 const std::vector<std::string>& understood_extensions() {
     static const std::vector<std::string> names{
-        "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world",        "CAIRN_body",
-        "CAIRN_material",           "CAIRN_joint",         "CAIRN_height_field", "CAIRN_shape"};
+        "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world", "CAIRN_body", "CAIRN_material", "CAIRN_joint",
+        "CAIRN_height_field",       "CAIRN_shape",         "CAIRN_mesh"};
     return names;
 }
 

@@ -105,6 +105,7 @@ class Writer {
         if (definitions_.uses_material_extension()) used.push_back("CAIRN_material");
         if (definitions_.uses_joint_extension()) used.push_back("CAIRN_joint");
         if (definitions_.uses_shape_extension() || uses_rounded_hulls_) used.push_back("CAIRN_shape");
+        if (definitions_.uses_mesh_extension()) used.push_back("CAIRN_mesh");
         if (definitions_.uses_height_fields()) used.push_back("CAIRN_height_field");
         if (nodes_.size() > lights_.size()) used.push_back("KHR_physics_rigid_bodies");
         if (!definitions_.shapes().lines().empty()) used.push_back("KHR_implicit_shapes");

@@ -119,7 +119,9 @@ const std::map<std::string, Kind>& kinds() {
         {"CAIRN_material",
          {{{"density"}, {"rolling_friction"}, {"torsional_friction"}, {"surface_velocity"}, {"one_way"}}}},
         {"CAIRN_shape", {{{"rounding"}}}},
-        {"CAIRN_height_field", {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}, {"holes"}}}},
+        {"CAIRN_height_field",
+         {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}, {"holes"}, {"materials"}, {"numbers"}}}},
+        {"CAIRN_mesh", {{{"materials"}, {"numbers"}}}},
     };
     return all;
 }
@@ -214,6 +216,14 @@ void check_spelling(const Value& document, const std::optional<Value>& scene, st
     for (std::size_t i = 0; i < count; ++i) {
         speller.check_extras((*nodes)[i]);
         speller.check_extensions((*nodes)[i], {{"KHR_physics_rigid_bodies", "node"}, {"CAIRN_body", "CAIRN_body"}});
+    }
+    const auto meshes = document.find("meshes");
+    const std::size_t mesh_count = meshes && meshes->is_array() ? meshes->size(any_number, "meshes") : 0;
+    for (std::size_t i = 0; i < mesh_count; ++i) {
+        const auto primitives = (*meshes)[i].is_object() ? (*meshes)[i].find("primitives") : std::nullopt;
+        const std::size_t parts = primitives && primitives->is_array() ? primitives->size(any_number, "primitives") : 0;
+        for (std::size_t k = 0; k < parts; ++k)
+            speller.check_extensions((*primitives)[k], {{"CAIRN_mesh", "CAIRN_mesh"}});
     }
 }
 

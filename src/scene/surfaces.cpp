@@ -97,6 +97,7 @@ std::optional<Triangles> Surfaces::read_primitive(const Value& primitive, std::v
     result.indices = single_triangles(corners, mode, primitive);
     result.material = primitive.find("material");
     result.attributes = attributes;
+    result.own = extension(primitive, "CAIRN_mesh");
     if (result.indices.empty()) return std::nullopt;
     return result;
 }
@@ -131,7 +132,7 @@ Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const 
     return result;
 }
 
-void Surfaces::gather(std::size_t node, const Affine& map, std::size_t depth, Triangles& result,
+void Surfaces::gather(std::size_t node, const Affine& map, std::size_t depth, GatheredTriangles& result,
                       std::vector<std::string>& warnings) {
     const Value here = (*nodes_)[node];
     if (depth > max_node_depth) {
@@ -147,6 +148,7 @@ void Surfaces::gather(std::size_t node, const Affine& map, std::size_t depth, Tr
             for (const std::uint32_t corner : moved.indices) {
                 result.indices.push_back(corner + static_cast<std::uint32_t>(first));
             }
+            result.parts.push_back({moved.indices.size() / 3, moved.own});
         }
     }
     for (const std::size_t child : graph_.children[node]) {
@@ -157,9 +159,9 @@ void Surfaces::gather(std::size_t node, const Affine& map, std::size_t depth, Tr
     }
 }
 
-Triangles Surfaces::geometry(const Value& node_index, const Affine& map, std::vector<std::string>& warnings) {
+GatheredTriangles Surfaces::geometry(const Value& node_index, const Affine& map, std::vector<std::string>& warnings) {
     element(nodes_, node_index, max_nodes, "nodes");
-    Triangles result;
+    GatheredTriangles result;
     gather(node_index.index(max_nodes, "nodes"), map, 0, result, warnings);
     if (result.indices.empty()) {
         node_index.fail("must be the index of a node with a mesh that has triangles, on itself or below it");

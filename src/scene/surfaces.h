@@ -27,6 +27,18 @@ struct Triangles {
     std::vector<std::uint32_t> indices;
     std::optional<Value> material;   // the index of it
     std::optional<Value> attributes; // of the primitive
+    std::optional<Value> own;        // its extension CAIRN_mesh
+};
+
+// What a collider's geometry.node means.
+struct GatheredTriangles {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    struct Part {
+        std::size_t triangles;    // in the order of the indices
+        std::optional<Value> own; // the extension CAIRN_mesh of their primitive
+    };
+    std::vector<Part> parts;
 };
 
 class Surfaces {
@@ -41,8 +53,8 @@ class Surfaces {
     const std::vector<Triangles>& mesh(const Value& index, std::vector<std::string>& warnings);
 
     // The mesh of a node and those of the nodes below it (but not below another motion), in the frame of that node,
-    // then mapped by `map`: what a collider's geometry.node means. A mirror image keeps its outside outside.
-    Triangles geometry(const Value& node_index, const Affine& map, std::vector<std::string>& warnings);
+    // then mapped by `map`. A mirror image keeps its outside outside.
+    GatheredTriangles geometry(const Value& node_index, const Affine& map, std::vector<std::string>& warnings);
 
     // `triangles` mapped by `map`.
     Triangles mapped(const Triangles& triangles, const Affine& map, const Value& place);
@@ -52,7 +64,7 @@ class Surfaces {
   private:
     std::vector<Triangles> read(const Value& mesh, std::vector<std::string>& warnings);
     std::optional<Triangles> read_primitive(const Value& primitive, std::vector<std::string>& warnings);
-    void gather(std::size_t node, const Affine& map, std::size_t depth, Triangles& result,
+    void gather(std::size_t node, const Affine& map, std::size_t depth, GatheredTriangles& result,
                 std::vector<std::string>& warnings);
 
     std::optional<Value> meshes_, nodes_;

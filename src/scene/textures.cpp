@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_textures = 100'000, max_coordinate_sets = 64;
 constexpr Range transform_range{-1e6, 1e6, false}, cutoff_range{0.0, 1e6, false};
-constexpr Range share_range{0.0, 1.0, false}, strength_range{0.0, 1e6, false}, scale_range{-1e3, 1e3, false};
+constexpr Range share_range{0.0, 1.0, false}, strength_range{0.0, 1e6, false}, bump_range{-1e3, 1e3, false};
 constexpr double half_opaque = 0.5; // glTF's default of `alphaCutoff`
 
 // glTF 2.0, section 5.26: how a sampler continues a picture, and how it enlarges it.
@@ -139,7 +139,7 @@ class FinishReader {
         finish.rough = take(metal ? metal->find("metallicRoughnessTexture") : std::nullopt, true, otherwise);
         const auto normals = material_.find("normalTexture");
         finish.normals = take(normals, true, otherwise);
-        finish.normal_scale = factor(normals, "scale", scale_range);
+        finish.normal_scale = factor(normals, "scale", bump_range);
         if (const auto glow = material_.find("emissiveFactor")) finish.glow = glow->float_vector3(share_range);
         finish.glow_strength =
             factor(extension(material_, "KHR_materials_emissive_strength"), "emissiveStrength", strength_range);

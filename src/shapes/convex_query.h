@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shapes/convex.h"
+#include "shapes/mesh.h"
 
 #include <optional>
 
@@ -19,6 +20,7 @@ ClosestPoints closest_points(const Convex& a, const Convex& b);
 struct NearPoint {
     math::DVec3 point;
     double distance;
+    std::uint32_t triangle = no_triangle; // of a mesh or height field, if it is on one
 };
 std::optional<NearPoint> nearest_point(const Convex& c, math::DVec3 to, double max_distance);
 // The point of an exact core that is nearest to one, both in the frame of its center and axes, where a formula tells
@@ -33,9 +35,10 @@ bool overlap(const Convex& a, const Convex& b);
 bool contains(const Convex& c, math::DVec3 point);
 
 struct ConvexHit {
-    double fraction;    // of the way, 0 to 1
-    math::DVec3 point;  // of the still shape
-    math::DVec3 normal; // unit, out of the still shape
+    double fraction;                      // of the way, 0 to 1
+    math::DVec3 point;                    // of the still shape
+    math::DVec3 normal;                   // unit, out of the still shape
+    std::uint32_t triangle = no_triangle; // of a mesh or height field, if that is it
 };
 
 // Where a ray from `origin` over `way` meets the shape. Not met from within.

@@ -49,6 +49,13 @@ math::Quat convert(const Quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 } // namespace
 
+std::span<const Material> surface_materials(const ShapeData& data) {
+    if (const auto* mesh = std::get_if<std::shared_ptr<const MeshData>>(&data)) return (*mesh)->materials.materials;
+    if (const auto* field = std::get_if<std::shared_ptr<const HeightFieldData>>(&data))
+        return (*field)->materials.materials;
+    return {};
+}
+
 namespace {
 
 // Type, size and bounding radius; a plane also turns the shape.

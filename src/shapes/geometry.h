@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 
 namespace cairn {
@@ -26,6 +27,9 @@ inline const MeshData& mesh_of(const ShapeData& data) { return **std::get_if<std
 inline const HeightFieldData& height_field_of(const ShapeData& data) {
     return **std::get_if<std::shared_ptr<const HeightFieldData>>(&data);
 }
+
+// Of meshes and height fields; of other shapes there are none.
+std::span<const Material> surface_materials(const ShapeData& data);
 
 // Surfaces have no mass, and are never dynamic.
 inline bool is_surface(ShapeType type) {
@@ -91,6 +95,7 @@ MassSum geometry_mass(const Geometry& shape, const ShapeData& data, float densit
 struct ShapeRayHit {
     double distance;
     math::DVec3 normal;
+    std::uint32_t triangle = no_triangle; // of a mesh or height field
 };
 std::optional<ShapeRayHit> cast_ray(const Geometry& shape, const ShapeData& data, math::DVec3 position,
                                     math::Quat rotation, math::DVec3 origin, math::DVec3 direction,

@@ -1,6 +1,7 @@
 // Height fields: checks, bounds, and the public HeightField.
 #include "shapes/mesh.h"
 #include "shapes/refuse.h"
+#include "shapes/surface_materials.h"
 
 #include <cairn/shape.h>
 
@@ -52,14 +53,16 @@ void find_extent(HeightFieldData& field) {
 } // namespace
 
 HeightFieldData build_height_field(int columns, int rows, float spacing_x, float spacing_z,
-                                   std::span<const float> heights) {
+                                   std::span<const float> heights, const SurfaceMaterials& materials) {
     check(columns, rows, spacing_x, spacing_z, heights);
+    check_materials("HeightField", materials, std::size_t(columns - 1) * std::size_t(rows - 1));
     HeightFieldData field;
     field.columns = columns;
     field.rows = rows;
     field.spacing_x = spacing_x;
     field.spacing_z = spacing_z;
     field.heights.assign(heights.begin(), heights.end());
+    field.materials = materials;
     find_extent(field);
     const double x = grid_half(columns, spacing_x), z = grid_half(rows, spacing_z);
     const double y = std::max(std::fabs(double(field.least)), std::fabs(double(field.greatest)));
@@ -79,14 +82,16 @@ CellRange cells_between(int lines, float spacing, double lo, double hi) {
     return {cell(lo - slack), cell(hi + slack)};
 }
 
-HeightField::HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights)
-    : data_(std::make_shared<const HeightFieldData>(build_height_field(columns, rows, spacing.x, spacing.y, heights))) {
-}
+HeightField::HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights,
+                         const SurfaceMaterials& materials)
+    : data_(std::make_shared<const HeightFieldData>(
+          build_height_field(columns, rows, spacing.x, spacing.y, heights, materials))) {}
 
 int HeightField::columns() const { return data_->columns; }
 int HeightField::rows() const { return data_->rows; }
 glm::vec2 HeightField::spacing() const { return {data_->spacing_x, data_->spacing_z}; }
 std::span<const float> HeightField::heights() const { return data_->heights; }
+const SurfaceMaterials& HeightField::materials() const { return data_->materials; }
 
 std::vector<Vec3> HeightField::vertices() const {
     std::vector<Vec3> vertices;

@@ -3,6 +3,7 @@
 #include "shapes/mesh.h"
 
 #include "shapes/refuse.h"
+#include "shapes/surface_materials.h"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,13 @@
 namespace cairn {
 
 using math::DVec3;
-using math::Vec3;
 
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-struct Box {
-    Vec3 lo, hi;
+struct Extent {
+    math::Vec3 lo, hi;
 };
 
 constexpr float farthest = 1e6f;                                // m
@@ -28,7 +28,7 @@ constexpr std::size_t max_indices = 3 * (std::size_t(1) << 28); // so that three
 // its corners to float alone may have made it, and its normal would say nothing.
 constexpr double min_height = 1.0 / (1 << 22);
 
-void check(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
+void check(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices) {
     if (vertices.size() > max_indices)
         refuse("Mesh vertices", std::to_string(vertices.size()), "must be at most 3 x 2^28");
     if (indices.size() > max_indices)
@@ -47,9 +47,9 @@ void check(std::span<const Vec3> vertices, std::span<const std::uint32_t> indice
 }
 
 // For each vertex the first one at the same place.
-std::vector<std::uint32_t> weld(std::span<const Vec3> vertices) {
+std::vector<std::uint32_t> weld(std::span<const math::Vec3> vertices) {
     struct Item {
-        Vec3 at;
+        math::Vec3 at;
         std::uint32_t index;
     };
     std::vector<Item> items(vertices.size());
@@ -65,18 +65,20 @@ std::vector<std::uint32_t> weld(std::span<const Vec3> vertices) {
     return first;
 }
 
-bool has_area(Vec3 a, Vec3 b, Vec3 c) {
+bool has_area(math::Vec3 a, math::Vec3 b, math::Vec3 c) {
     const DVec3 p = math::to_double(a), q = math::to_double(b), r = math::to_double(c);
     const DVec3 u = q - p, v = r - p, w = r - q;
     const double longest = std::max({math::dot(u, u), math::dot(v, v), math::dot(w, w)});
     return math::length(math::cross(u, v)) > min_height * longest;
 }
 
-Box bounds_of(Vec3 a, Vec3 b, Vec3 c) { return {math::min(math::min(a, b), c), math::max(math::max(a, b), c)}; }
+Extent bounds_of(math::Vec3 a, math::Vec3 b, math::Vec3 c) {
+    return {math::min(math::min(a, b), c), math::max(math::max(a, b), c)};
+}
 
 // Median splits whose low halves are 8 x 2^k triangles, so that 8 in a row make a leaf, and 8 of those a node.
 struct Item {
-    Vec3 center; // twice
+    math::Vec3 center; // twice
     std::uint32_t index;
 };
 
@@ -85,10 +87,10 @@ void put_in_kd_order(Item* items, std::size_t count) {
         std::sort(items, items + count, [](const Item& a, const Item& b) { return a.index < b.index; });
         return;
     }
-    Vec3 low = items[0].center, high = low;
+    math::Vec3 low = items[0].center, high = low;
     for (std::size_t i = 1; i < count; ++i)
         low = math::min(low, items[i].center), high = math::max(high, items[i].center);
-    const Vec3 extent = high - low;
+    const math::Vec3 extent = high - low;
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     std::size_t middle = 8;
     while (middle * 2 < count) middle *= 2;
@@ -104,40 +106,46 @@ void put_in_kd_order(Item* items, std::size_t count) {
     put_in_kd_order(items + middle, count - middle);
 }
 
-// The triangles in kd order, with vertices numbered as they come up, so that neighbors in space are so in memory.
-void store_in_order(MeshData& mesh, std::span<const Vec3> vertices, std::span<const Corners> triangles) {
+// The triangles, and the numbers of their materials if there are any, in kd order, with vertices numbered as they come
+// up, so that neighbors in space are so in memory.
+void store_in_order(MeshData& mesh, std::span<const math::Vec3> vertices, std::span<const Corners> triangles,
+                    std::span<const std::uint16_t> numbers) {
     std::vector<Item> items(triangles.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         const Corners& t = triangles[i];
-        const Box box = bounds_of(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+        const Extent box = bounds_of(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
         items[i] = {box.lo + box.hi, i};
     }
     put_in_kd_order(items.data(), items.size());
     std::vector<std::uint32_t> number(vertices.size(), no_triangle);
     mesh.indices.reserve(3 * items.size());
-    for (const Item& item : items)
+    if (!numbers.empty()) mesh.materials.numbers.reserve(items.size());
+    for (const Item& item : items) {
+        if (!numbers.empty()) mesh.materials.numbers.push_back(numbers[item.index]);
         for (const std::uint32_t corner : triangles[item.index]) {
             if (number[corner] == no_triangle) {
                 number[corner] = std::uint32_t(mesh.vertices.size());
-                mesh.vertices.push_back(vertices[corner] + Vec3{0, 0, 0}); // -0 becomes +0
+                mesh.vertices.push_back(vertices[corner] + math::Vec3{0, 0, 0}); // -0 becomes +0
             }
             mesh.indices.push_back(number[corner]);
         }
+    }
     mesh.vertices.shrink_to_fit();
 }
 
 void build_levels(MeshData& mesh) {
-    std::vector<Box> boxes(triangle_count(mesh));
+    std::vector<Extent> boxes(triangle_count(mesh));
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Triangle t = triangle_of(mesh, i);
         boxes[i] = bounds_of(t.a, t.b, t.c);
     }
     do {
-        std::vector<Box> parents((boxes.size() + 7) / 8);
+        std::vector<Extent> parents((boxes.size() + 7) / 8);
         std::vector<BoxBlock> blocks(parents.size());
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-            Box& parent = parents[i / 8];
-            parent = i % 8 == 0 ? boxes[i] : Box{math::min(parent.lo, boxes[i].lo), math::max(parent.hi, boxes[i].hi)};
+            Extent& parent = parents[i / 8];
+            parent =
+                i % 8 == 0 ? boxes[i] : Extent{math::min(parent.lo, boxes[i].lo), math::max(parent.hi, boxes[i].hi)};
             blocks[i / 8].set(i % 8, boxes[i].lo, boxes[i].hi);
         }
         mesh.levels.push_back(std::move(blocks));
@@ -146,7 +154,8 @@ void build_levels(MeshData& mesh) {
     mesh.lo = boxes[0].lo;
     mesh.hi = boxes[0].hi;
     double square = 0;
-    for (const Vec3& v : mesh.vertices) square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
+    for (const math::Vec3& v : mesh.vertices)
+        square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
     mesh.bounding_radius = float(std::sqrt(square) * (1 + 1e-7)); // rounded outward
 }
 
@@ -193,20 +202,26 @@ void find_neighbors(MeshData& mesh) {
 
 } // namespace
 
-MeshData build_mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
+MeshData build_mesh(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices,
+                    const SurfaceMaterials& materials) {
     check(vertices, indices);
+    check_materials("Mesh", materials, indices.size() / 3);
     const std::vector<std::uint32_t> first = weld(vertices);
     std::vector<Corners> triangles;
+    std::vector<std::uint16_t> numbers;
     triangles.reserve(indices.size() / 3);
     for (std::size_t i = 0; i < indices.size(); i += 3) {
         const Corners t = {first[indices[i]], first[indices[i + 1]], first[indices[i + 2]]};
-        if (has_area(vertices[t[0]], vertices[t[1]], vertices[t[2]])) triangles.push_back(t);
+        if (!has_area(vertices[t[0]], vertices[t[1]], vertices[t[2]])) continue;
+        triangles.push_back(t);
+        if (!materials.numbers.empty()) numbers.push_back(materials.numbers[i / 3]);
     }
     if (triangles.empty())
         refuse("Mesh indices", std::to_string(indices.size()), "must name at least one triangle that has an area");
     MeshData mesh;
     mesh.dropped = indices.size() / 3 - triangles.size();
-    store_in_order(mesh, vertices, triangles);
+    mesh.materials.materials = materials.materials;
+    store_in_order(mesh, vertices, triangles, numbers);
     build_levels(mesh);
     find_neighbors(mesh);
     return mesh;

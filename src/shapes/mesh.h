@@ -6,6 +6,8 @@
 #include "math/vec.h"
 #include "shapes/columns.h"
 
+#include <cairn/shape.h>
+
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -59,6 +61,7 @@ struct MeshData {
     std::vector<std::uint32_t> neighbors;
     std::vector<std::vector<BoxBlock>> levels; // the last has one block
     std::uint64_t dropped = 0;                 // triangles without area
+    SurfaceMaterials materials;
     math::Vec3 lo, hi;
     float bounding_radius = 0; // about the origin of the shape's frame
 };
@@ -69,15 +72,17 @@ struct HeightFieldData {
     int columns = 0, rows = 0;
     float spacing_x = 0, spacing_z = 0;
     std::vector<float> heights;
+    SurfaceMaterials materials;
     float least = 0, greatest = 0; // of the heights that there are
     float bounding_radius = 0;
 };
 
 // Throws Error(invalid_value) with fields "Mesh vertices" and "Mesh indices" (see Mesh in shape.h).
-MeshData build_mesh(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices);
+MeshData build_mesh(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices,
+                    const SurfaceMaterials& materials = {});
 // Throws Error(invalid_value) with fields "HeightField columns" and so on (see HeightField in shape.h).
 HeightFieldData build_height_field(int columns, int rows, float spacing_x, float spacing_z,
-                                   std::span<const float> heights);
+                                   std::span<const float> heights, const SurfaceMaterials& materials = {});
 
 struct Triangle {
     math::Vec3 a, b, c; // counterclockwise as seen from outside

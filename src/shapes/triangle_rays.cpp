@@ -62,7 +62,7 @@ template <class Data> std::optional<ShapeRayHit> to_hit(const Data& data, const 
     if (nearest.triangle == no_triangle) return std::nullopt;
     const Triangle t = triangle_of(data, nearest.triangle);
     const DVec3 a = math::to_double(t.a), b = math::to_double(t.b), c = math::to_double(t.c);
-    return ShapeRayHit{nearest.distance, math::normalized(math::cross(b - a, c - a))};
+    return ShapeRayHit{nearest.distance, math::normalized(math::cross(b - a, c - a)), nearest.triangle};
 }
 
 // Calls f with the number of the axis along which the direction is longest, as a type.

@@ -28,16 +28,18 @@ void open_batch(SolverScratch& scratch, const Island& island) {
     scratch.batches.push_back(batch);
 }
 
-// How many contacts islands have, and whether any of these bounces. Those of one island mostly follow each other: they
-// are counted in registers.
+// How many contacts islands have, and whether any of these bounces or begins. Those of one island mostly follow each
+// other: they are counted in registers.
 void count_contacts(const SortedContact* begin, const SortedContact* end, SolverScratch& scratch) {
     while (begin != end) {
         const std::int32_t island = begin->island;
         std::int32_t count = 0;
-        bool bounces = false;
-        for (; begin != end && begin->island == island; ++begin) ++count, bounces |= begin->bounces != 0;
+        bool bounces = false, begins = false;
+        for (; begin != end && begin->island == island; ++begin)
+            ++count, bounces |= begin->bounces != 0, begins |= begin->begins != 0;
         __atomic_fetch_add(&scratch.contacts_of_island[island], count, __ATOMIC_RELAXED);
         if (bounces) __atomic_store_n(&scratch.island_bounces[island], std::uint8_t(1), __ATOMIC_RELAXED);
+        if (begins) __atomic_store_n(&scratch.is_weighed[island], std::uint8_t(1), __ATOMIC_RELAXED);
     }
 }
 
@@ -63,8 +65,9 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
             const bool moves = c.b_moves || settings[c.body_b].type == BodyType::kinematic;
             const std::int32_t island = links[c.body_a].island;
             const float h = dt / float(all[island].substeps);
+            const bool begins = c.substep_time == 0;
             if (c.substep_time != h) rescale_impulses(c, contacts.records, id, h);
-            out[k] = {id, c.body_a, moves ? c.body_b : none, island, key_of(c), c.bounces, c.is_conveyor};
+            out[k] = {id, c.body_a, moves ? c.body_b : none, island, key_of(c), c.bounces, c.is_conveyor, begins};
         }
         count_contacts(out + begin, out + end, scratch);
     });
@@ -105,10 +108,13 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(islands.all.size());
     scratch.island_bounces.resize(islands.all.size());
+    scratch.is_weighed.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
+    const int usual = substeps_of(settings, dt);
     for (const std::int32_t i : islands.awake) {
         scratch.contacts_of_island[i] = 0;
         scratch.island_bounces[i] = 0;
+        scratch.is_weighed[i] = islands.all[i].substeps > usual;
         islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);

@@ -1,6 +1,8 @@
 // A load that contacts have not borne yet grows by what passes reach: along a tower of 40 boxes, in about 40 substeps.
-// Until then the tower sinks into itself, and then it springs back. How many substeps it needs follows from its load,
-// which nobody has measured yet. Where each body stands on one other, the weights alone tell it.
+// Until then the tower sinks into itself, and then it springs back. How many substeps it needs follows from its loads,
+// which nobody has measured yet. So the weights tell them, as they go down: what stands on several bodies nearer to the
+// ground gives each of them an equal part of what it bears. Where each stands on one other that is exact. What begins
+// to bear all at once, as a structure that is made does, gets as many substeps as its loads take to reach the ground.
 #include "solver/standing_loads.h"
 
 #include "bodies/integrators.h"
@@ -14,65 +16,131 @@ namespace cairn {
 
 namespace {
 
-// Whether the contacts of an island may be such a tree: as many as bodies. What is agitated is no structure.
-bool may_stand(const Island& island, std::int32_t contacts) {
-    return contacts > 1 && contacts == island.body_count && island.joint_count == 0 &&
-           island.agitation <= max_agitation;
+// Where contacts begin; and as long as an island takes more substeps than usual, as what is measured there comes and
+// goes with the structure's own swinging. What is agitated is no structure; a single contact has the weight of its body
+// already (first_load).
+bool may_stand(const Island& island, std::int32_t contacts, bool is_weighed) {
+    return is_weighed && contacts > 1 && island.joint_count == 0 && island.agitation <= max_agitation;
 }
 
-// Their contacts, those of an island side by side.
+// Contacts of islands that may stand, those of an island side by side.
 void list_standing(const Contacts& contacts, const Islands& islands, SolverScratch& scratch) {
     StandingLoads& work = scratch.standing;
     work.end_of_island.resize(islands.all.size());
     std::int32_t count = 0;
     for (const std::int32_t i : islands.awake) {
         const std::int32_t own = scratch.contacts_of_island[i];
-        work.end_of_island[i] = may_stand(islands.all[i], own) ? count : none;
+        work.end_of_island[i] = may_stand(islands.all[i], own, scratch.is_weighed[i] != 0) ? count : none;
         if (work.end_of_island[i] != none) count += own;
     }
     work.contacts.resize(std::size_t(count));
     if (count == 0) return;
     for (const SortedContact& c : scratch.sorted)
         if (std::int32_t& end = work.end_of_island[c.island]; end != none)
-            work.contacts[std::size_t(end++)] = {c.id, c.body_a, contacts.info[c.id].b_moves ? c.body_b : none, 0};
+            work.contacts[std::size_t(end++)] = {c.id, c.body_a, contacts.info[c.id].b_moves ? c.body_b : none,
+                                                 c.begins != 0};
 }
 
-// The loads of the contacts of one island, from the outermost bodies inward. Whether they hang together as a tree.
-bool find_loads(const Bodies& bodies, const Island& island, std::span<StandingContact> contacts, StandingLoads& work,
-                const BodyWeights& weights) {
-    work.bodies.clear();
-    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
-        work.place_of[b] = std::int32_t(work.bodies.size());
-        work.bodies.push_back({weights(b), 0, 0});
-    }
-    const auto body = [&](std::int32_t b) -> StandingLoads::Body& { return work.bodies[work.place_of[b]]; };
-    int held = 0;
-    for (std::uint32_t k = 0; k < contacts.size(); ++k)
-        for (const std::int32_t b : {contacts[k].a, contacts[k].b})
-            if (b == none)
-                ++held;
-            else
-                ++body(b).contacts, body(b).places ^= k;
-    if (held != 1) return false;
-    std::size_t found = 0;
-    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island)
-        for (std::int32_t outermost = b; outermost != none && body(outermost).contacts == 1;) {
-            StandingLoads::Body& holder = body(outermost);
-            StandingContact& c = contacts[holder.places];
-            if (c.b == none) break; // the last one, when all others are found
-            c.load = holder.weight;
-            ++found;
-            holder.contacts = 0;
-            outermost = c.a == outermost ? c.b : c.a;
-            StandingLoads::Body& next = body(outermost);
-            next.weight += c.load;
-            --next.contacts, next.places ^= std::uint32_t(&c - contacts.data());
+// One island, as bodies that hand their weights down to those nearer to what does not move.
+class Structure {
+  public:
+    Structure(const Bodies& bodies, const Island& island, std::span<const StandingContact> contacts,
+              StandingLoads& work, const BodyWeights& weights)
+        : contacts_(contacts), work_(work) {
+        work.bodies.clear();
+        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+            work.place_of[b] = std::int32_t(work.bodies.size());
+            work.bodies.push_back({weights(b), none, 0, 0});
         }
-    if (found + 1 != contacts.size()) return false;
-    for (StandingContact& c : contacts)
-        if (c.b == none) c.load = body(c.a).weight;
-    return true;
-}
+        work.bodies.push_back({0, none, 0, 0});
+        list_contacts();
+        find_depths();
+    }
+
+    // f(contact, its load, N), for those that lead down.
+    template <class F> void hand_down(F&& f) {
+        for (auto b = work_.from_below.rbegin(); b != work_.from_below.rend(); ++b) {
+            const StandingLoads::Body& body = work_.bodies[std::size_t(*b)];
+            int below = 0;
+            for_each_contact(*b, [&](const StandingContact& c) { below += leads_down(c, *b); });
+            const float load = body.weight / float(below); // one at least: it was found from there
+            for_each_contact(*b, [&](const StandingContact& c) {
+                if (!leads_down(c, *b)) return;
+                if (const std::int32_t other = other_of(c, *b); other != none)
+                    work_.bodies[std::size_t(other)].weight += load;
+                f(c, load);
+            });
+        }
+    }
+
+    // The longest row of contacts that begin, one on the other.
+    std::int32_t longest_chain() {
+        std::int32_t longest = 0;
+        for (const std::int32_t b : work_.from_below) {
+            std::int32_t& chain = work_.bodies[std::size_t(b)].chain;
+            for_each_contact(b, [&](const StandingContact& c) {
+                if (!c.begins || !leads_down(c, b)) return;
+                const std::int32_t below = other_of(c, b);
+                chain = std::max(chain, 1 + (below == none ? 0 : work_.bodies[std::size_t(below)].chain));
+            });
+            longest = std::max(longest, chain);
+        }
+        return longest;
+    }
+
+  private:
+    std::int32_t place(std::int32_t body) const { return body == none ? none : work_.place_of[body]; }
+    std::int32_t other_of(const StandingContact& c, std::int32_t of) const {
+        return place(c.a) == of ? place(c.b) : place(c.a);
+    }
+    std::int32_t depth(std::int32_t of) const { return of == none ? 0 : work_.bodies[std::size_t(of)].depth; }
+    bool leads_down(const StandingContact& c, std::int32_t from) const {
+        return depth(other_of(c, from)) == depth(from) - 1;
+    }
+    template <class F> void for_each_contact(std::int32_t of, F&& f) const {
+        const StandingLoads::Body* const body = work_.bodies.data() + of;
+        for (std::uint32_t k = body[0].first_contact; k < body[1].first_contact; ++k)
+            f(contacts_[work_.contacts_of_body[k]]);
+    }
+
+    void list_contacts() {
+        std::vector<StandingLoads::Body>& bodies = work_.bodies;
+        const auto for_each_end = [&](auto&& f) {
+            for (std::uint32_t k = 0; k < contacts_.size(); ++k)
+                for (const std::int32_t b : {contacts_[k].a, contacts_[k].b})
+                    if (b != none) f(bodies[std::size_t(place(b))], k);
+        };
+        for_each_end([](StandingLoads::Body& body, std::uint32_t) { ++body.first_contact; });
+        std::uint32_t count = 0;
+        for (StandingLoads::Body& body : bodies) count = body.first_contact += count; // behind its last
+        work_.contacts_of_body.resize(count);
+        for_each_end(
+            [&](StandingLoads::Body& body, std::uint32_t k) { work_.contacts_of_body[--body.first_contact] = k; });
+    }
+
+    // Of what is held by nothing there is none.
+    void find_depths() {
+        std::vector<std::int32_t>& order = work_.from_below;
+        order.clear();
+        const auto reach = [&](std::int32_t b, std::int32_t depth) {
+            StandingLoads::Body& body = work_.bodies[std::size_t(b)];
+            if (body.depth != none) return;
+            body.depth = depth;
+            order.push_back(b);
+        };
+        for (const StandingContact& c : contacts_)
+            if (c.b == none) reach(place(c.a), 1);
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const std::int32_t from = order[i];
+            for_each_contact(from, [&](const StandingContact& c) {
+                if (const std::int32_t other = other_of(c, from); other != none) reach(other, depth(from) + 1);
+            });
+        }
+    }
+
+    const std::span<const StandingContact> contacts_;
+    StandingLoads& work_;
+};
 
 } // namespace
 
@@ -81,6 +149,7 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
     if (!settings.adaptive_substeps) return;
     StandingLoads& work = scratch.standing;
     list_standing(contacts, islands, scratch);
+    if (work.contacts.empty()) return;
     work.place_of.resize(bodies.links.size());
     const BodyWeights weights(bodies, fields, settings);
     for (const std::int32_t i : islands.awake) {
@@ -88,14 +157,21 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         Island& island = islands.all[i];
         const auto count = std::size_t(scratch.contacts_of_island[i]);
         const std::span<StandingContact> own(work.contacts.data() + work.end_of_island[i] - count, count);
-        if (!find_loads(bodies, island, own, work, weights)) continue;
-        float demand = 0;
-        for (const StandingContact& c : own) {
+        Structure structure(bodies, island, own, work, weights);
+        float weight = 0;
+        for (const StandingLoads::Body& body : work.bodies) weight += body.weight;
+        IslandLoad greatest{false, 0, 0};
+        structure.hand_down([&](const StandingContact& c, float load) {
+            ContactInfo& info = contacts.info[c.id];
+            if (c.begins) info.load = info.force = std::max(info.load, load);
             const float inverse_mass =
                 bodies.mass[c.a].inverse_mass + (c.b == none ? 0 : bodies.mass[c.b].inverse_mass);
-            demand = std::max(demand, demand_of(contacts.info[c.id], c.load, inverse_mass));
-        }
-        const int wanted = wanted_substeps(settings, {false, 1, demand}, dt);
+            greatest.share = std::max(greatest.share, weight > 0 ? load / weight : 0.0f);
+            greatest.demand = std::max(greatest.demand, demand_of(info, load, inverse_mass));
+        });
+        // A substep takes a load from one body to the next: down to the ground, and the answer back up.
+        const int there_and_back = std::min(2 * structure.longest_chain(), max_adaptive_substeps);
+        const int wanted = std::max(wanted_substeps(settings, greatest, dt), there_and_back);
         if (wanted <= island.substeps) continue;
         island.substeps = wanted;
         for (const StandingContact& c : own)

@@ -1,4 +1,4 @@
-// What the contacts of a structure bear by its weights alone, before it has borne anything.
+// What contacts that begin will bear by the weights of a structure, before they have borne anything.
 #pragma once
 
 #include "state/solver_scratch.h"
@@ -6,9 +6,8 @@
 
 namespace cairn {
 
-// Gives islands as many substeps as what they bear by their weights asks for, where that is more than they have, and
-// scales the impulses of their contacts. Only where the weights alone say what each contact bears: each body stands on
-// one other, and one body on what does not move. `contacts`: of all awake islands.
+// Gives contacts that begin their part of the weights above them, and their islands as many substeps as that asks for,
+// where it is more than they have. Not in islands with joints, and not where things fly about.
 void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
                           const WorldDef& settings, SolverScratch& scratch, float dt);
 

@@ -1,6 +1,7 @@
 // What is known of a pair of shapes whose bounds overlap.
 #pragma once
 
+#include "collision/manifold.h"
 #include "collision/wide_pairs.h"
 #include "kernels/solve/solver_data.h"
 #include "state/contact_records.h"
@@ -47,21 +48,29 @@ struct alignas(64) ContactInfo {
     std::uint8_t b_moves = 0;     // B is dynamic
     std::uint8_t touching = 0;    // a begin event was given
     std::uint8_t in_use = 0;
-    std::uint8_t bounces = 0;     // has any restitution
-    float match_tolerance = 0;    // m: points closer than this to last step's are the same
-    float base_margin = 0;        // m
-    float force = 0;              // N: the normal force of the last step
-    float load = 0;               // N: the sustained one, without impacts
-    float substep_time = 0;       // s: that the impulses are for
-    std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
-    std::uint8_t is_conveyor = 0; // B's surface moves
-    std::uint8_t is_round = 0;    // of either shape: places of touch move over both bodies, and are found anew
-    std::uint8_t is_one_way = 0;  // B holds only what comes from one side
-    Travel placed_at = 0;         // of both bodies, when the pair was tested
-    std::int32_t related = none;  // group: its first patch; patch: its group
-    std::int32_t next = none;     // patch: the next one of its group
+    std::uint8_t bounces = 0;         // has any restitution; of groups: any of its patches may
+    float match_tolerance = 0;        // m: points closer than this to last step's are the same
+    float base_margin = 0;            // m
+    float force = 0;                  // N: the normal force of the last step
+    float load = 0;                   // N: the sustained one, without impacts
+    float substep_time = 0;           // s: that the impulses are for
+    std::uint8_t is_trigger : 1 = 0;  // never solved: only `touching` counts
+    std::uint8_t is_conveyor : 1 = 0; // B's surface moves
+    std::uint8_t is_round : 1 = 0;    // of either shape: places of touch move over both bodies, and are found anew
+    std::uint8_t is_one_way : 1 = 0;  // B holds only what comes from one side
+    std::uint8_t unused : 4 = 0;
+    std::uint8_t padding = 0;
+    std::uint16_t surface_material = 0; // of patches: its number (SurfaceMaterials)
+    Travel placed_at = 0;               // of both bodies, when the pair was tested
+    std::int32_t related = none;        // group: its first patch; patch: its group
+    std::int32_t next = none;           // patch: the next one of its group
 };
 inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
+
+// Of the triangles that a patch is on.
+inline std::uint16_t surface_material_of(const Manifold& patch) {
+    return static_cast<std::uint16_t>(patch.features[0] >> surface_material_bit);
+}
 
 // What was found out when a pair was tested last: that it stays apart until its bodies together have moved that far. Of
 // one that has points, or may get some at any time: how far they had moved then.

@@ -41,25 +41,28 @@ struct SortedContact {
     std::int32_t island;
     std::uint8_t key; // color, whether it bore anything in the last step, one point or four (solver/contact_order.h)
     std::uint8_t bounces, is_conveyor;
-    std::uint8_t padding = 0;
+    std::uint8_t begins; // it has borne nothing yet
 };
 
-// Islands in which each body stands on one other (solver/standing_loads.h), one after the other.
+// Islands of which the loads are told by the weights (solver/standing_loads.h), one after the other.
 struct StandingContact {
     std::uint32_t id;
     std::int32_t a, b; // bodies; B: none if it does not move by forces
-    float load;        // N
+    bool begins;
 };
 struct StandingLoads {
     std::vector<StandingContact> contacts;
     std::vector<std::int32_t> end_of_island; // in `contacts`, of awake islands; none: it is no such island
     struct Body {
-        float weight; // N: with that of all that stands on it
-        // How many contacts have not been found yet, and their places, all of them as one exclusive or.
-        std::uint32_t contacts, places;
+        float weight;                // N: with what stands on it
+        std::int32_t depth;          // contacts between it and what does not move; none: not known yet
+        std::int32_t chain;          // of contacts below it that begin
+        std::uint32_t first_contact; // of it, in contacts_of_body
     };
-    std::vector<Body> bodies;           // of one island
-    std::vector<std::int32_t> place_of; // by body: its place among those
+    std::vector<Body> bodies;                    // of one island, and one more
+    std::vector<std::int32_t> place_of;          // by body: its place among those
+    std::vector<std::uint32_t> contacts_of_body; // their places, those of a body side by side
+    std::vector<std::int32_t> from_below;        // bodies in the order of their depths
 };
 
 // One solver batch: islands that are solved together through all substeps.
@@ -240,6 +243,7 @@ struct SolverScratch {
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
     std::vector<std::uint8_t> island_bounces; // 1: one of its contacts does
+    std::vector<std::uint8_t> is_weighed;     // by island: a contact of it begins, or it took more substeps than usual
     StandingLoads standing;
     std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
     std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key

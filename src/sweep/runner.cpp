@@ -9,7 +9,7 @@ namespace cairn::sweep {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_result = std::numeric_limits<double>::quiet_NaN();
 constexpr double max_steps = 1e9;
 
 } // namespace
@@ -139,7 +139,7 @@ void Runner::measure(std::uint64_t step, std::uint64_t steps) {
             break;
         default: // since
             if (!(v != 0.0) || std::isnan(v)) {
-                result = nothing;
+                result = no_result;
             } else if (std::isnan(result)) {
                 result = now;
             }
@@ -192,7 +192,7 @@ bool Runner::run(std::uint64_t row, std::span<double> numbers, const std::atomic
 bool Runner::run_with(std::span<const double> parameters, std::span<double> numbers,
                       const std::atomic<bool>& interrupted) {
     std::copy(parameters.begin(), parameters.end(), parameters_.begin());
-    std::fill(results_.begin(), results_.end(), nothing);
+    std::fill(results_.begin(), results_.end(), no_result);
     steps_done_ = 0;
     outcome_ = Outcome::ran;
     failure_.clear();
@@ -203,12 +203,12 @@ bool Runner::run_with(std::span<const double> parameters, std::span<double> numb
     } catch (const Error& error) {
         failure_ = error.what();
         outcome_ = Outcome::failed;
-        std::fill(results_.begin(), results_.end(), nothing);
+        std::fill(results_.begin(), results_.end(), no_result);
     }
     auto out = std::copy(parameters_.begin(), parameters_.end(), numbers.begin());
     out = std::copy(results_.begin(), results_.end(), out);
     // One pattern of bits stands for all that are not numbers, and zero has no sign.
-    for (auto n = numbers.begin(); n != out; ++n) *n = std::isnan(*n) ? nothing : *n + 0.0;
+    for (auto n = numbers.begin(); n != out; ++n) *n = std::isnan(*n) ? no_result : *n + 0.0;
     *out++ = static_cast<double>(steps_done_) * trial_.time_step;
     *out = static_cast<double>(outcome_);
     return true;

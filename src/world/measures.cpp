@@ -38,7 +38,8 @@ Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts&
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
                 std::max(int(c.point_count), 1), // of an impact the solver has no points: the record has the one of it
-                {}};
+                {},
+                c.surface_material};
     for (int i = 0; i < out.point_count; ++i) {
         const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
         out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};

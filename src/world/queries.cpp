@@ -34,8 +34,12 @@ std::optional<ShapeRayHit> cast_at_shape(const Shapes& shapes, std::uint32_t sha
 }
 
 RayHit to_hit(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
-    return {shapes.slots.id(shape), bodies.id(shapes.links[shape].body),
-            to_public(ray.origin + hit.distance * ray.direction), to_public(math::to_float(hit.normal)), hit.distance};
+    return {shapes.slots.id(shape),
+            bodies.id(shapes.links[shape].body),
+            to_public(ray.origin + hit.distance * ray.direction),
+            to_public(math::to_float(hit.normal)),
+            hit.distance,
+            int(hit.triangle)};
 }
 
 bool bounds_overlap(const DBounds& a, const DBounds& b) {

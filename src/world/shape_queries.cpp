@@ -106,13 +106,19 @@ class ShapeCast {
             if (best && best->fraction < from) break;
             const DVec3 start = from * translation_, end = to * translation_;
             const DVec3 lo = moving_.bounds.lo + math::min(start, end), hi = moving_.bounds.hi + math::max(start, end);
-            for_each_triangle_near(still, lo, hi, [&](const Convex& triangle) {
+            for_each_triangle_near(still, lo, hi, [&](const Convex& triangle, std::uint32_t index) {
                 if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
                 const auto hit = cast_convex(moving_.convex, translation_, triangle, best ? best->fraction : limit);
-                if (hit && (!best || hit->fraction < best->fraction)) best = hit, met = triangle;
+                if (!hit || (best && !(hit->fraction < best->fraction))) return;
+                best = hit, met = triangle;
+                best->triangle = index;
             });
         }
-        if (best && best->normal == DVec3{}) best = overlap_hit(moving_.convex, met);
+        if (best && best->normal == DVec3{}) {
+            const std::uint32_t index = best->triangle;
+            best = overlap_hit(moving_.convex, met);
+            best->triangle = index;
+        }
         return best;
     }
     std::optional<ConvexHit> against_plane(DVec3 up, DVec3 origin) const {
@@ -156,9 +162,11 @@ std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
     for (double reach = outside + double(shape.geometry.bounding_radius) / std::sqrt(count);; reach *= 2) {
         reach = std::min(reach, most);
         const DVec3 around{reach, reach, reach};
-        for_each_triangle_near(shape, -around, around, [&](const Convex& triangle) {
+        for_each_triangle_near(shape, -around, around, [&](const Convex& triangle, std::uint32_t index) {
             const auto nearest = nearest_point(triangle, {}, best ? best->distance : most);
-            if (nearest && (!best || nearest->distance < best->distance)) best = nearest;
+            if (!nearest || (best && !(nearest->distance < best->distance))) return;
+            best = nearest;
+            best->triangle = index;
         });
         if (reach == most || (best && best->distance <= reach)) return best;
     }
@@ -175,7 +183,7 @@ bool meets(const QuerySolid& asking, const PosedInQuery& other) {
     case ShapeType::mesh:
     case ShapeType::height_field: {
         bool found = false;
-        for_each_triangle_near(other, asking.bounds.lo, asking.bounds.hi, [&](const Convex& triangle) {
+        for_each_triangle_near(other, asking.bounds.lo, asking.bounds.hi, [&](const Convex& triangle, std::uint32_t) {
             found = found || cairn::overlap(asking.convex, triangle);
         });
         return found;
@@ -223,8 +231,8 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         });
     if (!best) return std::nullopt;
     if (best->normal == DVec3{}) best = cast.from_within(met);
-    return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
-                        to_public(origin + best->point), to_public(math::to_float(best->normal))};
+    return ShapeCastHit{s.shapes.slots.id(met),          s.bodies.id(s.shapes.links[met].body),   best->fraction,
+                        to_public(origin + best->point), to_public(math::to_float(best->normal)), int(best->triangle)};
 }
 
 std::optional<ClosestPoint> World::closest_point(const Position& point, double max_distance,
@@ -247,7 +255,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     });
     if (!best) return std::nullopt;
     return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
-                        to_public(origin + best->point), best->distance};
+                        to_public(origin + best->point), best->distance, int(best->triangle)};
 }
 
 std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, const QueryFilter& filter) const {

@@ -4,6 +4,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/pairs.h"
 #include "islands/islands.h"
+#include "shapes/surface_materials.h"
 #include "state/state.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -246,7 +247,7 @@ Bounds World::shape_bounds(ShapeId id) const {
 void World::set_material(ShapeId id, const Material& material) {
     Impl::Change change(*impl_, commands::world_set_material, id, material);
     const std::uint32_t i = impl_->index_of(id);
-    validate("Material", material);
+    check_material("Material", material);
     State& s = impl_->state;
     change.begin();
     s.shapes.materials[i] = material;

@@ -293,12 +293,15 @@ class StateCheck final : PairReader {
                           (c.is_trigger && !b_moves && !(is_static(c.body_a) && is_static(c.body_b))),
                       body_place, c.body_a, "must be dynamic, or one of a trigger's kinematic");
         require_sound(c.b_moves == b_moves, {"contacts", id, "b_moves"}, c.b_moves, "must be as its body is");
-        require_sound(c.flipped <= 1 && c.bounces <= 1 && c.is_round <= 1 && c.is_conveyor <= (b_moves ? 0 : 1),
+        require_sound(c.flipped <= 1 && c.bounces <= 1 && c.is_conveyor <= (b_moves ? 0 : 1),
                       {"contacts", id, "is_conveyor"}, c.is_conveyor, "must be 0 or 1, as its other flags");
         require_sound(c.point_count <= 4, {"contacts", id, "point_count"}, c.point_count, "must be 0 to 4");
-        const bool is_solved = c.point_count > 0 && !is_group(c);
+        const bool is_solved = c.point_count > 0 && !is_group(c), is_patch = c.kind == PairKind::patch;
         require_color("contacts", id, c.color, is_solved, b_moves);
-        if (c.kind != PairKind::patch) {
+        const std::size_t materials = is_patch ? surface_materials(shapes_.data[c.shape_b]).size() : 0;
+        require_sound(c.surface_material <= materials, {"contacts", id, "surface_material"}, c.surface_material,
+                      "must be 0, or of a patch the number of a material of its surface");
+        if (!is_patch) {
             require_sound(kind_of(c.shape_a, c.shape_b) == c.kind, {"contacts", id, "kind"}, int(c.kind),
                           "must be that of its shapes");
             const ShapePair pair = pair_of_[id];

@@ -1,5 +1,6 @@
 #include "world/validate.h"
 
+#include "shapes/surface_materials.h"
 #include "state/substeps.h"
 
 #include <algorithm>
@@ -200,18 +201,6 @@ const char* shape_name(const Shape& shape) {
     return names[shape.index()];
 }
 
-void validate(std::string_view field, const Material& material) {
-    require_at_least(std::string(field) + ".static_friction", material.static_friction, 0);
-    require_at_least(std::string(field) + ".dynamic_friction", material.dynamic_friction, 0);
-    if (!(material.restitution >= 0 && material.restitution <= 1))
-        refuse(std::string(field) + ".restitution", to_text(material.restitution), "must be from 0 to 1");
-    require_at_least(std::string(field) + ".rolling_friction", material.rolling_friction, 0);
-    require_at_least(std::string(field) + ".torsional_friction", material.torsional_friction, 0);
-    for (const CombineRule rule : {material.friction_combine, material.restitution_combine})
-        if (rule > CombineRule::multiply)
-            refuse(std::string(field) + ".combine", std::to_string(int(rule)), "must be one of the enumerators");
-}
-
 void validate(const ShapeDef& def) {
     require_finite("ShapeDef.position", def.position);
     require_position("ShapeDef.position", Position(def.position));
@@ -219,7 +208,7 @@ void validate(const ShapeDef& def) {
     require_at_least("ShapeDef.density", def.density, 0);
     require_finite("ShapeDef.surface_velocity", def.surface_velocity);
     if (def.one_way != Vec3(0.0f)) require_direction("ShapeDef.one_way", def.one_way);
-    validate("ShapeDef.material", def.material);
+    check_material("ShapeDef.material", def.material);
 }
 
 void validate(const ForceField& field) {

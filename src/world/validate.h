@@ -29,7 +29,6 @@ void validate(const WorldDef& def);
 void validate(const BodyDef& def);
 void validate(const Shape& shape);
 const char* shape_name(const Shape& shape); // of its type, as in the public headers
-void validate(std::string_view field, const Material& material);
 void validate(const ShapeDef& def);
 void validate(const ForceField& field);
 void validate(std::string_view field, const MassProperties& properties);

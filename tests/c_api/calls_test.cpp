@@ -160,6 +160,25 @@ TEST_F(CCalls, GeometriesAreReadBackAndRefuseOtherKinds) {
     EXPECT_EQ(places[5].z, 1.0f);
     EXPECT_EQ(cairn_geometry_get_indices(hull, indices, 9, &count), CAIRN_ERROR_INVALID_VALUE);
     cairn_geometry_release(holed);
+    cairn_material own[2] = {cairn_default_material(), cairn_default_material()};
+    own[1].restitution = 0.5f;
+    uint16_t numbers[] = {2, 0};
+    cairn_geometry* patched;
+    CAIRN_CALL(
+        cairn_geometry_create_height_field_with_materials(3, 2, {0.5f, 2}, heights, 6, own, 2, numbers, 2, &patched));
+    cairn_material read_own[3];
+    CAIRN_CALL(cairn_geometry_get_materials(patched, read_own, 3, &count));
+    EXPECT_EQ(count, 2u);
+    EXPECT_EQ(read_own[1].restitution, 0.5f);
+    uint16_t read_numbers[3];
+    CAIRN_CALL(cairn_geometry_get_material_numbers(patched, read_numbers, 3, &count));
+    EXPECT_EQ(count, 2u);
+    EXPECT_EQ(read_numbers[0], 2);
+    cairn_geometry_release(patched);
+    numbers[0] = 3;
+    EXPECT_EQ(cairn_geometry_create_mesh_with_materials(corners, 5, 0, triangles, 9, own, 2, numbers, 2, &patched),
+              CAIRN_ERROR_INVALID_VALUE);
+    EXPECT_EQ(cairn_geometry_get_materials(hull, read_own, 3, &count), CAIRN_ERROR_INVALID_VALUE);
     EXPECT_EQ(cairn_geometry_get_volume(mesh, &volume), CAIRN_ERROR_INVALID_VALUE);
     EXPECT_EQ(error(), "geometry: must be a hull, got another kind");
     EXPECT_EQ(cairn_geometry_get_heights(hull, read, 6, &count), CAIRN_ERROR_INVALID_VALUE);

@@ -218,17 +218,20 @@ int main(void) {
     MEMBER(cairn_ray_hit, point);
     MEMBER(cairn_ray_hit, normal);
     MEMBER(cairn_ray_hit, distance);
+    MEMBER(cairn_ray_hit, triangle);
     SIZE(cairn_shape_cast_hit);
     MEMBER(cairn_shape_cast_hit, shape);
     MEMBER(cairn_shape_cast_hit, body);
     MEMBER(cairn_shape_cast_hit, fraction);
     MEMBER(cairn_shape_cast_hit, point);
     MEMBER(cairn_shape_cast_hit, normal);
+    MEMBER(cairn_shape_cast_hit, triangle);
     SIZE(cairn_closest_point);
     MEMBER(cairn_closest_point, shape);
     MEMBER(cairn_closest_point, body);
     MEMBER(cairn_closest_point, point);
     MEMBER(cairn_closest_point, distance);
+    MEMBER(cairn_closest_point, triangle);
     SIZE(cairn_broad_phase_node);
     MEMBER(cairn_broad_phase_node, bounds);
     MEMBER(cairn_broad_phase_node, tree);
@@ -287,6 +290,7 @@ int main(void) {
     MEMBER(cairn_contact_hit, normal);
     MEMBER(cairn_contact_hit, approach_speed);
     MEMBER(cairn_contact_hit, time);
+    MEMBER(cairn_contact_hit, surface_material);
     SIZE(cairn_trigger_event);
     MEMBER(cairn_trigger_event, trigger);
     MEMBER(cairn_trigger_event, other);
@@ -318,6 +322,7 @@ int main(void) {
     MEMBER(cairn_contact, friction_impulse);
     MEMBER(cairn_contact, point_count);
     MEMBER(cairn_contact, points);
+    MEMBER(cairn_contact, surface_material);
     SIZE(cairn_world_def);
     MEMBER(cairn_world_def, struct_size);
     MEMBER(cairn_world_def, gravity);

@@ -186,6 +186,21 @@ cairn_result create_hull(CState& s, cairn_world*) {
     return kept(s, cairn_geometry_create_hull(points.get(), points.count, points.stride, made.get()), made, 0);
 }
 
+// Materials, and numbers of as many parts, or of others.
+struct Materials {
+    Materials(CBytes& bytes, std::size_t parts) : materials(std::size_t(bytes.pick(4))) {
+        for (cairn_material& material : materials) {
+            material = cairn_default_material();
+            material.restitution = float(bytes.pick(5)) / 4;
+            material.dynamic_friction = float(bytes.pick(16) ? bytes.pick(4) : bytes.number());
+        }
+        numbers.resize(bytes.pick(8) ? parts : std::size_t(bytes.pick(4)));
+        for (std::uint16_t& number : numbers) number = std::uint16_t(bytes.pick(bytes.pick(32) ? 4 : 70'000));
+    }
+    std::vector<cairn_material> materials;
+    std::vector<std::uint16_t> numbers;
+};
+
 cairn_result create_mesh(CState& s, cairn_world*) {
     const Points points(s.bytes);
     std::vector<std::uint32_t> indices(std::size_t(s.bytes.pick(16) ? 3 * s.bytes.pick(8) : s.bytes.pick(24)));
@@ -193,6 +208,13 @@ cairn_result create_mesh(CState& s, cairn_world*) {
         index = std::uint32_t(s.bytes.pick(64) ? s.bytes.pick(std::max(int(points.count), 1)) : s.bytes.whole());
     const std::uint32_t* const list = s.bytes.pick(32) ? indices.data() : nullptr;
     Room<cairn_geometry*> made(s.bytes, 1);
+    if (s.bytes.pick(2)) {
+        const Materials own(s.bytes, indices.size() / 3);
+        const cairn_result result = cairn_geometry_create_mesh_with_materials(
+            points.get(), points.count, points.stride, list, indices.size(), own.materials.data(), own.materials.size(),
+            own.numbers.data(), own.numbers.size(), made.get());
+        return kept(s, result, made, 1);
+    }
     const cairn_result result =
         cairn_geometry_create_mesh(points.get(), points.count, points.stride, list, indices.size(), made.get());
     return kept(s, result, made, 1);
@@ -206,6 +228,13 @@ cairn_result create_height_field(CState& s, cairn_world*) {
     const float* const list = s.bytes.pick(32) ? heights.data() : nullptr;
     const cairn_vec2 spacing = {float(s.bytes.positive()), float(s.bytes.positive())};
     Room<cairn_geometry*> made(s.bytes, 1);
+    if (s.bytes.pick(2)) {
+        const Materials own(s.bytes, fits && columns > 0 && rows > 0 ? std::size_t((columns - 1) * (rows - 1)) : 3);
+        const cairn_result result = cairn_geometry_create_height_field_with_materials(
+            columns, rows, spacing, list, heights.size(), own.materials.data(), own.materials.size(),
+            own.numbers.data(), own.numbers.size(), made.get());
+        return kept(s, result, made, 2);
+    }
     const cairn_result result =
         cairn_geometry_create_height_field(columns, rows, spacing, list, heights.size(), made.get());
     return kept(s, result, made, 2);
@@ -236,6 +265,10 @@ template <class T, class Call> cairn_result one_of(CState& s, const Call& call) 
 
 cairn_result vertices(CState& s, cairn_world*) { return list_of<cairn_vec3>(s, cairn_geometry_get_vertices); }
 cairn_result indices(CState& s, cairn_world*) { return list_of<std::uint32_t>(s, cairn_geometry_get_indices); }
+cairn_result materials(CState& s, cairn_world*) { return list_of<cairn_material>(s, cairn_geometry_get_materials); }
+cairn_result material_numbers(CState& s, cairn_world*) {
+    return list_of<std::uint16_t>(s, cairn_geometry_get_material_numbers);
+}
 cairn_result heights(CState& s, cairn_world*) { return list_of<float>(s, cairn_geometry_get_heights); }
 cairn_result face(CState& s, cairn_world*) {
     const auto number = std::size_t(s.bytes.pick(16) ? s.bytes.pick(8) : s.bytes.bits());
@@ -323,12 +356,14 @@ constexpr ByHand calls[] = {
     {{"world_joint_at", false, true}, joint_at},
     {{"spring_from_frequency", false, false}, spring},
     {{"geometry_create_hull", false, true}, create_hull},
-    {{"geometry_create_mesh", false, true}, create_mesh},
-    {{"geometry_create_height_field", false, true}, create_height_field},
+    {{"geometry_create_mesh, geometry_create_mesh_with_materials", false, true}, create_mesh},
+    {{"geometry_create_height_field, geometry_create_height_field_with_materials", false, true}, create_height_field},
     {{"geometry_release", false, false}, geometry_release},
     {{"geometry_get_vertices", false, true}, vertices},
     {{"geometry_get_indices", false, true}, indices},
     {{"geometry_get_heights", false, true}, heights},
+    {{"geometry_get_materials", false, true}, materials},
+    {{"geometry_get_material_numbers", false, true}, material_numbers},
     {{"geometry_get_face", false, true}, face},
     {{"geometry_get_dropped_triangles", false, true}, dropped},
     {{"geometry_get_face_count", false, true}, face_count},

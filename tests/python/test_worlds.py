@@ -200,17 +200,44 @@ class Members(unittest.TestCase):
         self.assertIsNone(world.cast_ray((0.1, 1, 0.2), (0, -1, 0), 5))
         self.assertAlmostEqual(world.cast_ray((1.6, 1, 0.2), (0, -1, 0), 5).distance, 1, places=5)
 
+    def test_parts_of_the_ground_have_materials(self):
+        rubber = cairn.Material(restitution=0.8, restitution_combine="maximum")
+        ground = cairn.HeightField(np.zeros((2, 3)), (4, 4), [rubber], [[0, 1]])
+        world = cairn.World()
+        world.add_shape(world.create_body(type="static"), ground)
+        balls = [world.create_body(position=(x, 1.1, 0)) for x in (-2, 2)]
+        for ball in balls:
+            world.add_shape(ball, cairn.Sphere(0.1))
+        hits = {}
+        for _ in range(60):
+            world.step(1 / 60)
+            for hit in world.contact_hits():
+                hits[hit.surface_material] = hit
+        self.assertEqual(sorted(hits), [0, 1])
+        self.assertEqual([world.cast_ray((x, 1, 0.1), (0, -1, 0), 5).triangle // 2 for x in (-2, 2)], [0, 1])
+        self.assertLess(balls[0].position[1], 0.11)
+        self.assertGreater(balls[1].position[1], 0.4)
+        with self.assertRaisesRegex(cairn.InvalidValueError, "material_numbers"):
+            cairn.Mesh(np.eye(3), [[0, 1, 2]], [rubber], [2])
+        with self.assertRaisesRegex(cairn.InvalidValueError, "numbers"):
+            cairn.Mesh(np.eye(3), [[0, 1, 2]], [rubber], [1, 1])
+
     def test_every_shape_comes_back_as_it_was_given(self):
         world = cairn.World()
         body = world.create_body(type="static")
         points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
         for given in (cairn.Sphere(0.3), cairn.Box((1, 2, 3), rounding=0.1), cairn.Plane((1, 1, 0), half_extents=(2, 3)),
                       cairn.Capsule(1, 0.2, 0.1), cairn.Cylinder(1, 0.5, None, 0.02), cairn.Hull(points, 0.05),
-                      cairn.Mesh(points, [[0, 1, 2], [0, 2, 3]]), cairn.HeightField(np.where(np.eye(3, 4), np.inf, 1), (1, 2))):
+                      cairn.Mesh(points, [[0, 1, 2], [0, 2, 3]]), cairn.HeightField(np.where(np.eye(3, 4), np.inf, 1), (1, 2)),
+                      cairn.Mesh(points, [[0, 1, 2], [0, 2, 3]], [cairn.Material(restitution=0.5)], [1, 0]),
+                      cairn.HeightField(np.zeros((3, 4)), (1, 2), [cairn.Material()], [[0, 1, 0], [1, 1, 0]])):
             shape = world.shape(world.add_shape(body, given))
             self.assertIs(type(shape), type(given))
             names = getattr(type(given), "__dataclass_fields__", None) or [n for n in dir(given) if not n.startswith("_")]
             for name in names:
+                if name == "materials":
+                    self.assertEqual(shape.materials, given.materials)
+                    continue
                 np.testing.assert_equal(np.float32(getattr(shape, name)) if name != "faces" and getattr(shape, name) is not None
                                         else getattr(shape, name),
                                         np.float32(getattr(given, name)) if name != "faces" and getattr(given, name) is not None

@@ -285,12 +285,24 @@ TEST(Geometry, OfHullsMeshesAndHeightFieldsIsTheSameAgain) {
         ASSERT_EQ(copy.volume(), hull.volume());
         std::vector<std::uint32_t> indices;
         for (int i = 0; i < 90; ++i) indices.push_back(std::uint32_t(random() % points.size()));
-        const Mesh mesh(points, indices);
+        SurfaceMaterials materials;
+        if (round % 2 == 0) {
+            materials.materials.resize(std::size_t(round % 400));
+            for (Material& material : materials.materials) material.restitution = std::fabs(number());
+            for (int i = 0; i < 30; ++i)
+                materials.numbers.push_back(std::uint16_t(random() % (materials.materials.size() + 1)));
+        }
+        const Mesh mesh(points, indices, materials);
         const Shape mesh_again = recording::decode_geometry(recording::encode_geometry(mesh), "mesh");
         ASSERT_EQ(recording::encode_geometry(mesh_again), recording::encode_geometry(mesh));
+        const SurfaceMaterials& read = std::get<Mesh>(mesh_again).materials();
+        ASSERT_EQ(read.numbers, mesh.materials().numbers);
+        ASSERT_EQ(read.materials.size(), materials.materials.size());
+        for (std::size_t i = 0; i < read.materials.size(); ++i)
+            ASSERT_EQ(read.materials[i].restitution, materials.materials[i].restitution);
     }
     const std::vector<float> heights{0, 1, 2, 3, 4, 5};
-    const HeightField field(3, 2, {0.5f, 0.25f}, heights);
+    const HeightField field(3, 2, {0.5f, 0.25f}, heights, {{Material{}}, {0, 1}});
     const Shape field_again = recording::decode_geometry(recording::encode_geometry(field), "height field");
     EXPECT_EQ(recording::encode_geometry(field_again), recording::encode_geometry(field));
 }

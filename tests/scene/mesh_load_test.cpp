@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace {
@@ -257,6 +258,81 @@ TEST(SceneMeshes, HeightFieldsHaveHoles) {
     EXPECT_EQ(heights_of(load_text(scene::save_to_string(scene))), heights);
     for (const char* wrong : {"[6]", "[-1]", "[0.5]", "2", "[0,1,2,3,4,5]", "[[1]]"})
         EXPECT_THROW(with_holes(wrong), Error) << wrong;
+}
+
+// Of two primitives, with materials for the triangles of the one and a single one for the other.
+TEST(SceneMeshes, TrianglesHaveMaterials) {
+    const auto with_materials = [](const std::string& first, const std::string& second) {
+        MeshParts parts;
+        const int positions = parts.positions(tetrahedron_corners);
+        const int indices = parts.indices(tetrahedron_triangles);
+        const int numbers =
+            parts.accessor(parts.view(packed(std::vector<std::uint16_t>{2, 0, 1, 2})), 5123, 4, "SCALAR");
+        const auto primitive = [&](const std::string& own) {
+            return R"({"attributes":{"POSITION":)" + std::to_string(positions) + R"(},"indices":)" +
+                   std::to_string(indices) + (own.empty() ? own : R"(,"extensions":{"CAIRN_mesh":{)" + own + "}}") +
+                   "}";
+        };
+        parts.meshes = R"({"primitives":[)" + primitive(first.empty() ? first : first + std::to_string(numbers)) + "," +
+                       primitive(second) + "]}";
+        parts.nodes = node("", mesh_of_node_1) + R"(,{"mesh":0})";
+        std::string text = parts.text();
+        const std::string materials =
+            R"("physicsMaterials":[{"restitution":0.25},{"restitution":0.5},{"restitution":0.75}],)";
+        text.insert(text.find("\"collisionFilters\""), materials);
+        return load_text(text);
+    };
+    // By the place of a triangle: its restitution, and how often.
+    const auto materials_of = [](const Scene& scene) {
+        const Mesh mesh = std::get<Mesh>(only_shape(scene));
+        std::map<float, int> result;
+        for (std::size_t i = 0; i < mesh.indices().size() / 3; ++i) {
+            const SurfaceMaterials& own = mesh.materials();
+            const int number = own.numbers.empty() ? 0 : own.numbers[i];
+            ++result[number == 0 ? 0.0f : own.materials[std::size_t(number) - 1].restitution];
+        }
+        return result;
+    };
+    using Counts = std::map<float, int>;
+    const std::string of_triangles = R"("materials":[2,0],"numbers":)";
+    const Scene both = with_materials(of_triangles, R"("materials":[1])");
+    EXPECT_EQ(materials_of(both), (Counts{{0.0f, 1}, {0.25f, 2}, {0.5f, 4}, {0.75f, 1}}));
+    EXPECT_TRUE(both.warnings.empty());
+    EXPECT_EQ(materials_of(with_materials(of_triangles, "")), (Counts{{0.0f, 5}, {0.25f, 2}, {0.75f, 1}}));
+    EXPECT_EQ(materials_of(with_materials("", "")), (Counts{{0.0f, 8}}));
+    const std::string saved = scene::save_to_string(both);
+    EXPECT_EQ(materials_of(load_text(saved)), materials_of(both));
+    EXPECT_EQ(scene::save_to_string(load_text(saved)), saved);
+    EXPECT_EQ(with_materials(R"("material":[0],"materials":[2,0],"numbers":)", "").warnings.size(), 1u);
+    for (const char* wrong : {R"("materials":[1],"numbers":)", R"("materials":[3,0],"numbers":)", R"("numbers":)"})
+        EXPECT_THROW(with_materials(wrong, ""), Error) << wrong;
+    for (const char* wrong : {R"("materials":1)", R"("materials":[0],"numbers":1)", R"("materials":[0],"numbers":99)"})
+        EXPECT_THROW(with_materials("", wrong), Error) << wrong;
+}
+
+TEST(SceneMeshes, CellsOfHeightFieldsHaveMaterials) {
+    const auto with_numbers = [](std::vector<std::uint8_t> list) {
+        MeshParts parts = height_field();
+        const auto count = list.size();
+        const int numbers =
+            parts.accessor(parts.view(std::string(list.begin(), list.end())), 5121, int(count), "SCALAR");
+        const std::size_t end = parts.shapes.find(R"("heights")");
+        parts.shapes.insert(end, R"("materials":[0],"numbers":)" + std::to_string(numbers) + ",");
+        std::string text = parts.text();
+        text.insert(text.find("\"collisionFilters\""), R"("physicsMaterials":[{"restitution":0.25}],)");
+        return load_text(text);
+    };
+    const Scene scene = with_numbers({1, 0});
+    const auto expect_materials = [](const Scene& read) {
+        const SurfaceMaterials materials = std::get<HeightField>(only_shape(read)).materials();
+        EXPECT_EQ(materials.numbers, (std::vector<std::uint16_t>{1, 0}));
+        ASSERT_EQ(materials.materials.size(), 1u);
+        EXPECT_EQ(materials.materials[0].restitution, 0.25f);
+    };
+    expect_materials(scene);
+    expect_materials(load_text(scene::save_to_string(scene)));
+    EXPECT_THROW(with_numbers({2, 0}), Error);
+    EXPECT_THROW(with_numbers({1, 0, 0}), Error);
 }
 
 class SceneFolder : public testing::Test {

@@ -2,6 +2,7 @@
 import { refuse } from './error.js';
 import { M, check, enter, leave, listOf, numberOf, room, wholeOf } from './memory.js';
 import * as fields from './fields.js';
+import * as values from './generated/values.js';
 
 // The net for what nobody disposed of.
 const lost = new FinalizationRegistry((address) => M._cairn_geometry_release(address));
@@ -23,22 +24,32 @@ export class Geometry {
         });
     }
 
-    static mesh(vertices, indices) {
+    static mesh(vertices, indices, materials = [], materialNumbers = []) {
         return made((out) => {
             const [at, count] = floatsOf(vertices, 3, 'vertices');
             const [corners, length] = indicesOf(indices);
-            return M._cairn_geometry_create_mesh(at, count / 3, 0, corners, length, out);
+            const own = materialsOf(materials, materialNumbers);
+            return M._cairn_geometry_create_mesh_with_materials(at, count / 3, 0, corners, length, ...own, out);
         });
     }
 
-    static heightField(columns, rows, spacing, heights) {
+    static heightField(columns, rows, spacing, heights, materials = [], materialNumbers = []) {
         return made((out) => {
             wholeOf(columns, 'columns');
             wholeOf(rows, 'rows');
             const between = room(8);
             fields.putVec2(between, spacing, 'spacing');
             const [at, count] = floatsOf(heights, 1, 'heights');
-            return M._cairn_geometry_create_height_field(columns, rows, between, at, count, out);
+            const own = materialsOf(materials, materialNumbers);
+            return M._cairn_geometry_create_height_field_with_materials(
+                columns,
+                rows,
+                between,
+                at,
+                count,
+                ...own,
+                out,
+            );
         });
     }
 
@@ -55,6 +66,24 @@ export class Geometry {
     get heights() {
         return numbersOf(this, 4, M._cairn_geometry_get_heights, (at, count) =>
             M.HEAPF32.slice(at >> 2, (at >> 2) + count),
+        );
+    }
+    get materials() {
+        const mark = enter();
+        try {
+            return listOf(
+                values.MATERIAL_BYTES,
+                (list, capacity, length) =>
+                    M._cairn_geometry_get_materials(addressOf(this), list, capacity, length),
+                values.getMaterial,
+            );
+        } finally {
+            leave(mark);
+        }
+    }
+    get materialNumbers() {
+        return numbersOf(this, 2, M._cairn_geometry_get_material_numbers, (at, count) =>
+            M.HEAPU16.slice(at >> 1, (at >> 1) + count),
         );
     }
     get droppedTriangles() {
@@ -151,6 +180,22 @@ function indicesOf(list) {
     const at = room(4 * list.length);
     list.forEach((x, i) => fields.putU32(at + 4 * i, x, `indices[${i}]`));
     return [at, list.length];
+}
+
+// Materials and the numbers of those of the parts: address and count of each.
+function materialsOf(materials, numbers) {
+    if (!Array.isArray(materials)) refuse('materials', materials, 'must be an array of materials');
+    const table = room(values.MATERIAL_BYTES * materials.length);
+    materials.forEach((x, i) => values.putMaterial(table + i * values.MATERIAL_BYTES, x, `materials[${i}]`));
+    if (!Array.isArray(numbers) && !(numbers instanceof Uint16Array) && !(numbers instanceof Uint8Array))
+        refuse('materialNumbers', numbers, 'must be an array of whole numbers, a Uint16Array or a Uint8Array');
+    const list = room(2 * numbers.length);
+    numbers.forEach((x, i) => {
+        if (!(Number.isInteger(x) && x >= 0 && x <= 65535))
+            refuse(`materialNumbers[${i}]`, x, 'must be a whole number from 0 to 65535');
+        M.HEAPU16[(list >> 1) + i] = x;
+    });
+    return [table, materials.length, list, numbers.length];
 }
 
 // A typed array by a call that writes `count` elements of `size` bytes.

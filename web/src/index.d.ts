@@ -650,6 +650,11 @@ export interface RayHit {
     normal: Vec3;
     /** From the ray's origin, meters. */
     distance: number;
+    /**
+     * Of a mesh: the one of its triangles that the ray met, in the order of its indices; of a height field: twice the
+     * number of its cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+     */
+    triangle: number;
 }
 
 /** The first thing that a moving shape met. */
@@ -662,6 +667,8 @@ export interface ShapeCastHit {
     point: Vec3;
     /** Unit, out of the shape that was met. */
     normal: Vec3;
+    /** That was met; as in RayHit. */
+    triangle: number;
 }
 
 /** The surface point nearest to a given one. */
@@ -672,6 +679,8 @@ export interface ClosestPoint {
     point: Vec3;
     /** Meters; 0 inside. */
     distance: number;
+    /** That it is on; as in RayHit. */
+    triangle: number;
 }
 
 /**
@@ -805,6 +814,11 @@ export interface ContactHit {
      * its order. (0 to the step)
      */
     time: number;
+    /**
+     * Of a mesh or height field, where it was hit: the number of its material there (0: that of the shape). Of other
+     * shapes 0.
+     */
+    surfaceMaterial: number;
 }
 
 /**
@@ -864,7 +878,7 @@ export interface ContactPoint {
 
 /**
  * A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the surfaces
- * of several of its faces, in several of these, one for each normal.
+ * of several of its faces, in several of these, one for each normal and material.
  */
 export interface Contact {
     shapeA: ShapeId;
@@ -879,6 +893,8 @@ export interface Contact {
     pointCount: number;
     /** The first `pointCount` of them. */
     points: ContactPoint[];
+    /** Of a mesh or height field there: the number of its material (0: that of the shape). Of other shapes 0. */
+    surfaceMaterial: number;
 }
 
 /** Settings of a world. All may be changed later through `World.setSettings`. */
@@ -1074,19 +1090,38 @@ export class Geometry {
     /**
      * A surface of triangles: three indices each, counterclockwise as seen from outside; vertices are x, y, z in meters. Triangles
      * without area are left out. Throws invalidValue when a coordinate is not finite or exceeds 1e6, when an index is out of range
-     * or their number is no multiple of three, or when no triangle is left.
+     * or their number is no multiple of three, or when no triangle is left. `materials`: those that parts of it have beside that of
+     * the shape; `materialNumbers`: which one each triangle has, 0 for that of the shape, k for materials[k - 1]; without any, all
+     * have that of the shape.
      */
-    static mesh(vertices: readonly number[] | Float32Array | Float64Array, indices: readonly number[] | Uint32Array | Uint16Array): Geometry;
+    static mesh(
+        vertices: readonly number[] | Float32Array | Float64Array,
+        indices: readonly number[] | Uint32Array | Uint16Array,
+        materials?: readonly Material[],
+        materialNumbers?: readonly number[] | Uint16Array | Uint8Array,
+    ): Geometry;
     /**
      * A surface over a grid: meters along y, row after row, columns x rows of them. Throws invalidValue for fewer than 2 columns or
      * rows, another number of heights, a spacing that is no size, a height that is no number or exceeds 1e6 and is not Infinity,
-     * or holes alone. Triangles of which a corner has the height Infinity are holes.
+     * or holes alone. Triangles of which a corner has the height Infinity are holes. Materials as of a mesh, with a number for each
+     * cell, row after row.
      */
-    static heightField(columns: number, rows: number, spacing: Vec2Like, heights: readonly number[] | Float32Array | Float64Array): Geometry;
+    static heightField(
+        columns: number,
+        rows: number,
+        spacing: Vec2Like,
+        heights: readonly number[] | Float32Array | Float64Array,
+        materials?: readonly Material[],
+        materialNumbers?: readonly number[] | Uint16Array | Uint8Array,
+    ): Geometry;
     /** The corners of a hull, the vertices of a mesh, or where the heights of a height field stand: x, y, z each; y of a hole is Infinity. */
     get vertices(): Float32Array;
     /** The triangles of a mesh, or of a height field that are no holes: three indices of its vertices each. Throws invalidValue for a hull. */
     get indices(): Uint32Array;
+    /** The materials of a mesh or height field beside that of the shape. Throws invalidValue for a hull. */
+    get materials(): Material[];
+    /** Of each triangle of a mesh, or each cell of a height field; none: all have that of the shape. Throws invalidValue for a hull. */
+    get materialNumbers(): Uint16Array;
     /** How many triangles of a mesh had no area. Throws invalidValue for others. */
     get droppedTriangles(): number;
     /** The faces of a hull: indices of their corners, counterclockwise as seen from outside. Throws invalidValue for others. */

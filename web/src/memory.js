@@ -33,6 +33,7 @@ function renewViews() {
     if (shared === null || shared.buffer === M.HEAPU8.buffer) return;
     const { buffer } = shared;
     M.HEAPU8 = new Uint8Array(buffer);
+    M.HEAPU16 = new Uint16Array(buffer);
     M.HEAP32 = new Int32Array(buffer);
     M.HEAPU32 = new Uint32Array(buffer);
     M.HEAPF32 = new Float32Array(buffer);

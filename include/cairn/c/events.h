@@ -45,6 +45,9 @@ typedef struct cairn_contact_hit {
     /// latest, as the solver may stop it a substep early, and at its beginning if they overlapped by then. Hits are not
     /// listed in its order. (0 to the step)
     float time;
+    /// Of a mesh or height field, where it was hit: the number of its material there (0: that of the shape). Of other
+    /// shapes 0.
+    int surface_material;
 } cairn_contact_hit;
 
 /// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). Triggers see what is on dynamic and kinematic
@@ -88,7 +91,7 @@ typedef struct cairn_contact_point {
 } cairn_contact_point;
 
 /// A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
-/// surfaces of several of its faces, in several of these, one for each normal.
+/// surfaces of several of its faces, in several of these, one for each normal and material.
 typedef struct cairn_contact {
     cairn_shape_id shape_a;
     cairn_shape_id shape_b;
@@ -98,6 +101,8 @@ typedef struct cairn_contact {
     cairn_vec3 friction_impulse; ///< N s on B during the last step, world axes.
     int point_count; ///< 1 to 4.
     cairn_contact_point points[4]; ///< The first `point_count` of them.
+    /// Of a mesh or height field there: the number of its material (0: that of the shape). Of other shapes 0.
+    int surface_material;
 } cairn_contact;
 
 /// Shapes that began to touch in the last step. `count` gets how many there are; the first `capacity` of them are

@@ -28,6 +28,9 @@ typedef struct cairn_ray_hit {
     cairn_position point; ///< On the surface, meters.
     cairn_vec3 normal; ///< Unit outward normal of the surface there.
     double distance; ///< From the ray's origin, meters.
+    /// Of a mesh: the one of its triangles that the ray met, in the order of its indices; of a height field: twice the
+    /// number of its cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+    int triangle;
 } cairn_ray_hit;
 
 /// The first thing that a moving shape met.
@@ -37,6 +40,7 @@ typedef struct cairn_shape_cast_hit {
     double fraction; ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
     cairn_position point; ///< Where they meet, meters.
     cairn_vec3 normal; ///< Unit, out of the shape that was met.
+    int triangle; ///< That was met; as in RayHit.
 } cairn_shape_cast_hit;
 
 /// The surface point nearest to a given one.
@@ -45,6 +49,7 @@ typedef struct cairn_closest_point {
     cairn_body_id body;
     cairn_position point; ///< On the surface, meters; the given point itself if that lies inside.
     double distance; ///< Meters; 0 inside.
+    int triangle; ///< That it is on; as in RayHit.
 } cairn_closest_point;
 
 /// A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may

@@ -249,6 +249,32 @@ CAIRN_C_API cairn_result cairn_geometry_create_height_field(int columns, int row
                                                             const float* heights, size_t height_count,
                                                             cairn_geometry** geometry);
 
+/// The same with materials beside that of the shape, at most 65,535, and the number of each triangle's: 0 for that of
+/// the shape, k for materials[k - 1]. Refused (invalid_value) as well for a material that is none, a number beyond
+/// them, or numbers that are not as many as the triangles (or none). Errors: invalid_value.
+CAIRN_C_API cairn_result cairn_geometry_create_mesh_with_materials(const float* vertices, size_t vertex_count,
+                                                                   size_t stride, const uint32_t* indices,
+                                                                   size_t index_count, const cairn_material* materials,
+                                                                   size_t material_count, const uint16_t* numbers,
+                                                                   size_t number_count, cairn_geometry** geometry);
+
+/// A height field with materials beside that of the shape, at most 65,535, and the number of each cell's, row after
+/// row: 0 for that of the shape, k for materials[k - 1]. Refused (invalid_value) as well for a material that is none, a
+/// number beyond them, or numbers that are not as many as the cells (or none). Errors: invalid_value.
+CAIRN_C_API cairn_result cairn_geometry_create_height_field_with_materials(int columns, int rows, cairn_vec2 spacing,
+    const float* heights, size_t height_count, const cairn_material* materials, size_t material_count,
+    const uint16_t* numbers, size_t number_count, cairn_geometry** geometry);
+
+/// The materials of a mesh or height field beside that of the shape. Refused (invalid_value) for a hull. Errors:
+/// invalid_value.
+CAIRN_C_API cairn_result cairn_geometry_get_materials(const cairn_geometry* geometry, cairn_material* materials,
+                                                      size_t capacity, size_t* count);
+
+/// The number of the material of each triangle of a mesh, in the order of its indices, or of each cell of a height
+/// field, row after row; none if all have that of the shape. Refused (invalid_value) for a hull. Errors: invalid_value.
+CAIRN_C_API cairn_result cairn_geometry_get_material_numbers(const cairn_geometry* geometry, uint16_t* numbers,
+                                                             size_t capacity, size_t* count);
+
 /// Gives a geometry back. Null: nothing happens.
 CAIRN_C_API void cairn_geometry_release(cairn_geometry* geometry);
 

@@ -57,6 +57,10 @@ class ContactHit:
     may stop it a substep early, and at its beginning if they overlapped by then. Hits are not listed in its order. (0
     to the step)
     """
+    surface_material: int = 0
+    """Of a mesh or height field, where it was hit: the number of its material there (0: that of the shape). Of other
+    shapes 0.
+    """
 
 
 @lists_members
@@ -128,7 +132,7 @@ class ContactPoint:
 @dataclass(slots=True, eq=False)
 class Contact:
     """A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
-    surfaces of several of its faces, in several of these, one for each normal.
+    surfaces of several of its faces, in several of these, one for each normal and material.
     """
 
     shape_a: ShapeId = ShapeId()
@@ -143,3 +147,5 @@ class Contact:
     """1 to 4."""
     points: Sequence[ContactPoint] = ()
     """The first `point_count` of them."""
+    surface_material: int = 0
+    """Of a mesh or height field there: the number of its material (0: that of the shape). Of other shapes 0."""

@@ -39,6 +39,10 @@ class RayHit:
     """Unit outward normal of the surface there."""
     distance: float = 0.0
     """From the ray's origin, meters."""
+    triangle: int = -1
+    """Of a mesh: the one of its triangles that the ray met, in the order of its indices; of a height field: twice the
+    number of its cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+    """
 
 
 @lists_members
@@ -54,6 +58,8 @@ class ShapeCastHit:
     """Where they meet, meters."""
     normal: Vector = (0.0, 0.0, 0.0)
     """Unit, out of the shape that was met."""
+    triangle: int = -1
+    """That was met; as in RayHit."""
 
 
 @lists_members
@@ -67,6 +73,8 @@ class ClosestPoint:
     """On the surface, meters; the given point itself if that lies inside."""
     distance: float = 0.0
     """Meters; 0 inside."""
+    triangle: int = -1
+    """That it is on; as in RayHit."""
 
 
 @lists_members

@@ -31,14 +31,22 @@ constexpr Row rows[] = {
     {"Mesh", "A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners "
         "clockwise."},
     {"Mesh.__init__", "Vertices (n x 3), meters; triangles (m x 3), counterclockwise as seen from outside. Triangles "
-        "without area are left out. Raises InvalidValueError when a coordinate is not finite or exceeds 1e6, when an "
-            "index is out of range, or when no triangle is left."},
+        "without area are left out. `materials`: those that parts of it have beside that of the "
+            "shape; `material_numbers` (m): which one each triangle has, 0 for that of the shape, k for materials[k - "
+                "1]; None: all have that of the shape. Raises InvalidValueError when a coordinate is not finite or "
+                    "exceeds 1e6, when an index is out of range, when no triangle is left, or when a material or a "
+                        "number is none."},
+    {"Mesh.material_numbers", "One for each row of `indices`; empty: all have that of the shape."},
     {"Mesh.dropped_triangles", "How many had no area."},
     {"HeightField", "A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies."},
     {"HeightField.__init__", "Heights (rows x columns), meters along y: that of row r and column c stands at x = (c - "
         "(columns - 1) / 2) * spacing[0], z = (r - (rows - 1) / 2) * spacing[1]. Triangles of which a corner has the "
-            "height +infinity are holes. Raises InvalidValueError for fewer than 2 columns or rows, a spacing that is "
-                "no size, a height that is no number or exceeds 1e6 and is not +infinity, or holes alone."},
+            "height +infinity are holes. `materials`: those that parts of it have beside that of the "
+                "shape; `material_numbers` (rows - 1 x columns - 1): which one each cell has, 0 for that of the "
+                    "shape, k for materials[k - 1]; None: all have that of the shape. Raises InvalidValueError for "
+                        "fewer than 2 columns or rows, a spacing that is no size, a height that is no number or "
+                            "exceeds 1e6 and is not +infinity, holes alone, or a material or a number that is none."},
+    {"HeightField.material_numbers", "Of each cell (rows - 1 x columns - 1); empty: all have that of the shape."},
     {"HeightField.indices", "Its triangles that are no holes (n x 3): indices of its vertices, counterclockwise as "
         "seen from above."},
     {"HeightField.vertices", "Where the heights stand, row after row (n x 3), meters; y of a hole is +infinity."},

@@ -14,7 +14,7 @@ py::object write(const ContactEnd& x) {
 
 py::object write(const ContactHit& x) {
     return make("ContactHit", py::make_tuple(write(x.shape_a), write(x.shape_b), write(x.body_a), write(x.body_b),
-        write(x.point), write(x.normal), write(x.approach_speed), write(x.time)));
+        write(x.point), write(x.normal), write(x.approach_speed), write(x.time), write(x.surface_material)));
 }
 
 py::object write(const TriggerEvent& x) {
@@ -38,7 +38,7 @@ py::object write(const ContactPoint& x) {
 py::object write(const Contact& x) {
     return make("Contact", py::make_tuple(write(x.shape_a), write(x.shape_b), write(x.body_a), write(x.body_b),
         write(x.normal), write(x.friction_impulse), write(x.point_count),
-        write_list(std::span(x.points).first(std::size_t(x.point_count)))));
+        write_list(std::span(x.points).first(std::size_t(x.point_count))), write(x.surface_material)));
 }
 
 } // namespace cairn::python

@@ -11,16 +11,17 @@ py::object write(BroadPhaseTree x) { return write_enum("BroadPhaseTree", int(x))
 
 py::object write(const RayHit& x) {
     return make("RayHit", py::make_tuple(write(x.shape), write(x.body), write(x.point), write(x.normal),
-        write(x.distance)));
+        write(x.distance), write(x.triangle)));
 }
 
 py::object write(const ShapeCastHit& x) {
     return make("ShapeCastHit", py::make_tuple(write(x.shape), write(x.body), write(x.fraction), write(x.point),
-        write(x.normal)));
+        write(x.normal), write(x.triangle)));
 }
 
 py::object write(const ClosestPoint& x) {
-    return make("ClosestPoint", py::make_tuple(write(x.shape), write(x.body), write(x.point), write(x.distance)));
+    return make("ClosestPoint", py::make_tuple(write(x.shape), write(x.body), write(x.point), write(x.distance),
+        write(x.triangle)));
 }
 
 py::object write(const BroadPhaseNode& x) {

@@ -34,6 +34,7 @@ cairn_contact_hit to_c(const ContactHit& x) {
     c.normal = to_c(x.normal);
     c.approach_speed = x.approach_speed;
     c.time = x.time;
+    c.surface_material = x.surface_material;
     return c;
 }
 
@@ -85,6 +86,7 @@ cairn_contact to_c(const Contact& x) {
     c.friction_impulse = to_c(x.friction_impulse);
     c.point_count = x.point_count;
     for (std::size_t i = 0; i < 4; ++i) c.points[i] = to_c(x.points[i]);
+    c.surface_material = x.surface_material;
     return c;
 }
 

@@ -20,6 +20,7 @@ cairn_ray_hit to_c(const RayHit& x) {
     c.point = to_c(x.point);
     c.normal = to_c(x.normal);
     c.distance = x.distance;
+    c.triangle = x.triangle;
     return c;
 }
 
@@ -30,6 +31,7 @@ cairn_shape_cast_hit to_c(const ShapeCastHit& x) {
     c.fraction = x.fraction;
     c.point = to_c(x.point);
     c.normal = to_c(x.normal);
+    c.triangle = x.triangle;
     return c;
 }
 
@@ -39,6 +41,7 @@ cairn_closest_point to_c(const ClosestPoint& x) {
     c.body = to_c(x.body);
     c.point = to_c(x.point);
     c.distance = x.distance;
+    c.triangle = x.triangle;
     return c;
 }
 

@@ -270,7 +270,7 @@ export class WorldCalls {
             const $filter = room(40);
             M._cairn_default_query_filter($filter);
             values.putQueryFilter($filter, filter, 'QueryFilter');
-            const out = room(64), found = room(1);
+            const out = room(72), found = room(1);
             check(M._cairn_world_cast_ray(use(this), $origin, $direction, $maxDistance, $filter, out, found));
             return fields.getBool(found) ? values.getRayHit(out) : null;
         } finally {
@@ -289,7 +289,7 @@ export class WorldCalls {
             const $filter = room(40);
             M._cairn_default_query_filter($filter);
             values.putQueryFilter($filter, filter, 'QueryFilter');
-            return listOf(64, (list, capacity, count) => M._cairn_world_cast_ray_all(use(this), $origin, $direction, $maxDistance, $filter, list, capacity, count), (at) => values.getRayHit(at));
+            return listOf(72, (list, capacity, count) => M._cairn_world_cast_ray_all(use(this), $origin, $direction, $maxDistance, $filter, list, capacity, count), (at) => values.getRayHit(at));
         } finally {
             leave(mark);
         }
@@ -325,7 +325,7 @@ export class WorldCalls {
             const $filter = room(40);
             M._cairn_default_query_filter($filter);
             values.putQueryFilter($filter, filter, 'QueryFilter');
-            const out = room(48), found = room(1);
+            const out = room(56), found = room(1);
             check(M._cairn_world_closest_point(use(this), $point, $maxDistance, $filter, out, found));
             return fields.getBool(found) ? values.getClosestPoint(out) : null;
         } finally {
@@ -454,7 +454,7 @@ export class WorldCalls {
     get contacts() {
         const mark = enter();
         try {
-            return listOf(192, (list, capacity, count) => M._cairn_world_get_contacts(use(this), list, capacity, count), (at) => values.getContact(at));
+            return listOf(200, (list, capacity, count) => M._cairn_world_get_contacts(use(this), list, capacity, count), (at) => values.getContact(at));
         } finally {
             leave(mark);
         }
@@ -1226,7 +1226,7 @@ export class BodyCalls {
     get contacts() {
         const mark = enter();
         try {
-            return listOf(192, (list, capacity, count) => M._cairn_body_get_contacts(use(this.world), this.low, this.high, list, capacity, count), (at) => values.getContact(at));
+            return listOf(200, (list, capacity, count) => M._cairn_body_get_contacts(use(this.world), this.low, this.high, list, capacity, count), (at) => values.getContact(at));
         } finally {
             leave(mark);
         }

@@ -886,6 +886,7 @@ export function getRayHit(p) {
         point: getPosition(p + 16),
         normal: getVec3(p + 40),
         distance: getDouble(p + 56),
+        triangle: getInt(p + 64),
     };
 }
 
@@ -896,6 +897,7 @@ export function getShapeCastHit(p) {
         fraction: getDouble(p + 16),
         point: getPosition(p + 24),
         normal: getVec3(p + 48),
+        triangle: getInt(p + 60),
     };
 }
 
@@ -905,6 +907,7 @@ export function getClosestPoint(p) {
         body: getU64(p + 8),
         point: getPosition(p + 16),
         distance: getDouble(p + 40),
+        triangle: getInt(p + 48),
     };
 }
 
@@ -1028,6 +1031,7 @@ export function getContactHit(p) {
         normal: getVec3(p + 56),
         approachSpeed: getFloat(p + 68),
         time: getFloat(p + 72),
+        surfaceMaterial: getInt(p + 76),
     };
 }
 
@@ -1079,6 +1083,7 @@ export function getContact(p) {
         frictionImpulse: getVec3(p + 44),
         pointCount: getInt(p + 56),
         points: getMany(p + 64, getInt(p + 56), 32, (at) => getContactPoint(at)),
+        surfaceMaterial: getInt(p + 192),
     };
 }
 
@@ -1283,7 +1288,8 @@ export function getJoint(p) {
     }
 }
 
-// Of what lists by hand in world.js are made, and of definitions.
+// Of what lists by hand are made, and of definitions.
+export const MATERIAL_BYTES = 28;
 export const JOINT_SPRING_BYTES = 12;
 export const JOINT_LIMIT_BYTES = 32;
 export const JOINT_DRIVE_BYTES = 36;
