@@ -9,6 +9,7 @@ namespace cairn {
 
 namespace {
 
+constexpr int max_adaptive_substeps = 128;
 constexpr int joint_substeps = 11; // in the usual step, at least, where joints are
 // The share of the island's weight on one contact from which on that contact is all that counts. A smaller one counts
 // in proportion: what is squeezed somewhere in a heap is no structure.

@@ -23,7 +23,6 @@
 
 namespace cairn {
 
-inline constexpr int max_adaptive_substeps = 128;
 inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // What the policy looks at.

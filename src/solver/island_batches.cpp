@@ -39,7 +39,7 @@ void count_contacts(const SortedContact* begin, const SortedContact* end, Solver
             ++count, bounces |= begin->bounces != 0, begins |= begin->begins != 0;
         __atomic_fetch_add(&scratch.contacts_of_island[island], count, __ATOMIC_RELAXED);
         if (bounces) __atomic_store_n(&scratch.island_bounces[island], std::uint8_t(1), __ATOMIC_RELAXED);
-        if (begins) __atomic_store_n(&scratch.is_weighed[island], std::uint8_t(1), __ATOMIC_RELAXED);
+        if (begins) __atomic_fetch_or(&scratch.weighed_for[island], std::uint8_t(for_begun_contact), __ATOMIC_RELAXED);
     }
 }
 
@@ -108,13 +108,13 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(islands.all.size());
     scratch.island_bounces.resize(islands.all.size());
-    scratch.is_weighed.resize(islands.all.size());
+    scratch.weighed_for.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
     const int usual = substeps_of(settings, dt);
     for (const std::int32_t i : islands.awake) {
         scratch.contacts_of_island[i] = 0;
         scratch.island_bounces[i] = 0;
-        scratch.is_weighed[i] = islands.all[i].substeps > usual;
+        scratch.weighed_for[i] = std::uint8_t(islands.all[i].substeps > usual ? for_its_substeps : 0);
         islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);

@@ -16,11 +16,9 @@ namespace cairn {
 
 namespace {
 
-// Where contacts begin; and as long as an island takes more substeps than usual, as what is measured there comes and
-// goes with the structure's own swinging. What is agitated is no structure; a single contact has the weight of its body
-// already (first_load).
-bool may_stand(const Island& island, std::int32_t contacts, bool is_weighed) {
-    return is_weighed && contacts > 1 && island.joint_count == 0 && island.agitation <= max_agitation;
+// What is agitated is no structure; a single contact has the weight of its body already (first_load).
+bool may_stand(const Island& island, std::int32_t contacts, std::uint8_t weighed_for) {
+    return weighed_for != 0 && contacts > 1 && island.joint_count == 0 && island.agitation <= max_agitation;
 }
 
 // Contacts of islands that may stand, those of an island side by side.
@@ -30,7 +28,7 @@ void list_standing(const Contacts& contacts, const Islands& islands, SolverScrat
     std::int32_t count = 0;
     for (const std::int32_t i : islands.awake) {
         const std::int32_t own = scratch.contacts_of_island[i];
-        work.end_of_island[i] = may_stand(islands.all[i], own, scratch.is_weighed[i] != 0) ? count : none;
+        work.end_of_island[i] = may_stand(islands.all[i], own, scratch.weighed_for[i]) ? count : none;
         if (work.end_of_island[i] != none) count += own;
     }
     work.contacts.resize(std::size_t(count));
@@ -38,7 +36,7 @@ void list_standing(const Contacts& contacts, const Islands& islands, SolverScrat
     for (const SortedContact& c : scratch.sorted)
         if (std::int32_t& end = work.end_of_island[c.island]; end != none)
             work.contacts[std::size_t(end++)] = {c.id, c.body_a, contacts.info[c.id].b_moves ? c.body_b : none,
-                                                 c.begins != 0};
+                                                 c.begins != 0, c.begins != 0 ? 0 : contacts.info[c.id].force};
 }
 
 // One island, as bodies that hand their weights down to those nearer to what does not move.
@@ -50,19 +48,27 @@ class Structure {
         work.bodies.clear();
         for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
             work.place_of[b] = std::int32_t(work.bodies.size());
-            work.bodies.push_back({weights(b), none, 0, 0});
+            const float weight = weights(b);
+            work.bodies.push_back({weight, weight, none, 0});
         }
-        work.bodies.push_back({0, none, 0, 0});
+        work.bodies.push_back({0, 0, none, 0});
         list_contacts();
         find_depths();
     }
 
-    // f(contact, its load, N), for those that lead down.
-    template <class F> void hand_down(F&& f) {
+    // f(contact, its load, N), for those that lead down. A body of which most of the weight was borne in the last step
+    // is held, and adds nothing to what begins. With `all` everything is told: of an island that takes more substeps
+    // than usual, as what is measured there comes and goes with the structure's own swinging.
+    template <class F> void hand_down(bool all, F&& f) {
         for (auto b = work_.from_below.rbegin(); b != work_.from_below.rend(); ++b) {
             const StandingLoads::Body& body = work_.bodies[std::size_t(*b)];
             int below = 0;
-            for_each_contact(*b, [&](const StandingContact& c) { below += leads_down(c, *b); });
+            float bore = 0;
+            for_each_contact(*b, [&](const StandingContact& c) {
+                const bool leads = leads_down(c, *b);
+                below += leads, bore += leads ? c.bore : 0;
+            });
+            if (bore > 0.5f * body.own && !all) continue;
             const float load = body.weight / float(below); // one at least: it was found from there
             for_each_contact(*b, [&](const StandingContact& c) {
                 if (!leads_down(c, *b)) return;
@@ -71,21 +77,6 @@ class Structure {
                 f(c, load);
             });
         }
-    }
-
-    // The longest row of contacts that begin, one on the other.
-    std::int32_t longest_chain() {
-        std::int32_t longest = 0;
-        for (const std::int32_t b : work_.from_below) {
-            std::int32_t& chain = work_.bodies[std::size_t(b)].chain;
-            for_each_contact(b, [&](const StandingContact& c) {
-                if (!c.begins || !leads_down(c, b)) return;
-                const std::int32_t below = other_of(c, b);
-                chain = std::max(chain, 1 + (below == none ? 0 : work_.bodies[std::size_t(below)].chain));
-            });
-            longest = std::max(longest, chain);
-        }
-        return longest;
     }
 
   private:
@@ -161,17 +152,16 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         float weight = 0;
         for (const StandingLoads::Body& body : work.bodies) weight += body.weight;
         IslandLoad greatest{false, 0, 0};
-        structure.hand_down([&](const StandingContact& c, float load) {
-            ContactInfo& info = contacts.info[c.id];
-            if (c.begins) info.load = info.force = std::max(info.load, load);
-            const float inverse_mass =
-                bodies.mass[c.a].inverse_mass + (c.b == none ? 0 : bodies.mass[c.b].inverse_mass);
-            greatest.share = std::max(greatest.share, weight > 0 ? load / weight : 0.0f);
-            greatest.demand = std::max(greatest.demand, demand_of(info, load, inverse_mass));
-        });
-        // A substep takes a load from one body to the next: down to the ground, and the answer back up.
-        const int there_and_back = std::min(2 * structure.longest_chain(), max_adaptive_substeps);
-        const int wanted = std::max(wanted_substeps(settings, greatest, dt), there_and_back);
+        structure.hand_down((scratch.weighed_for[i] & for_its_substeps) != 0,
+                            [&](const StandingContact& c, float load) {
+                                ContactInfo& info = contacts.info[c.id];
+                                if (c.begins) info.load = info.force = std::max(info.load, load);
+                                const float inverse_mass =
+                                    bodies.mass[c.a].inverse_mass + (c.b == none ? 0 : bodies.mass[c.b].inverse_mass);
+                                greatest.share = std::max(greatest.share, weight > 0 ? load / weight : 0.0f);
+                                greatest.demand = std::max(greatest.demand, demand_of(info, load, inverse_mass));
+                            });
+        const int wanted = wanted_substeps(settings, greatest, dt);
         if (wanted <= island.substeps) continue;
         island.substeps = wanted;
         for (const StandingContact& c : own)

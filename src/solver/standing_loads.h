@@ -6,6 +6,9 @@
 
 namespace cairn {
 
+// Why an island is weighed: one of its contacts begins; it took more substeps than usual in the last step.
+enum WeighedFor : std::uint8_t { for_begun_contact = 1, for_its_substeps = 2 };
+
 // Gives contacts that begin their part of the weights above them, and their islands as many substeps as that asks for,
 // where it is more than they have. Not in islands with joints, and not where things fly about.
 void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,

@@ -49,14 +49,14 @@ struct StandingContact {
     std::uint32_t id;
     std::int32_t a, b; // bodies; B: none if it does not move by forces
     bool begins;
+    float bore; // N: in the last step
 };
 struct StandingLoads {
     std::vector<StandingContact> contacts;
     std::vector<std::int32_t> end_of_island; // in `contacts`, of awake islands; none: it is no such island
     struct Body {
-        float weight;                // N: with what stands on it
+        float own, weight;           // N: its weight, and with what stands on it
         std::int32_t depth;          // contacts between it and what does not move; none: not known yet
-        std::int32_t chain;          // of contacts below it that begin
         std::uint32_t first_contact; // of it, in contacts_of_body
     };
     std::vector<Body> bodies;                    // of one island, and one more
@@ -243,7 +243,7 @@ struct SolverScratch {
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
     std::vector<std::uint8_t> island_bounces; // 1: one of its contacts does
-    std::vector<std::uint8_t> is_weighed;     // by island: a contact of it begins, or it took more substeps than usual
+    std::vector<std::uint8_t> weighed_for;    // by island, bits: see standing_loads.h
     StandingLoads standing;
     std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
     std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key
