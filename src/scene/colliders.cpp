@@ -92,7 +92,9 @@ TurnedShape Colliders::implicit_shape(const Value& index, const glm::dvec3& scal
 // Those of its parts, one after the other.
 SurfaceMaterials Colliders::materials_of(const GatheredTriangles& triangles) {
     SurfaceMaterials result;
-    const auto has_materials = [](const auto& part) { return part.own && part.own->find("materials"); };
+    const auto has_materials = [](const auto& part) {
+        return part.own && (part.own->find("materials") || part.own->find("numbers"));
+    };
     if (std::none_of(triangles.parts.begin(), triangles.parts.end(), has_materials)) return result;
     for (const auto& part : triangles.parts) {
         const std::size_t first = result.materials.size();

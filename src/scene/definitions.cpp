@@ -236,7 +236,7 @@ Shape Definitions::height_field(const Value& shape, const glm::dvec3& scale, Acc
             heights[static_cast<std::size_t>((*holes)[i].integer(0, static_cast<int>(count) - 1))] = HeightField::hole;
     }
     SurfaceMaterials materials;
-    if (field->find("materials")) {
+    if (field->find("materials") || field->find("numbers")) {
         const std::size_t cells = static_cast<std::size_t>(columns - 1) * static_cast<std::size_t>(rows - 1);
         materials = surface_materials(*field, cells, accessors);
     }
