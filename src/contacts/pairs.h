@@ -24,7 +24,7 @@ struct PairMaterial {
 };
 PairMaterial combined_material(const Material& a, const Material& b);
 // Of a shape; of meshes and height fields, that with this number.
-const Material& material_of(const Shapes& shapes, std::uint32_t shape, std::uint32_t number = 0);
+const Material& material_of(const Shapes& shapes, std::uint32_t shape, std::uint32_t number);
 // Those of the shapes of a contact, into its record.
 void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 

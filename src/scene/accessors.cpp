@@ -108,12 +108,15 @@ Accessors::Layout Accessors::layout(const Value& accessor, const char* type, std
     if (const auto normalized = accessor.find("normalized")) layout.normalized = normalized->boolean();
     const Value count = accessor.require("count");
     layout.count = static_cast<std::size_t>(count.whole(1, max_elements));
-    const std::uint64_t numbers = std::uint64_t{layout.count} * components;
+    spend(std::uint64_t{layout.count} * components, count);
+    return layout;
+}
+
+void Accessors::spend(std::uint64_t numbers, const Value& place) {
     if (numbers > numbers_left_) {
-        count.fail("must not bring the numbers of the whole file above " + std::to_string(max_accessor_numbers));
+        place.fail("must not bring the numbers of the whole file above " + std::to_string(max_accessor_numbers));
     }
     numbers_left_ -= numbers;
-    return layout;
 }
 
 std::vector<double> Accessors::numbers(const Value& accessor, const Layout& layout) {

@@ -28,6 +28,8 @@ class Accessors {
     std::vector<float> scalars(const Value& index);         // SCALAR of floats
     std::vector<std::uint32_t> indices(const Value& index); // SCALAR of unsigned bytes, shorts or ints
     std::size_t count(const Value& index) const;            // of elements
+    // Counts what is made of so many numbers among those that the file may have read.
+    void spend(std::uint64_t numbers, const Value& place);
     Buffers& buffers() { return buffers_; }
 
   private:

@@ -306,6 +306,23 @@ TEST(SceneMeshes, TrianglesHaveMaterials) {
     EXPECT_EQ(with_materials(R"("material":[0],"materials":[2,0],"numbers":)", "").warnings.size(), 1u);
     for (const char* wrong : {R"("materials":[1],"numbers":)", R"("materials":[3,0],"numbers":)", R"("numbers":)"})
         EXPECT_THROW(with_materials(wrong, ""), Error) << wrong;
+    // The same list on body after body, each of another size: 7 x 65,535 numbers each time, of 2^26 that a file may
+    // have.
+    std::string many = "0";
+    for (int i = 1; i < 65535; ++i) many += ",0";
+    MeshParts parts;
+    const int positions = parts.positions(tetrahedron_corners), indices = parts.indices(tetrahedron_triangles);
+    parts.mesh(positions, indices, R"(,"extensions":{"CAIRN_mesh":{"materials":[)" + many + "]}}");
+    parts.nodes = R"({"mesh":0})";
+    parts.roots = "";
+    for (int i = 1; i <= 200; ++i) {
+        parts.nodes +=
+            "," + node("\"scale\":[1,1," + std::to_string(i) + "],", R"("collider":{"geometry":{"node":0}})");
+        parts.roots += (i == 1 ? "" : ",") + std::to_string(i);
+    }
+    std::string text = parts.text();
+    text.insert(text.find("\"collisionFilters\""), R"("physicsMaterials":[{}],)");
+    EXPECT_THROW(load_text(text), Error);
     for (const char* wrong : {R"("materials":1)", R"("materials":[0],"numbers":1)", R"("materials":[0],"numbers":99)"})
         EXPECT_THROW(with_materials("", wrong), Error) << wrong;
 }
