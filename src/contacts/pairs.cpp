@@ -231,7 +231,7 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
 }
 
 bool kinds_stay(const Shapes& shapes, const Contacts& contacts, std::uint32_t shape, const Geometry& changed) {
-    return std::ranges::all_of(contacts.info, [&](const ContactInfo& c) {
+    return std::all_of(contacts.info.begin(), contacts.info.end(), [&](const ContactInfo& c) {
         if (!c.in_use || (c.shape_a != shape && c.shape_b != shape)) return true;
         const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
         return rests_on_round_side(a, b) ==
