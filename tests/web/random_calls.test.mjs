@@ -7,8 +7,9 @@ import { CALLS, ENUMS } from './generated/calls.mjs';
 
 await init();
 const hull = Geometry.hull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
-const mesh = Geometry.mesh([-9, 0, -9, 9, 0, -9, 0, 0, 9], [0, 2, 1]);
-const field = Geometry.heightField(3, 3, [1, 1], [0, 1, 0, 0, 0.5, 0, 1, 0, 0]);
+const springy = [{ restitution: 0.8 }, { dynamicFriction: 0.1 }];
+const mesh = Geometry.mesh([-9, 0, -9, 9, 0, -9, 0, 0, 9], [0, 2, 1], springy, [2]);
+const field = Geometry.heightField(3, 3, [1, 1], [0, 1, 0, 0, 0.5, 0, 1, 0, Infinity], springy, [0, 1, 2, 1]);
 const WORDS = [
     'static',
     'kinematic',
@@ -17,6 +18,7 @@ const WORDS = [
     'multiply',
     'uniform',
     'radial',
+    'fluid',
     'rk4',
     'angular',
     'direct',
@@ -86,6 +88,7 @@ function player(seed) {
             WorldDef: () => ({ gravity: vector(3), substeps: next(8) }),
             ForceField: () => ({ strength: number(), kind: pick(WORDS) }),
             MassProperties: () => ({ mass: size() }),
+            DebugLinesDef: () => ({ contacts: next(2) === 0, bounds: next(2) === 0, size: size() }),
             Material: () => ({ restitution: size() }),
             CollisionFilter: () => ({ layers: BigInt(next(4)) }),
             QueryFilter: () => ({
