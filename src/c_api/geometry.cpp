@@ -83,20 +83,14 @@ cairn_result cairn_geometry_create_hull(const float* points, size_t count, size_
 
 cairn_result cairn_geometry_create_mesh(const float* vertices, size_t vertex_count, size_t stride,
                                         const uint32_t* indices, size_t index_count, cairn_geometry** geometry) {
-    return guarded([&] {
-        required(geometry, "geometry");
-        require_list(indices, index_count, "indices");
-        make(geometry, Mesh(points_of(vertices, vertex_count, stride, "vertices"), std::span(indices, index_count)));
-    });
+    return cairn_geometry_create_mesh_with_materials(vertices, vertex_count, stride, indices, index_count, nullptr, 0,
+                                                     nullptr, 0, geometry);
 }
 
 cairn_result cairn_geometry_create_height_field(int columns, int rows, cairn_vec2 spacing, const float* heights,
                                                 size_t height_count, cairn_geometry** geometry) {
-    return guarded([&] {
-        required(geometry, "geometry");
-        require_list(heights, height_count, "heights");
-        make(geometry, HeightField(columns, rows, to_cpp(spacing), std::span(heights, height_count)));
-    });
+    return cairn_geometry_create_height_field_with_materials(columns, rows, spacing, heights, height_count, nullptr, 0,
+                                                             nullptr, 0, geometry);
 }
 
 cairn_result cairn_geometry_create_mesh_with_materials(const float* vertices, size_t vertex_count, size_t stride,
