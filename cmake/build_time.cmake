@@ -43,6 +43,11 @@ endfunction()
 # the engine), and read the headers that nearly all of them include once for all: those that see the engine from within,
 # where it has its own names for things, without the public ones.
 function(cairn_quick_tests folder)
+    # Those that are compiled several files at a time: their headers take most of the time (JSON, scenes, the viewer), and
+    # their names in unnamed namespaces differ.
+    set(together cairn_api_test cairn_checkpoint_cli_test cairn_checkpoint_test cairn_cli_test cairn_impacts
+                 cairn_impacts_oracle_test cairn_recording_test cairn_scene_test cairn_sweep_cli_test cairn_sweep_test
+                 cairn_viewer_core_test)
     if(NOT TARGET cairn_test_headers)
         cairn_test_headers(cairn_test_headers)
         cairn_test_headers(cairn_public_test_headers <cairn/cairn.h>)
@@ -56,6 +61,9 @@ function(cairn_quick_tests folder)
         endif()
         target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
         get_target_property(sources ${target} SOURCES)
+        if(target IN_LIST together)
+            set_target_properties(${target} PROPERTIES UNITY_BUILD ${CAIRN_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+        endif()
         if(CAIRN_UNITY AND "GTest::gtest" IN_LIST libraries AND "cairn_flags" IN_LIST libraries AND NOT sources MATCHES "\\.c(;|$)")
             get_target_property(folders ${target} INCLUDE_DIRECTORIES)
             set(headers cairn_public_test_headers)

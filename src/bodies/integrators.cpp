@@ -254,6 +254,7 @@ BodyWeights::BodyWeights(const Bodies& bodies, const ForceFields& fields, const 
     : bodies_(bodies), fields_(fields), settings_(settings), any_field_(any_field(fields)) {
     const auto& g = settings.gravity;
     gravity_ = math::length(math::Vec3{g.x, g.y, g.z});
+    along_ = {g.x, g.y, g.z};
 }
 
 float BodyWeights::operator()(std::int32_t body) const {

@@ -77,7 +77,11 @@ math::DVec3 pull_at(const Bodies& bodies, const ForceFields& fields, const World
 class BodyWeights {
   public:
     BodyWeights(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings);
-    float operator()(std::int32_t body) const; // N
+    float operator()(std::int32_t body) const;  // N
+    math::DVec3 pull(std::int32_t body) const { // m/s^2
+        return any_field_ ? pull_at(bodies_, fields_, settings_, body)
+                          : double(bodies_.settings[body].gravity_scale) * along_;
+    }
 
   private:
     const Bodies& bodies_;
@@ -85,6 +89,7 @@ class BodyWeights {
     const WorldDef& settings_;
     bool any_field_;
     float gravity_;
+    math::DVec3 along_; // m/s^2: gravity
 };
 
 // Of gravity, fields and what pushes the body in this step, m/s^2; 0 if nothing can move it.

@@ -1,6 +1,7 @@
 #include "islands/substep_policy.h"
 
 #include "bodies/integrators.h"
+#include "islands/slenderness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +30,23 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt) 
     if (!settings.adaptive_substeps) return own;
     const int usual = load.has_joints ? std::max(own, substeps_in(dt, joint_substeps)) : own;
     const float weight = std::min(load.share / full_share, 1.0f);
-    const float wanted = weight * std::sqrt(load.demand) * (dt / usual_step);
+    // The stiffness that so many substeps give: softness.h.
+    const float periods = std::sqrt(load.demand / load.stable_sinking) * usual_step / (2 * 3.14159265f);
+    const float so_as_to_stand = (periods > 1 ? max_substeps_per_period : min_substeps_per_period) * periods;
+    const float wanted = std::max(weight * std::sqrt(load.demand), so_as_to_stand) * (dt / usual_step);
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const WorldDef& settings, Island& island, float dt) {
-    const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
-    const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand}, dt);
+int island_substeps(const Bodies& bodies, const BodyWeights& weights, const WorldDef& settings, Island& island,
+                    float dt) {
+    IslandLoad load{island.joint_count > 0, island.weight > 0 ? island.greatest_load / island.weight : 0,
+                    island.greatest_demand, nothing_can_buckle};
     island.greatest_load = island.greatest_demand = 0;
-    return wanted;
+    const int for_loads = wanted_substeps(settings, load, dt);
+    load.stable_sinking = island.least_stable_sinking;
+    if (load.has_joints || wanted_substeps(settings, load, dt) == for_loads) return for_loads; // joints do not sink
+    load.stable_sinking = stable_sinking(bodies, island, weights);
+    return wanted_substeps(settings, load, dt);
 }
 
 float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& c,

@@ -8,12 +8,14 @@
 //
 //     n = max(usual, share x sqrt(demand)),    demand in m/s^2,
 //
+// and at least as many as keep it from buckling (slenderness.h),
 // where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
 // of n. That is for a step of 1/60 s: what counts is how long a substep is, so shorter steps take fewer in proportion,
 // longer ones more. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md
 // has the measurements.
 #pragma once
 
+#include "bodies/integrators.h"
 #include "state/state.h"
 #include "state/step_scratch.h"
 #include "state/substeps.h"
@@ -23,18 +25,21 @@
 
 namespace cairn {
 
+inline constexpr float min_substeps_per_period = 6, max_substeps_per_period = 8; // softness.h
 inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // What the policy looks at.
 struct IslandLoad {
     bool has_joints;
-    float share;  // of the island's weight that its most loaded contact carries
-    float demand; // m/s^2: the greatest ratio of load to reduced mass of a contact
+    float share;          // of the island's weight that its most loaded contact carries
+    float demand;         // m/s^2: the greatest ratio of load to reduced mass of a contact
+    float stable_sinking; // m: how far contacts may sink (slenderness.h)
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
 // Of an island in this step; what its contacts carried is forgotten, to be measured anew in the solver.
-int island_substeps(const WorldDef& settings, Island& island, float dt);
+int island_substeps(const Bodies& bodies, const BodyWeights& weights, const WorldDef& settings, Island& island,
+                    float dt);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& contact,

@@ -8,6 +8,7 @@
 #include "bodies/motion_budget.h"
 #include "core/order.h"
 #include "core/room.h"
+#include "islands/slenderness.h"
 #include "jobs/ordered_list.h"
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
@@ -37,8 +38,10 @@ SolverVelocity to_row(math::Vec3 v, math::Vec3 w) {
 // Sums that threads share out are made of so many bodies each, whatever the number of threads.
 constexpr int bodies_per_sum = 256;
 
-void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float weight) {
+void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float weight, math::DVec3 origin,
+         math::DVec3 pull) {
     if (!(mass.inverse_mass > 0)) return;
+    add_to_extent(sum.extent, mass, motion, origin, pull);
     const math::DVec3 v = math::to_double(motion.v);
     sum.mass += double(mass.mass);
     sum.weight += double(weight);
@@ -46,12 +49,13 @@ void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float w
     sum.energy += double(mass.mass) * math::dot(v, v);
 }
 
-// The weight of an island, and how it moves.
+// The weight of an island, how it moves, and how far it reaches.
 void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, const BodyWeights& weights,
            std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
+    const math::DVec3 origin = bodies.motion[members.front()].x;
     const auto sum = [&](std::span<const std::int32_t> part) {
         MotionSum r;
-        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b], weights(b));
+        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b], weights(b), origin, weights.pull(b));
         return r;
     };
     const std::size_t count = members.size();
@@ -66,11 +70,14 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
                 sums[part] = sum(members.subspan(first, std::min<std::size_t>(bodies_per_sum, count - first)));
             }
         });
-        for (const MotionSum& part : sums)
+        for (const MotionSum& part : sums) {
             all.mass += part.mass, all.weight += part.weight, all.momentum += part.momentum, all.energy += part.energy;
+            add_to_extent(all.extent, part.extent);
+        }
     }
     island.weight = float(all.weight);
     if (!(all.mass > 0)) return;
+    island.least_stable_sinking = least_stable_sinking(all.extent);
     const math::DVec3 mean = (1 / all.mass) * all.momentum;
     island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));
 }

@@ -111,11 +111,12 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     scratch.weighed_for.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
     const int usual = substeps_of(settings, dt);
+    const BodyWeights weights(bodies, fields, settings);
     for (const std::int32_t i : islands.awake) {
         scratch.contacts_of_island[i] = 0;
         scratch.island_bounces[i] = 0;
         scratch.weighed_for[i] = std::uint8_t(islands.all[i].substeps > usual ? for_its_substeps : 0);
-        islands.all[i].substeps = island_substeps(settings, islands.all[i], dt);
+        islands.all[i].substeps = island_substeps(bodies, weights, settings, islands.all[i], dt);
     }
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
     count_standing_loads(bodies, contacts, islands, fields, settings, scratch, dt);

@@ -23,7 +23,6 @@
 namespace cairn {
 
 inline constexpr float contact_damping_ratio = 10, joint_damping_ratio = 2;
-inline constexpr float min_substeps_per_period = 6, max_substeps_per_period = 8;
 
 // omega h: the phase that a spring of that factor goes through in a substep, of so many in a step of dt seconds.
 inline float substep_phase(float dt, int substeps, float factor) {

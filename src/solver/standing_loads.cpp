@@ -6,6 +6,7 @@
 #include "solver/standing_loads.h"
 
 #include "bodies/integrators.h"
+#include "islands/slenderness.h"
 #include "islands/substep_policy.h"
 #include "solver/island_batches.h"
 
@@ -151,7 +152,7 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         Structure structure(bodies, island, own, work, weights);
         float weight = 0;
         for (const StandingLoads::Body& body : work.bodies) weight += body.weight;
-        IslandLoad greatest{false, 0, 0};
+        IslandLoad greatest{false, 0, 0, stable_sinking(bodies, island, weights)};
         structure.hand_down((scratch.weighed_for[i] & for_its_substeps) != 0,
                             [&](const StandingContact& c, float load) {
                                 ContactInfo& info = contacts.info[c.id];

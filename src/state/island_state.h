@@ -23,6 +23,7 @@ struct Island {
     std::int32_t joint_count = 0;        // that belong to its bodies
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
+    float least_stable_sinking = 1;      // m: see slenderness.h
     float agitation = 0;                 // m/s: root of the mean square of the speeds about that of the whole
     float min_quiet_time = 0, greatest_quiet_time = 0;
 };

@@ -88,10 +88,20 @@ struct ConveyorRow {
     std::uint32_t contact;
 };
 
+// How far bodies reach in each direction, by sums over them: of masses, places x, m x, weights as vectors, squares of
+// places, and the second moments of their mass, m^2, along the axes of each in which they are least and greatest.
+struct Extent {
+    double count = 0, mass = 0;
+    math::DVec3 sum, moment, pull;
+    math::DSym3 squares;
+    double least = 0, greatest = 0;
+};
+
 // The mass of bodies, kg, their weight, N, the sum of m v and that of m v^2.
 struct MotionSum {
     double mass = 0, weight = 0, energy = 0;
     math::DVec3 momentum;
+    Extent extent;
 };
 
 // What a thread gathers from bodies that have moved.

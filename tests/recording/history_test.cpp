@@ -8,8 +8,6 @@
 namespace cairn::test {
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
-
 class Histories : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(Histories, OfAThousandChangesGiveTheHashesFromBeforeInAnyOrderOfUndoAndRedo) {

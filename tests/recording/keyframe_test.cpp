@@ -18,8 +18,6 @@ using recording::RecorderOptions;
 using recording::Recording;
 using recording::Replay;
 
-constexpr float dt = 1.0f / 60.0f;
-
 RecorderOptions with_keyframes(double work, std::size_t budget) {
     RecorderOptions options;
     options.keyframe_work = work, options.keyframe_budget = budget;

@@ -9,6 +9,8 @@
 
 namespace cairn::test {
 
+inline constexpr float dt = 1.0f / 60.0f; // s: of a step
+
 class RandomChanges {
   public:
     explicit RandomChanges(std::uint32_t seed) : random_(seed) {}

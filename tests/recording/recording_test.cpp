@@ -17,8 +17,6 @@ using recording::RecorderOptions;
 using recording::Recording;
 using recording::Replay;
 
-constexpr float dt = 1.0f / 60.0f;
-
 class Recordings : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(Recordings, ReplayToTheSameStateAfterEveryStepOnAnyNumberOfThreads) {

@@ -11,8 +11,6 @@
 namespace cairn::test {
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
-
 class Ring : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(Ring, GoesBackToWhatWasPushedBitForBitAndOnFromThere) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ using namespace cairn;
 using namespace cairn::scene_test;
 using scene::Scene;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 struct Solid {
     std::vector<Vec3> vertices;

@@ -12,8 +12,9 @@ using namespace cairn;
 using namespace cairn::scene_test;
 using Json = nlohmann::json;
 
-const std::string picture_uri = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4"
-                                "z8DwHwyBNAgwAABIyQj4xTT9BQAAAABJRU5ErkJggg==";
+const std::string small_picture_uri =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4"
+    "z8DwHwyBNAgwAABIyQj4xTT9BQAAAABJRU5ErkJggg==";
 
 // A square with all that a material may have.
 struct FinishedParts : MeshParts {
@@ -33,7 +34,7 @@ struct FinishedParts : MeshParts {
         meshes = R"({"primitives":[{"material":0,"attributes":{)" + attributes + colors + R"(},"indices":)" +
                  std::to_string(corners) + "}]}";
         nodes = R"({"mesh":0})";
-        more = R"(,"materials":[)" + material + R"(],"images":[{"uri":")" + picture_uri +
+        more = R"(,"materials":[)" + material + R"(],"images":[{"uri":")" + small_picture_uri +
                R"("}],"textures":[{"source":0}])";
         return MeshParts::text();
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,7 +18,7 @@ namespace {
 using namespace cairn;
 using scene::Scene;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 class JointScene : public testing::Test {
   protected:

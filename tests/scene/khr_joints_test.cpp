@@ -20,8 +20,6 @@ namespace {
 using namespace cairn;
 namespace fs = std::filesystem;
 
-constexpr float dt = 1.0f / 60.0f;
-
 class KhrJoints : public KhrSampleTest {};
 
 // A file of two boxes and a joint, of which the second is dynamic.

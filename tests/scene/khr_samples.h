@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+inline constexpr float dt = 1.0f / 60.0f;
+
 class KhrSampleTest : public testing::Test {
   protected:
     void SetUp() override {

@@ -21,11 +21,9 @@ namespace {
 using namespace cairn;
 namespace fs = std::filesystem;
 
-constexpr float dt = 1.0f / 60.0f;
-
 class KhrSamples : public KhrSampleTest {};
 
-void run(
+void run_sample(
     scene::Scene& scene, float seconds, const std::function<void()>& after_step = [] {}) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds / dt)); ++i) {
         scene.world.step(dt);
@@ -64,7 +62,7 @@ TEST_F(KhrSamples, AllLoadAndRunForASecond) {
         std::printf("  %8d %7zu %6zu %7zu %8zu\n", triggers, scene.collision_systems.size(),
                     scene.world.joints().size(), scene.visuals.size(), scene.warnings.size());
         for (const std::string& warning : scene.warnings) std::printf("    %s\n", warning.c_str());
-        run(scene, 1.0f);
+        run_sample(scene, 1.0f);
         for (const BodyId id : scene.world.bodies()) {
             const Position p = scene.world.body(id).position();
             EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
@@ -115,7 +113,7 @@ TEST_F(KhrSamples, ColliderMatrix) {
         double least = 1e9;
         const auto fastest_in = [&](float seconds) {
             float fastest = 0;
-            run(scene, seconds, [&] {
+            run_sample(scene, seconds, [&] {
                 least = std::min(least, height(scene, moving[0]));
                 fastest = std::max(fastest, glm::length(scene.world.body(moving[0]).linear_velocity()));
             });
@@ -140,7 +138,7 @@ TEST_F(KhrSamples, CollisionFilters) {
         scene::Scene scene = load(name);
         const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
         ASSERT_EQ(moving.size(), 2u);
-        run(scene, 4.0f);
+        run_sample(scene, 4.0f);
         std::printf("%s: heights %.3f and %.3f\n", name, height(scene, moving[0]), height(scene, moving[1]));
         if (std::string(name).back() == '0') { // the first meets the ground, the second falls through it
             EXPECT_NEAR(height(scene, moving[0]), 1.0, 0.02);
@@ -157,7 +155,7 @@ TEST_F(KhrSamples, Restitution) {
     scene::Scene scene = load("RigidBodies_Materials_00");
     const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
     std::array<double, 2> rebound{};
-    run(scene, 3.0f, [&] {
+    run_sample(scene, 3.0f, [&] {
         if (scene.world.time() < 1.0) return; // both have met the ground by then
         for (std::size_t i = 0; i < 2; ++i) rebound[i] = std::max(rebound[i], height(scene, moving[i]));
     });
@@ -170,7 +168,7 @@ TEST_F(KhrSamples, Friction) {
     scene::Scene scene = load("RigidBodies_Materials_02");
     const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
     const Position slides = scene.world.body(moving[0]).position(), sticks = scene.world.body(moving[1]).position();
-    run(scene, 1.0f);
+    run_sample(scene, 1.0f);
     // On a slope of 45 degrees; friction 0.3 leaves g sin 45 (1 - 0.3) of the acceleration.
     EXPECT_NEAR(glm::length(scene.world.body(moving[0]).position() - slides), 0.5 * 9.81 * 0.7071 * 0.7, 0.2);
     EXPECT_LT(glm::length(scene.world.body(moving[1]).position() - sticks), 0.05);
@@ -180,7 +178,7 @@ TEST_F(KhrSamples, MotionProperties) {
     scene::Scene hovers = load("RigidBodies_MotionProperties_00");
     const BodyId still = hovers.world.bodies().at(0);
     const Position start = hovers.world.body(still).position();
-    run(hovers, 2.0f);
+    run_sample(hovers, 2.0f);
     EXPECT_EQ(hovers.world.body(still).position(), start);
 
     // The second has its velocity in the frame of a parent that is turned by 90 degrees: both turn about x.
@@ -188,7 +186,7 @@ TEST_F(KhrSamples, MotionProperties) {
         SCOPED_TRACE(name);
         scene::Scene spins = load(name);
         const BodyId body = spins.world.bodies().at(0);
-        run(spins, 2.0f);
+        run_sample(spins, 2.0f);
         const Vec3 w = spins.world.body(body).angular_velocity();
         EXPECT_NEAR(w.x, 1.0f, 1e-3f);
         EXPECT_NEAR(w.y, 0.0f, 1e-3f);
@@ -197,12 +195,12 @@ TEST_F(KhrSamples, MotionProperties) {
 
     scene::Scene kinematic = load("RigidBodies_MotionProperties_05");
     const BodyId unmoved = bodies_of(kinematic, BodyType::kinematic).at(0);
-    run(kinematic, 2.0f);
+    run_sample(kinematic, 2.0f);
     EXPECT_EQ(kinematic.world.body(unmoved).position(), Position(0.0, 0.5, 0.0));
 
     scene::Scene masses = load("RigidBodies_MotionProperties_06");
     const std::vector<BodyId> hit = masses.world.bodies();
-    run(masses, 1.0f);
+    run_sample(masses, 1.0f);
     const float light = masses.world.body(hit.at(2)).linear_velocity().x;
     const float heavy = masses.world.body(hit.at(3)).linear_velocity().x;
     EXPECT_GT(heavy, 1.5f * light); // hit by 100 times its mass, and by its own
@@ -210,7 +208,7 @@ TEST_F(KhrSamples, MotionProperties) {
 
     scene::Scene rigid = load("RigidBodies_MotionProperties_07");
     const BodyId upright = bodies_of(rigid, BodyType::dynamic).at(0);
-    run(rigid, 2.0f);
+    run_sample(rigid, 2.0f);
     EXPECT_EQ(rigid.world.body(upright).rotation(), Quat(1.0f, 0.0f, 0.0f, 0.0f));
     EXPECT_NEAR(height(rigid, upright), 1.0, 0.02);
 }
@@ -219,11 +217,11 @@ TEST_F(KhrSamples, MotionProperties) {
 TEST_F(KhrSamples, FilteringAndTriggersSamples) {
     scene::Scene triggers = load("Triggers");
     std::size_t events = 0;
-    run(triggers, 3.0f, [&] { events += triggers.world.trigger_events().size(); });
+    run_sample(triggers, 3.0f, [&] { events += triggers.world.trigger_events().size(); });
     EXPECT_GT(events, 0u);
 
     scene::Scene filtering = load("Filtering");
-    run(filtering, 5.0f);
+    run_sample(filtering, 5.0f);
     for (const BodyId id : bodies_of(filtering, BodyType::dynamic)) {
         EXPECT_GT(height(filtering, id), -5.0) << filtering.world.body(id).name();
     }

@@ -34,17 +34,17 @@ template <class Call> void expect_refused(Call call, const std::string& message)
 }
 
 using Indices = std::vector<std::uint32_t>;
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string square_points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(ObjFiles, CornersInAllForms) {
-    EXPECT_EQ(obj(square + "f 1 2 3\n").indices, (Indices{0, 1, 2}));
-    EXPECT_EQ(obj(square + "f 1/1 2/7 3/2\n").indices, (Indices{0, 1, 2}));
-    EXPECT_EQ(obj(square + "f 1//1 2//2 3//3\n").indices, (Indices{0, 1, 2}));
-    EXPECT_EQ(obj(square + "f 1/1/1 2/2/2 3/3/3\n").indices, (Indices{0, 1, 2}));
-    EXPECT_EQ(obj(square + "f -4 -3/1 -1//2\n").indices, (Indices{0, 1, 3}));
+    EXPECT_EQ(obj(square_points + "f 1 2 3\n").indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(obj(square_points + "f 1/1 2/7 3/2\n").indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(obj(square_points + "f 1//1 2//2 3//3\n").indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(obj(square_points + "f 1/1/1 2/2/2 3/3/3\n").indices, (Indices{0, 1, 2}));
+    EXPECT_EQ(obj(square_points + "f -4 -3/1 -1//2\n").indices, (Indices{0, 1, 3}));
 }
 
-TEST(ObjFiles, PolygonsAreFans) { EXPECT_EQ(obj(square + "f 1 2 3 4").indices, (Indices{0, 1, 2, 0, 2, 3})); }
+TEST(ObjFiles, PolygonsAreFans) { EXPECT_EQ(obj(square_points + "f 1 2 3 4").indices, (Indices{0, 1, 2, 0, 2, 3})); }
 
 TEST(ObjFiles, EverythingElseIsSkipped) {
     const scene::MeshFile mesh = obj("\xEF\xBB\xBF# a comment\r\nmtllib a.mtl\r\no thing\r\ng part\r\n"
@@ -64,17 +64,17 @@ TEST(ObjFiles, MistakesAreNamedWithTheirLine) {
     expect_refused([] { obj("v 1 nan 0\n"); }, "test.obj:1: must have a number that fits a float, got \"nan\"");
     expect_refused([] { obj("v 1e999 0 0\n"); }, "test.obj:1: must have a number that fits a float, got \"1e999\"");
     expect_refused([] { obj("v 1e39 0 0\n"); }, "test.obj:1: must have a number that fits a float, got \"1e39\"");
-    expect_refused([] { obj(square + "f 1 2\n"); },
+    expect_refused([] { obj(square_points + "f 1 2\n"); },
                    "test.obj:5: must have at least three corners in a face, got \"f\"");
-    expect_refused([] { obj(square + "f 1 2 5\n"); },
+    expect_refused([] { obj(square_points + "f 1 2 5\n"); },
                    "test.obj:5: must have the index of one of the 4 vertices so far, got \"5\"");
-    expect_refused([] { obj(square + "f 0 1 2\n"); },
+    expect_refused([] { obj(square_points + "f 0 1 2\n"); },
                    "test.obj:5: must have the index of one of the 4 vertices so far, got \"0\"");
-    expect_refused([] { obj(square + "f -5 1 2\n"); },
+    expect_refused([] { obj(square_points + "f -5 1 2\n"); },
                    "test.obj:5: must have the index of one of the 4 vertices so far, got \"-5\"");
-    expect_refused([] { obj(square + "f 1 x 2\n"); }, "test.obj:5: must have the index of a vertex, got \"x\"");
-    expect_refused([] { obj(square + "f 1 - 2\n"); }, "test.obj:5: must have the index of a vertex, got \"-\"");
-    expect_refused([] { obj(square + "f 1 18446744073709551617 2\n"); },
+    expect_refused([] { obj(square_points + "f 1 x 2\n"); }, "test.obj:5: must have the index of a vertex, got \"x\"");
+    expect_refused([] { obj(square_points + "f 1 - 2\n"); }, "test.obj:5: must have the index of a vertex, got \"-\"");
+    expect_refused([] { obj(square_points + "f 1 18446744073709551617 2\n"); },
                    "test.obj:5: must have the index of a vertex, got \"18446744073709551617\"");
     expect_refused([] { obj(std::string("v 0 0 \0\xff\n", 9)); },
                    "test.obj:1: must have a number that fits a float, got \"??\"");
@@ -169,7 +169,7 @@ TEST(MeshImport, AMeshIsAStaticBody) {
 }
 
 TEST(MeshImport, FlatMeshesHaveNoHull) {
-    EXPECT_THROW(scene::scene_of_mesh(obj(square + "f 1 2 3 4\n"), {}, "flat"), Error);
+    EXPECT_THROW(scene::scene_of_mesh(obj(square_points + "f 1 2 3 4\n"), {}, "flat"), Error);
     scene::MeshImport options;
     options.scale = -1.0;
     EXPECT_THROW(scene::scene_of_mesh(obj(cube), options, "cube"), Error);

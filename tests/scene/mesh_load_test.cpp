@@ -121,7 +121,7 @@ TEST(SceneMeshes, EqualGeometryIsShared) {
 }
 
 // Two triangles of a square, said in every way that the format has.
-MeshParts square(const std::string& members, int type, const std::string& indices, std::size_t count) {
+MeshParts square_parts(const std::string& members, int type, const std::string& indices, std::size_t count) {
     MeshParts parts;
     const int positions = parts.positions({0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, -1});
     parts.mesh(positions, count == 0 ? -1 : parts.accessor(parts.view(indices), type, count, "SCALAR"), members);
@@ -142,15 +142,15 @@ void expect_square_facing_up(const MeshParts& parts) {
 }
 
 TEST(SceneMeshes, TrianglesWithIndicesOfAllSizes) {
-    expect_square_facing_up(square("", 5121, packed(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}), 6));
-    expect_square_facing_up(square("", 5123, packed(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}), 6));
-    expect_square_facing_up(square("", 5125, packed(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}), 6));
+    expect_square_facing_up(square_parts("", 5121, packed(std::vector<std::uint8_t>{0, 1, 2, 0, 2, 3}), 6));
+    expect_square_facing_up(square_parts("", 5123, packed(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}), 6));
+    expect_square_facing_up(square_parts("", 5125, packed(std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}), 6));
 }
 
 TEST(SceneMeshes, StripsAndFans) {
-    expect_square_facing_up(square(R"(,"mode":5)", 5121, packed(std::vector<std::uint8_t>{0, 1, 3, 2}), 4));
-    expect_square_facing_up(square(R"(,"mode":6)", 5121, packed(std::vector<std::uint8_t>{0, 1, 2, 3}), 4));
-    expect_square_facing_up(square(R"(,"mode":6)", 0, "", 0)); // without indices
+    expect_square_facing_up(square_parts(R"(,"mode":5)", 5121, packed(std::vector<std::uint8_t>{0, 1, 3, 2}), 4));
+    expect_square_facing_up(square_parts(R"(,"mode":6)", 5121, packed(std::vector<std::uint8_t>{0, 1, 2, 3}), 4));
+    expect_square_facing_up(square_parts(R"(,"mode":6)", 0, "", 0)); // without indices
 }
 
 TEST(SceneMeshes, InterleavedVertices) {

@@ -42,13 +42,12 @@ class MjcfFiles : public testing::Test {
     fs::path above_, folder_;
 };
 
-const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-const std::string ball = "<body name=\"b\"><freejoint/><geom size=\".1\"/></body>";
+const std::string ball_body = "<body name=\"b\"><freejoint/><geom size=\".1\"/></body>";
 
 TEST_F(MjcfFiles, IncludedElementsStandWhereTheIncludeStands) {
     write("parts/bodies.xml", "<mujocoinclude><body name=\"c\" pos=\"0 0 5\"><freejoint/><geom class=\"k\"/></body>"
                               "<include file=\"parts/more.xml\"/></mujocoinclude>");
-    write("parts/more.xml", "<mujoco>" + ball + "</mujoco>");
+    write("parts/more.xml", "<mujoco>" + ball_body + "</mujoco>");
     write("defaults.xml", "<mujoco><default><default class=\"k\"><geom size=\".3\"/></default></default></mujoco>");
     const Scene scene =
         load("<include file=\"defaults.xml\"/><worldbody><include file=\"parts/bodies.xml\"/></worldbody>");
@@ -58,8 +57,8 @@ TEST_F(MjcfFiles, IncludedElementsStandWhereTheIncludeStands) {
 }
 
 TEST_F(MjcfFiles, NothingOutsideOfTheFolderIsRead) {
-    std::ofstream(above_ / "secret.xml") << "<mujoco>" + ball + "</mujoco>";
-    std::ofstream(above_ / "secret.obj") << tetrahedron;
+    std::ofstream(above_ / "secret.xml") << "<mujoco>" + ball_body + "</mujoco>";
+    std::ofstream(above_ / "secret.obj") << tetrahedron_file;
     fs::create_symlink(above_ / "secret.xml", folder_ / "link.xml");
     fs::create_symlink(above_ / "secret.obj", folder_ / "link.obj");
     fs::create_directory_symlink(above_, folder_ / "way_out");
@@ -77,7 +76,7 @@ TEST_F(MjcfFiles, NothingOutsideOfTheFolderIsRead) {
                    "<body><freejoint/><geom type=\"mesh\" mesh=\"m\"/></body></worldbody>",
                    ErrorCode::io, "in the model's folder or below it");
     // What has its mass without it, or is only looked at, goes without it.
-    const Scene scene = load("<asset><mesh name=\"m\" file=\"../secret.obj\"/></asset><worldbody>" + ball +
+    const Scene scene = load("<asset><mesh name=\"m\" file=\"../secret.obj\"/></asset><worldbody>" + ball_body +
                              "<geom type=\"mesh\" mesh=\"m\"/></worldbody>");
     EXPECT_EQ(scene.world.bodies().size(), 1u);
     ASSERT_EQ(scene.warnings.size(), 1u);
@@ -92,7 +91,7 @@ TEST_F(MjcfFiles, IncludesThatGoRoundAreRefused) {
 }
 
 TEST_F(MjcfFiles, MissingMeshesAreLeftOutWhereTheBodyHasItsMass) {
-    write("parts/part.obj", tetrahedron);
+    write("parts/part.obj", tetrahedron_file);
     const std::string mesh = "<compiler meshdir=\"parts\"/><asset><mesh file=\"part.obj\"/><mesh name=\"gone\" "
                              "file=\"gone.stl\"/></asset>";
     const std::string geoms =
@@ -119,7 +118,7 @@ TEST_F(MjcfFiles, MissingMeshesAreLeftOutWhereTheBodyHasItsMass) {
 TEST_F(MjcfFiles, AGeomWithATornMeshIsLeftOutIfItIsOnlyLookedAt) {
     write("parts/torn.stl", "solid torn\nfacet\n");
     const auto model = [](const std::string& attributes) {
-        return "<asset><mesh name=\"m\" file=\"parts/torn.stl\"/></asset><worldbody>" + ball +
+        return "<asset><mesh name=\"m\" file=\"parts/torn.stl\"/></asset><worldbody>" + ball_body +
                "<geom type=\"mesh\" mesh=\"m\"" + attributes + "/></worldbody>";
     };
     const Scene scene = load(model(" contype=\"0\" conaffinity=\"0\""));
@@ -181,13 +180,13 @@ TEST_F(MjcfFiles, MistakesNameElementAttributeAndValue) {
 }
 
 TEST_F(MjcfFiles, WhatHasNoEffectIsNamed) {
-    const Scene scene = load("<worldbody><light/>" + ball +
+    const Scene scene = load("<worldbody><light/>" + ball_body +
                              "<geom size=\".1\" pos=\"3 0 0\" solref=\".02 1\" sise=\"2\"/></worldbody><tendon/>");
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0],
               "model.xml: has no effect here: elements mujoco/tendon, worldbody/light; attributes geom "
               "sise, geom solref");
-    EXPECT_TRUE(load("<worldbody>" + ball + "</worldbody>").warnings.empty());
+    EXPECT_TRUE(load("<worldbody>" + ball_body + "</worldbody>").warnings.empty());
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ using namespace cairn::scene_test;
 using scene::Scene;
 namespace fs = std::filesystem;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Scene load_model(const std::string& elements) {
     return load_text(std::string("<mujoco model=\"test\">").append(elements).append("</mujoco>"), "test.xml");
@@ -26,19 +27,9 @@ Scene load_model(const std::string& elements) {
 Scene load_bodies(const std::string& bodies, const std::string& more = "") {
     return load_model(std::string(more).append("<worldbody>").append(bodies).append("</worldbody>"));
 }
-Body body(Scene& scene, const char* name) { return scene.world.body(scene.world.find_body(name).value()); }
-JointState state(const Scene& scene, const char* name) {
-    return scene.world.joint_state(scene.world.find_joint(name).value());
-}
-void run(Scene& scene, double seconds) {
-    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(scene.info.time_step)));
-    for (int i = 0; i < steps; ++i) scene.world.step(scene.info.time_step);
-}
 std::string text(const glm::dvec3& v) {
     return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
 }
-// From the file, where z is up.
-glm::dvec3 seen(const glm::dvec3& v) { return {v.x, v.z, -v.y}; }
 
 TEST(Mjcf, GeomsHaveTheMassAndTheBoundsThatTheirSizesSay) {
     struct Case {
@@ -116,7 +107,7 @@ TEST(Mjcf, JointsStandWhereTheKeyFrameSays) {
         Scene scene = load_model("<compiler angle=\"radian\"/><option gravity=\"0 0 0\"/><worldbody>" + bodies +
                                  closing + "</worldbody><keyframe><key qpos=\"" + key + "\"/></keyframe>");
         for (const auto& [name, at] : expected) {
-            const JointState there = state(scene, name.c_str());
+            const JointState there = joint_state(scene, name.c_str());
             for (int i = 0; i < there.position_count; ++i) {
                 EXPECT_NEAR(there.positions[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(i)], 2e-5)
                     << name;
@@ -153,12 +144,13 @@ TEST(Mjcf, ServosSpringsAndMotorsDoWhatTheirNumbersSay) {
         </worldbody><actuator><position joint="servo" kp="50" kv="2" ctrlrange="-1 1" gear="2"/>
         <motor joint="motor" gear="3"/></actuator><keyframe><key ctrl="5 0.5"/></keyframe>)");
     run(scene, 0.5 * pi / 10.0); // half a swing of sqrt(400 / 4) = 10 rad/s
-    EXPECT_NEAR(state(scene, "spring").positions[0], 0.1f, 0.002f);
+    EXPECT_NEAR(joint_state(scene, "spring").positions[0], 0.1f, 0.002f);
     run(scene, 0.5 * pi / 10.0);
-    EXPECT_NEAR(state(scene, "spring").positions[0], 0.2f, 0.002f);
-    EXPECT_NEAR(state(scene, "motor").positions[0], 0.5 * 1.5 / 2.0 * std::pow(pi / 10.0, 2.0), 0.001);
+    EXPECT_NEAR(joint_state(scene, "spring").positions[0], 0.2f, 0.002f);
+    EXPECT_NEAR(joint_state(scene, "motor").positions[0], 0.5 * 1.5 / 2.0 * std::pow(pi / 10.0, 2.0), 0.001);
     run(scene, 5.0);
-    EXPECT_NEAR(state(scene, "servo").positions[0], 0.5f, 0.001f); // the control is cut to 1, and the gear halves it
+    EXPECT_NEAR(joint_state(scene, "servo").positions[0], 0.5f,
+                0.001f); // the control is cut to 1, and the gear halves it
 }
 
 TEST(Mjcf, AnArmatureSlowsAHingeAsARotorWould) {
@@ -180,7 +172,7 @@ TEST(Mjcf, AnArmatureSlowsAHingeAsARotorWould) {
 TEST(Mjcf, WhatBeginsOutsideOfItsRangeBeginsAtItsEnd) {
     Scene scene = load_model(R"(<worldbody><body name="b"><joint name="j" axis="0 1 0" range="30 100" armature="1"/>
         <geom type="capsule" fromto="0 0 0 .5 0 0" size=".05" contype="0"/></body></worldbody>)");
-    EXPECT_NEAR(state(scene, "j").positions[0], pi / 6, 1e-5);
+    EXPECT_NEAR(joint_state(scene, "j").positions[0], pi / 6, 1e-5);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("outside of its range at the start"), std::string::npos) << scene.warnings[0];
     scene.world.step(0.01f);

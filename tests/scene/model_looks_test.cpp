@@ -202,7 +202,7 @@ TEST_F(ModelLooks, OfObjFilesThatMakeNoSenseChangeNoTriangles) {
     }
 }
 
-const std::string square = R"((prepend apiSchemas = ["MaterialBindingAPI"]) {
+const std::string square_prim = R"((prepend apiSchemas = ["MaterialBindingAPI"]) {
     point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0)]
     int[] faceVertexCounts = [4]
     int[] faceVertexIndices = [0, 1, 2, 3]
@@ -216,7 +216,7 @@ TEST_F(ModelLooks, OfUsdAreThoseOfPreviewSurfaces) {
         float inputs:metallic = 1
         color3f inputs:emissiveColor = (0, 0, 0.5)
         token outputs:surface })",
-                            square + "}");
+                            square_prim + "}");
     ASSERT_EQ(plain.visuals.size(), 1u);
     EXPECT_EQ(plain.visuals[0].color, Vec3(1.0f, 0.5f, 0.25f));
     ASSERT_TRUE(plain.visuals[0].finish);
@@ -234,7 +234,7 @@ TEST_F(ModelLooks, OfUsdAreThoseOfPreviewSurfaces) {
                        R"(@
             token inputs:wrapS = "mirror"
             float3 outputs:rgb })",
-                   square + places + "}");
+                   square_prim + places + "}");
     };
     // Of the corners of the face, of its points, and by indices.
     for (const char* places : {"texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 0.75)]",
@@ -276,7 +276,7 @@ TEST_F(ModelLooks, OfUsdAreThoseOfPreviewSurfaces) {
 
 // A body that touches shows its texture, too, and touches as before.
 TEST_F(ModelLooks, OfUsdBodiesAreShownInPlaceOfTheirShapes) {
-    std::string body = square;
+    std::string body = square_prim;
     body.replace(body.find("\"MaterialBindingAPI\""), 20, "\"PhysicsCollisionAPI\"");
     const Scene scene = usd(R"(def Shader "surface" { uniform token info:id = "UsdPreviewSurface"
         color3f inputs:diffuseColor.connect = </paint/picture.outputs:rgb>

@@ -3,6 +3,10 @@
 
 #include "scene/scene.h"
 
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -38,9 +42,30 @@ inline std::string node(const std::string& members, const std::string& physics) 
     return "{" + members + R"("extensions":{"KHR_physics_rigid_bodies":{)" + physics + "}}}";
 }
 
+// Of a scene that was loaded from a model.
+inline Body body(const scene::Scene& scene, const char* name) {
+    return scene.world.body(scene.world.find_body(name).value());
+}
+inline JointState joint_state(const scene::Scene& scene, const char* name) {
+    return scene.world.joint_state(scene.world.find_joint(name).value());
+}
+inline void run(scene::Scene& scene, double seconds) {
+    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(scene.info.time_step)));
+    for (int i = 0; i < steps; ++i) scene.world.step(scene.info.time_step);
+}
+// From the file, where z is up.
+inline glm::dvec3 seen(const glm::dvec3& v) { return {v.x, v.z, -v.y}; }
+inline void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-5) {
+    EXPECT_LT(glm::length(a - b), tolerance)
+        << a.x << " " << a.y << " " << a.z << ", and " << b.x << " " << b.y << " " << b.z;
+}
+
 inline const std::string sphere = R"("collider":{"geometry":{"shape":0}})";
 inline const std::string box = R"("collider":{"geometry":{"shape":1}})";
 inline const std::string plane = R"("collider":{"geometry":{"shape":2}})";
+
+// An OBJ file.
+inline const std::string tetrahedron_file = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 inline scene::Scene load_nodes(const std::string& nodes, const std::string& roots = "0") {
     Parts parts;

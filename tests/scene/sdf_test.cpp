@@ -23,18 +23,8 @@ Scene load_sdf(const std::string& elements) { return load_text(document(elements
 Scene load_world(const std::string& elements) {
     return load_sdf(std::string("<world name=\"w\">").append(elements).append("</world>"));
 }
-Body body(Scene& scene, const char* name) { return scene.world.body(scene.world.find_body(name).value()); }
-void run(Scene& scene, double seconds) {
-    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(scene.info.time_step)));
-    for (int i = 0; i < steps; ++i) scene.world.step(scene.info.time_step);
-}
-// From the file, where z is up.
-glm::dvec3 seen(const glm::dvec3& v) { return {v.x, v.z, -v.y}; }
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-5) {
-    EXPECT_LT(glm::length(a - b), tolerance)
-        << a.x << " " << a.y << " " << a.z << " and " << b.x << " " << b.y << " " << b.z;
-}
-const std::string ball = "<collision name=\"c\"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>";
+const std::string ball_collision =
+    "<collision name=\"c\"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>";
 
 TEST(Sdf, PosesAreRelativeToWhatTheyName) {
     Scene scene =
@@ -123,7 +113,8 @@ TEST(Sdf, FixedLinksAreOneBodyAndModelsDoNotTouchThemselves) {
     const std::string inertial = "<inertial><mass>1</mass></inertial>";
     const auto model = [&](const std::string& name, const std::string& more, const std::string& at) {
         return "<model name=\"" + name + "\"><pose>" + at + " 0 0 0</pose>" + more + "<link name=\"a\">" + inertial +
-               ball + "</link><link name=\"b\"><pose>0.15 0 0 0 0 0</pose>" + inertial + ball + "</link></model>";
+               ball_collision + "</link><link name=\"b\"><pose>0.15 0 0 0 0 0</pose>" + inertial + ball_collision +
+               "</link></model>";
     };
     Scene scene = load_world(
         "<gravity>0 0 0</gravity>" + model("plain", "", "0 0 0") +
@@ -172,8 +163,8 @@ TEST(Sdf, PhysicsSetsTheStepAndGravityIsTurned) {
 }
 
 TEST(Sdf, WhatIsSavedAsGltfFallsTheSame) {
-    Scene scene = load_world("<model name=\"m\"><pose>0 0 1 0.3 0.2 0.1</pose><link name=\"a\">" + ball +
-                             "</link><link name=\"b\"><pose>1 0 0 0 0 0</pose>" + ball +
+    Scene scene = load_world("<model name=\"m\"><pose>0 0 1 0.3 0.2 0.1</pose><link name=\"a\">" + ball_collision +
+                             "</link><link name=\"b\"><pose>1 0 0 0 0 0</pose>" + ball_collision +
                              R"(</link><joint name="j" type="ball"><parent>a</parent><child>b</child></joint></model>
         <model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane/></geometry>
         </collision></link></model>)");

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace {
 using namespace cairn;
 using scene::Scene;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 const double gravity = double(9.81f);
 
 class ShapeScene : public testing::Test {

@@ -16,8 +16,6 @@ using namespace cairn;
 using scene::Scene;
 namespace fs = std::filesystem;
 
-const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
 // A robot of one link with these elements. It weighs what its shapes do, so that none may be missing.
 std::string robot(const std::string& elements) {
     return "<robot name=\"r\"><link name=\"a\">" + elements + "</link></robot>";
@@ -29,7 +27,7 @@ TEST(UrdfFiles, MeshesAreFoundInTheirPackage) {
     fs::create_directories(package / "urdf");
     fs::create_directories(package / "meshes");
     std::ofstream(package / "package.xml") << "<package/>";
-    std::ofstream(package / "meshes" / "part.obj") << tetrahedron;
+    std::ofstream(package / "meshes" / "part.obj") << tetrahedron_file;
     std::ofstream(package.parent_path() / "outside.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const auto load = [&](const std::string& filename) {
         const std::string mesh = "<geometry><mesh filename=\"" + filename + "\" scale=\"2 2 -2\"/></geometry>";
@@ -68,8 +66,8 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
     const fs::path robots = above / "robots";
     fs::remove_all(above);
     fs::create_directories(robots / "meshes");
-    std::ofstream(above / "secret.obj") << tetrahedron;
-    std::ofstream(robots / "meshes" / "own.obj") << tetrahedron;
+    std::ofstream(above / "secret.obj") << tetrahedron_file;
+    std::ofstream(robots / "meshes" / "own.obj") << tetrahedron_file;
     fs::create_symlink(above / "secret.obj", robots / "link.obj");
     fs::create_directory_symlink(above, robots / "way_out");
     const auto load = [&](const std::string& filename) {
@@ -129,9 +127,9 @@ class UrdfPackage : public testing::Test {
         fs::remove_all(above_);
         fs::create_directories(above_ / "own" / "meshes");
         std::ofstream(above_ / "own" / "package.xml") << "<package/>";
-        std::ofstream(above_ / "own" / "meshes" / "part.obj") << tetrahedron;
+        std::ofstream(above_ / "own" / "meshes" / "part.obj") << tetrahedron_file;
         std::ofstream(above_ / "own" / "meshes" / "torn.stl") << "solid torn\nfacet\n";
-        std::ofstream(above_ / "secret.obj") << tetrahedron;
+        std::ofstream(above_ / "secret.obj") << tetrahedron_file;
     }
     void TearDown() override { fs::remove_all(above_); }
     static std::string mesh(const std::string& name) {

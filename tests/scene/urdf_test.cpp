@@ -19,21 +19,15 @@ using scene::Scene;
 using scene_test::link; // not that of POSIX
 namespace fs = std::filesystem;
 
-constexpr float dt = 1.0f / 60.0f;
-
 const std::string bounds = R"(<limit lower="-1" upper="0.5" effort="20" velocity="2"/>)";
 
 const JointDef& def(const Scene& scene, const char* name) {
     return scene.world.joint_def(scene.world.find_joint(name).value());
 }
-JointState state(const Scene& scene, const char* name) {
-    return scene.world.joint_state(scene.world.find_joint(name).value());
-}
-void run(
-    Scene& scene, double seconds, const std::function<void()>& before_step = [] {}) {
+void run_pushed(Scene& scene, double seconds, const std::function<void()>& before_step) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) {
         before_step();
-        scene.world.step(dt);
+        scene.world.step(1.0f / 60.0f);
     }
 }
 
@@ -178,7 +172,7 @@ TEST(Urdf, PositiveIsTheWayOfTheAxis) {
     body(turns, "a").set_angular_velocity({0.0f, 0.0f, 0.5f});
     run(turns, 1.0);
     EXPECT_NEAR(body(turns, "a").angular_velocity().z, 0.5f, 1e-3f);
-    EXPECT_NEAR(state(turns, "j").positions[0], 0.5f, 1e-3f);
+    EXPECT_NEAR(joint_state(turns, "j").positions[0], 0.5f, 1e-3f);
     // Any axis, under a turned origin.
     Scene slides = load_robot(link("world", "") + link("a") +
                               joint("j", "prismatic", "world", "a",
@@ -189,7 +183,7 @@ TEST(Urdf, PositiveIsTheWayOfTheAxis) {
     body(slides, "a").set_linear_velocity(2.0f * along);
     run(slides, 0.5);
     const double way = glm::dot(body(slides, "a").position() - start, Position(along));
-    EXPECT_NEAR(state(slides, "j").positions[0], way, 1e-4);
+    EXPECT_NEAR(joint_state(slides, "j").positions[0], way, 1e-4);
     EXPECT_NEAR(way, 1.0 - 0.5 * 9.81 * double(along.y) * 0.25, 0.05);
 }
 
@@ -210,7 +204,7 @@ TEST(Urdf, StartsWithinItsLimits) {
         load_robot(link("world", "") + link("a") +
                    joint("j", "revolute", "world", "a",
                          R"(<axis xyz="0 0 1"/><limit lower="0.5" upper="1" effort="0" velocity="0"/>)"));
-    EXPECT_NEAR(state(scene, "j").positions[0], 0.5f, 1e-5f);
+    EXPECT_NEAR(joint_state(scene, "j").positions[0], 0.5f, 1e-5f);
 }
 
 TEST(Urdf, LimitsFrictionAndDampingAct) {
@@ -223,13 +217,13 @@ TEST(Urdf, LimitsFrictionAndDampingAct) {
     // It swings down about the file's y axis, by a positive angle, to its bound.
     Scene free = pendulum("");
     run(free, 2.0);
-    EXPECT_NEAR(state(free, "j").positions[0], 0.5f, 5e-3f);
+    EXPECT_NEAR(joint_state(free, "j").positions[0], 0.5f, 5e-3f);
     Scene rubs = pendulum(R"(<dynamics friction="12"/>)"); // more than its 9.81 N m
     run(rubs, 2.0);
-    EXPECT_NEAR(state(rubs, "j").positions[0], 0.0f, 1e-3f);
+    EXPECT_NEAR(joint_state(rubs, "j").positions[0], 0.0f, 1e-3f);
     Scene damped = pendulum(R"(<dynamics damping="98.1"/>)");
     run(damped, 2.0);
-    EXPECT_NEAR(state(damped, "j").positions[0], 0.2f, 0.02f); // creeps with 0.1 rad/s
+    EXPECT_NEAR(joint_state(damped, "j").positions[0], 0.2f, 0.02f); // creeps with 0.1 rad/s
 }
 
 TEST(Urdf, MimicJointsAreGearsWhereTheyCanBe) {
@@ -242,12 +236,12 @@ TEST(Urdf, MimicJointsAreGearsWhereTheyCanBe) {
         load_robot(world + link("a") + link("b") + turning("one", "world", "a", "0") +
                    turning("two", "world", "b", "2", R"(<mimic joint="one" multiplier="-0.5" offset="0.25"/>)"));
     EXPECT_TRUE(scene.warnings.empty());
-    EXPECT_NEAR(state(scene, "two").positions[0], 0.25f, 1e-5f);
+    EXPECT_NEAR(joint_state(scene, "two").positions[0], 0.25f, 1e-5f);
     body(scene, "a").set_angular_velocity({0.0f, 0.0f, -2.0f});
     run(scene, 1.0);
-    const float one = state(scene, "one").positions[0];
+    const float one = joint_state(scene, "one").positions[0];
     EXPECT_GT(std::fabs(one), 1.0f);
-    EXPECT_NEAR(state(scene, "two").positions[0], 0.25f - 0.5f * one, 5e-3f);
+    EXPECT_NEAR(joint_state(scene, "two").positions[0], 0.25f - 0.5f * one, 5e-3f);
 
     // Two fingers of a hand that turns: at equal rates, it drops out; at others, nothing is done.
     const std::string hand = world + link("hand") + link("a") + link("b") + turning("wrist", "world", "hand", "0") +
@@ -257,7 +251,7 @@ TEST(Urdf, MimicJointsAreGearsWhereTheyCanBe) {
     body(equal, "hand").set_angular_velocity({0.0f, 0.0f, 1.0f});
     body(equal, "a").set_angular_velocity({0.0f, 0.0f, 2.0f});
     run(equal, 1.0);
-    EXPECT_NEAR(state(equal, "two").positions[0], state(equal, "one").positions[0], 5e-3f);
+    EXPECT_NEAR(joint_state(equal, "two").positions[0], joint_state(equal, "one").positions[0], 5e-3f);
     const Scene other = load_robot(hand + turning("two", "hand", "b", "2", R"(<mimic joint="one" multiplier="-1"/>)"));
     ASSERT_EQ(other.warnings.size(), 1u);
     EXPECT_EQ(other.warnings[0].substr(0, 52), "test.urdf: joint \"two\": mimic has no effect: the lin");
@@ -379,9 +373,9 @@ TEST(Urdf, AnArmHoldsAPoseAgainstItsWeight) {
     run(arm, 5.0);
     std::array<double, 6> worst{};
     double gap = 0, max_torque = 0;
-    run(arm, 5.0, [&] {
+    run_pushed(arm, 5.0, [&] {
         for (std::size_t i = 0; i < 6; ++i) {
-            const JointState now = state(arm, names[i]);
+            const JointState now = joint_state(arm, names[i]);
             worst[i] = std::max(worst[i], std::fabs(double(now.positions[0]) - double(pose[i])) * 57.29577951);
             gap = std::max(gap, double(now.linear_error));
             max_torque = std::max(max_torque, double(glm::length(now.torque)));

@@ -23,8 +23,5 @@ inline std::string joint(const std::string& name, const std::string& type, const
     return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" +
            child + "\"/>" + more + "</joint>";
 }
-inline Body body(scene::Scene& scene, const char* name) {
-    return scene.world.body(scene.world.find_body(name).value());
-}
 
 } // namespace cairn::scene_test

@@ -17,15 +17,6 @@ Scene load_usd(const std::string& prims, const std::string& metadata = "metersPe
     text.append(metadata).append("\n)\n").append(prims);
     return load_text(text, "test.usda");
 }
-Body body(Scene& scene, const char* name) { return scene.world.body(scene.world.find_body(name).value()); }
-void run(Scene& scene, double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds * 60)); ++i) scene.world.step(1.0f / 60.0f);
-}
-glm::dvec3 seen(const glm::dvec3& v) { return {v.x, v.z, -v.y}; } // z up in the file
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-5) {
-    EXPECT_LT(glm::length(a - b), tolerance)
-        << a.x << " " << a.y << " " << a.z << ", and " << b.x << " " << b.y << " " << b.z;
-}
 const std::string rigid = R"((prepend apiSchemas = ["PhysicsRigidBodyAPI", "PhysicsCollisionAPI"]))";
 
 TEST(Usd, TransformsAndUnitsAreTakenInTheirOrder) {

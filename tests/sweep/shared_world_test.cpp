@@ -31,7 +31,7 @@ TEST_F(SharedWorld, AnyNumberOfRanksGivesTheSameStateAndTheSameFile) {
         const Result alone = cairn("run " + scene + " --every 10 --json --csv alone.csv");
         ASSERT_EQ(alone.code, 0) << alone.err;
         const auto hash = nlohmann::json::parse(alone.out)["hash"];
-        for (const std::string ranks : {"2", "3", "4"}) {
+        for (const std::string ranks : {"2", "3"}) {
             const Result result = mpirun("-n " + ranks + " \"$CAIRN\" run " + scene + " --every 10 --json --csv r.csv");
             ASSERT_EQ(result.code, 0) << result.out << result.err;
             const auto summary = nlohmann::json::parse(result.out); // one, of rank 0

@@ -18,7 +18,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 16.0f / 9.0f;
+using test::aspect;
 
 // A controller whose commands go straight to a stage, as the physics thread would pass them on.
 struct Desk {

@@ -14,8 +14,6 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 1.6f;
-
 TEST(Culling, WhatIsInThePictureIsDrawn) {
     const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(400, 0.5f)), MeshLook::terrain);
     ASSERT_GT(field.parts.size(), 30u);
@@ -30,13 +28,13 @@ TEST(Culling, WhatIsInThePictureIsDrawn) {
         const OrbitCamera camera(
             CameraPose{{place(random), height(random), place(random)}, {place(random), height(random), place(random)}});
         const auto ranges = visible_ranges(field, std::span(&instance, 1),
-                                           side_planes(camera.projection(aspect) * camera.view({0.0, 0.0, 0.0})));
+                                           side_planes(camera.projection(test::aspect) * camera.view({0.0, 0.0, 0.0})));
         std::vector<bool> is_drawn(field.triangles.indices.size());
         for (const IndexRange& range : ranges)
             for (std::size_t k = range.first; k < range.first + range.count; ++k) is_drawn[k] = true;
         for (std::size_t k = 0; k < is_drawn.size(); k += 7) {
             const Vec3 corner = field.triangles.vertices[field.triangles.indices[k]].corner;
-            const auto device = camera.project(Position(instance.position + turn * corner), aspect);
+            const auto device = camera.project(Position(instance.position + turn * corner), test::aspect);
             const bool is_seen = device && std::abs(device->x) < 1.0f && std::abs(device->y) < 1.0f;
             ASSERT_TRUE(is_drawn[k] || !is_seen);
             left_out += !is_drawn[k];
@@ -50,8 +48,9 @@ TEST(Culling, MostOfALargeFieldIsLeftOutFromNearby) {
     const OrbitCamera camera(CameraPose{{-480.0, 5.0, -480.0}, {-490.0, 2.0, -490.0}}); // looks at a corner
     const Instance instance;
     std::size_t drawn = 0;
-    for (const IndexRange& range : visible_ranges(
-             field, std::span(&instance, 1), side_planes(camera.projection(aspect) * camera.view({0.0, 0.0, 0.0}))))
+    for (const IndexRange& range :
+         visible_ranges(field, std::span(&instance, 1),
+                        side_planes(camera.projection(test::aspect) * camera.view({0.0, 0.0, 0.0}))))
         drawn += range.count;
     EXPECT_GT(drawn, 0u);
     EXPECT_LT(drawn, field.triangles.indices.size() / 20);

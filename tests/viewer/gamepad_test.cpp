@@ -15,9 +15,9 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 16.0f / 9.0f, frame = 1.0f / 60.0f;
+using test::aspect;
 
-struct Desk {
+struct PadDesk {
     Stage stage{test::load_boxes, "2"};
     std::vector<Command> posted;
     Controller controller{[this](Command command) {
@@ -27,9 +27,9 @@ struct Desk {
                           {{"2", "two"}, {"5", "five"}}};
     Gamepad pad;
 
-    Desk() { controller.update(stage.state()); }
+    PadDesk() { controller.update(stage.state()); }
     void hold(const GamepadState& state, int frames) {
-        for (int i = 0; i < frames; ++i) pad.update(state, frame, aspect, controller);
+        for (int i = 0; i < frames; ++i) pad.update(state, static_cast<float>(test::frame), aspect, controller);
     }
     template <class T> int count() const {
         int n = 0;
@@ -45,7 +45,7 @@ GamepadState with(PadButton button) {
 }
 
 TEST(Gamepad, SticksTurnAndShiftTheViewAndTriggersZoom) {
-    Desk desk;
+    PadDesk desk;
     OrbitCamera& camera = desk.controller.camera;
     const Vec3 before = camera.forward(), right = camera.right();
     GamepadState state;
@@ -74,7 +74,7 @@ TEST(Gamepad, SticksTurnAndShiftTheViewAndTriggersZoom) {
 }
 
 TEST(Gamepad, WornSticksDoNotMoveTheCamera) {
-    Desk desk;
+    PadDesk desk;
     const CameraPose before = desk.controller.camera.pose();
     GamepadState state;
     state.left_stick = {0.1f, -0.1f}, state.right_stick = {-0.1f, 0.1f};
@@ -86,7 +86,7 @@ TEST(Gamepad, WornSticksDoNotMoveTheCamera) {
 }
 
 TEST(Gamepad, ButtonsCountOncePerPressAndStepsRepeat) {
-    Desk desk;
+    PadDesk desk;
     desk.hold({}, 1);
     desk.hold(with(PadButton::a), 30);
     desk.hold({}, 1);
@@ -103,10 +103,10 @@ TEST(Gamepad, ButtonsCountOncePerPressAndStepsRepeat) {
 
 // What was down when the window had no focus, or the gamepad was plugged in, is not pressed by that.
 TEST(Gamepad, WhatIsDownWhenItComesIsNotPressed) {
-    Desk desk;
+    PadDesk desk;
     desk.hold(with(PadButton::x), 5);
     EXPECT_TRUE(desk.posted.empty());
-    desk.pad.update(std::nullopt, frame, aspect, desk.controller);
+    desk.pad.update(std::nullopt, static_cast<float>(test::frame), aspect, desk.controller);
     desk.hold(with(PadButton::x), 5);
     EXPECT_TRUE(desk.posted.empty());
     desk.hold({}, 1);

@@ -19,8 +19,6 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 1.6f;
-
 // A stage with a selected box, and a controller that looks at it.
 struct Hand {
     Stage stage{test::load_boxes, "1"};
@@ -33,9 +31,9 @@ struct Hand {
         controller.camera.set_pose({{3.0, 4.0, 8.0}, {0.0, 0.5, 0.0}});
     }
     BodyFacts facts() const { return *stage.state().inspected; }
-    glm::vec2 on_screen(const Position& point) const { return *controller.camera.project(point, aspect); }
+    glm::vec2 on_screen(const Position& point) const { return *controller.camera.project(point, test::aspect); }
     void move(const glm::vec2& cursor) {
-        controller.move_cursor(cursor, aspect);
+        controller.move_cursor(cursor, test::aspect);
         controller.update(stage.state());
     }
     // Takes the handle and moves it so far over the picture.
@@ -82,7 +80,8 @@ TEST(Gizmo, ScalesTheShapeAndItsMass) {
     ASSERT_EQ(hand.controller.gizmo.handles(hand.facts()).size(), 4u);
     const float mass = hand.facts().mass.mass;
     const auto half_size = [&] { return hand.stage.state().layout->shapes[1].half_size; };
-    hand.drag(GizmoHandle::all, {1.0f / 3.0f / aspect, 1.0f / 3.0f}); // a third of the height in all: one doubling
+    hand.drag(GizmoHandle::all,
+              {1.0f / 3.0f / test::aspect, 1.0f / 3.0f}); // a third of the height in all: one doubling
     EXPECT_NEAR(half_size().x, 1.0f, 1e-3f);
     EXPECT_NEAR(half_size().y, 1.0f, 1e-3f);
     EXPECT_NEAR(hand.facts().mass.mass, 8.0f * mass, 0.05f * mass);

@@ -30,11 +30,11 @@ LoadedScene boxes_and_a_mesh(const std::string& path) {
     return scene;
 }
 
-struct Desk {
+struct GroupDesk {
     Stage stage;
     std::vector<BodyId> boxes;
     BodyId roof;
-    explicit Desk(Savers savers = {}) : stage(boxes_and_a_mesh, "4", std::move(savers)) {
+    explicit GroupDesk(Savers savers = {}) : stage(boxes_and_a_mesh, "4", std::move(savers)) {
         stage.apply(command::SetPaused{true});
         for (const BodyLayout& body : stage.state().layout->bodies)
             if (body.type == BodyType::dynamic)
@@ -67,7 +67,7 @@ struct Desk {
 };
 
 TEST(GroupUndo, MakingAGroupIsUndoneAndRedone) {
-    Desk desk;
+    GroupDesk desk;
     desk.run(5);
     const std::uint64_t before = desk.hash();
     desk.group({0, 2});
@@ -90,7 +90,7 @@ TEST(GroupUndo, MakingAGroupIsUndoneAndRedone) {
 }
 
 TEST(GroupUndo, EndingAGroupIsUndone) {
-    Desk desk;
+    GroupDesk desk;
     desk.group({0, 1, 2});
     desk.stage.apply(command::UngroupSelected{});
     EXPECT_EQ(desk.with(1), 1u);
@@ -102,7 +102,7 @@ TEST(GroupUndo, EndingAGroupIsUndone) {
 }
 
 TEST(GroupUndo, WhatMakesNoGroupIsNothingToUndo) {
-    Desk desk;
+    GroupDesk desk;
     desk.select({0});
     desk.stage.apply(command::GroupSelected{});
     desk.stage.apply(command::UngroupSelected{});
@@ -114,7 +114,7 @@ TEST(GroupUndo, WhatMakesNoGroupIsNothingToUndo) {
 }
 
 TEST(GroupUndo, ACopiedGroupIsUndoneAsOne) {
-    Desk desk;
+    GroupDesk desk;
     desk.group({0, 1});
     const std::uint64_t before = desk.hash();
     desk.stage.apply(command::DuplicateSelected{});
@@ -128,7 +128,7 @@ TEST(GroupUndo, ACopiedGroupIsUndoneAsOne) {
 }
 
 TEST(GroupUndo, GroupsAreThoseOfTheMomentThatIsShown) {
-    Desk desk;
+    GroupDesk desk;
     desk.run(10);
     desk.group({1, 3});
     desk.run(10);
@@ -146,7 +146,7 @@ TEST(GroupUndo, GroupsAreThoseOfTheMomentThatIsShown) {
 }
 
 TEST(GroupUndo, InAnyOrderOfChangesEachUndoGivesTheStateAndTheGroupsFromBefore) {
-    Desk desk;
+    GroupDesk desk;
     std::mt19937 random(11);
     struct Known {
         std::uint64_t hash;
@@ -196,7 +196,7 @@ TEST(GroupUndo, RecordingsBranchesAndPanesGoPastIt) {
         run();
         recorded = world.state_hash();
     };
-    Desk desk(savers);
+    GroupDesk desk(savers);
     desk.stage.apply(command::SetPanes{{PaneSettings{}}});
     desk.run(5);
     desk.group({0, 1});
@@ -219,7 +219,7 @@ TEST(GroupUndo, RecordingsBranchesAndPanesGoPastIt) {
 
 // The hash of the world, what can be undone and redone, and what comes next.
 struct Everything {
-    explicit Everything(const Desk& desk)
+    explicit Everything(const GroupDesk& desk)
         : hash(desk.hash()), undoable(desk.undoable()), redoable(desk.stage.timeline().redoable().value_or("")),
           last(desk.stage.timeline().last_step()), marks(desk.stage.timeline().marks()->size()),
           bodies(desk.stage.state().layout->bodies.size()), follows(desk.stage.timeline().follows()) {}
@@ -233,7 +233,7 @@ struct Everything {
 
 TEST(EditBodies, WhereOneCannotBeChangedNoneIsAndTheReasonIsTold) {
     for (const bool is_undone : {false, true}) { // with something to redo
-        Desk desk;
+        GroupDesk desk;
         desk.stage.apply(command::EditBody{desk.boxes[0], edit::Type{BodyType::static_}});
         desk.stage.apply(command::EndChange{});
         desk.run(20);
@@ -258,7 +258,7 @@ TEST(EditBodies, WhereOneCannotBeChangedNoneIsAndTheReasonIsTold) {
 }
 
 TEST(EditBodies, ScalesThatGoTooFarChangeNoShapeAndNoColor) {
-    Desk desk;
+    GroupDesk desk;
     desk.select({0, 1});
     const auto shapes = [&] { return desk.stage.world().body(desk.boxes[0]).shapes(); };
     const std::vector<ShapeId> shapes_before = shapes();

@@ -20,7 +20,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 16.0f / 9.0f;
+using test::aspect;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // A box that hangs by a hinge from the world, 3 m up, and swings about z; beside it a box that is free.

@@ -13,17 +13,8 @@ namespace {
 
 using namespace cairn;
 using namespace cairn::viewer;
-
-void step_to(Stage& stage, std::uint64_t step) {
-    while (stage.timeline().now().step < step) stage.step();
-}
-
-void seek(Stage& stage, std::uint64_t step) {
-    stage.apply(command::SeekTo{step});
-    for (int i = 0; i < 1000 && (stage.timeline().now().step != step || stage.until_next_step() == 0.0); ++i)
-        stage.advance(0.0);
-    ASSERT_EQ(stage.timeline().now().step, step);
-}
+using test::seek;
+using test::step_to;
 
 // As the run itself, but for what a test changes.
 PaneSettings settings_of(const Stage& stage) {

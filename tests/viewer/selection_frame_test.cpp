@@ -14,15 +14,15 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr float aspect = 16.0f / 9.0f;
+using test::aspect;
 
 // Four boxes in a row 2 m apart on a plane, and the controller of a window that looks at them.
-struct Desk {
+struct FrameDesk {
     Stage stage{test::load_boxes, "4"};
     Controller controller{[this](Command command) { stage.apply(command); }, {}};
     std::vector<BodyId> boxes;
 
-    Desk() {
+    FrameDesk() {
         stage.apply(command::SetPaused{true});
         for (const BodyLayout& body : stage.state().layout->bodies)
             if (body.type == BodyType::dynamic) boxes.push_back(body.id);
@@ -51,7 +51,7 @@ struct Desk {
 
 TEST(SelectionFrame, ShiftAndADragBesideBodiesSelectWhatLiesInItAsAWhole) {
     for (const bool answered : {true, false}) { // a slow stage learns of both ends of the drag at once
-        Desk desk;
+        FrameDesk desk;
         const Position eye = desk.controller.camera.position();
         desk.span(desk.high(), desk.low(), answered); // from whichever corner
         desk.let_go();
@@ -62,7 +62,7 @@ TEST(SelectionFrame, ShiftAndADragBesideBodiesSelectWhatLiesInItAsAWhole) {
 }
 
 TEST(SelectionFrame, IsShownWhileItIsSpannedAndLightsUpWhatItWouldSelect) {
-    Desk desk;
+    FrameDesk desk;
     EXPECT_FALSE(desk.controller.selection_frame());
     desk.span(desk.low(), desk.high());
     const auto frame = desk.controller.selection_frame();
@@ -78,7 +78,7 @@ TEST(SelectionFrame, IsShownWhileItIsSpannedAndLightsUpWhatItWouldSelect) {
 }
 
 TEST(SelectionFrame, AddsToWhatIsSelectedAndTakesGroupsAsAWhole) {
-    Desk desk;
+    FrameDesk desk;
     desk.stage.apply(command::SelectBody{desk.boxes[1]});
     desk.stage.apply(command::GrabBody{{{6.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
     desk.stage.apply(command::ReleaseGrab{true, true});
@@ -92,7 +92,7 @@ TEST(SelectionFrame, AddsToWhatIsSelectedAndTakesGroupsAsAWhole) {
 }
 
 TEST(SelectionFrame, AnEmptyOneSaysSoAndLeavesTheSelection) {
-    Desk desk;
+    FrameDesk desk;
     desk.stage.apply(command::SelectBody{desk.boxes[3]});
     desk.span({-0.9f, 0.9f}, {-0.6f, 0.7f});
     desk.let_go();
@@ -102,7 +102,7 @@ TEST(SelectionFrame, AnEmptyOneSaysSoAndLeavesTheSelection) {
 
 TEST(SelectionFrame, ADragThatBeginsOnABodyPullsItUpAndDown) {
     for (const bool answered : {true, false}) {
-        Desk desk;
+        FrameDesk desk;
         desk.stage.apply(command::Spawn{box_preset(), {2.0, 5.0, 0.0}}); // lies in what would be the frame
         desk.controller.update(desk.stage.state());
         desk.span(desk.seen({0.0, 0.5, 0.5}), desk.seen({5.0, 9.0, 0.0}), answered);
@@ -114,7 +114,7 @@ TEST(SelectionFrame, ADragThatBeginsOnABodyPullsItUpAndDown) {
 }
 
 TEST(SelectionFrame, WithoutShiftADragBesideBodiesOrbits) {
-    Desk desk;
+    FrameDesk desk;
     const Position eye = desk.controller.camera.position();
     desk.controller.move_cursor(desk.high(), aspect);
     desk.controller.button_down(MouseButton::left);

@@ -27,7 +27,7 @@ Corner corner(const TriangleMesh& mesh, std::size_t i) {
 }
 
 // Whether every edge is used once in each direction, where corners are told apart by their places.
-bool is_closed(const TriangleMesh& mesh) {
+bool is_closed_mesh(const TriangleMesh& mesh) {
     std::map<std::pair<Corner, Corner>, int> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k) ++edges[{corner(mesh, i + k), corner(mesh, i + (k + 1) % 3)}];
@@ -36,7 +36,7 @@ bool is_closed(const TriangleMesh& mesh) {
     });
 }
 
-double volume(const TriangleMesh& mesh) {
+double volume_of_mesh(const TriangleMesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto place = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]].corner; };
@@ -62,8 +62,8 @@ TEST(ShapeMeshes, HullsAreClosedFlatAndOutwards) {
     const TriangleMesh mesh = hull_triangles(cube);
     EXPECT_EQ(mesh.vertices.size(), 24u); // four for each face
     EXPECT_EQ(mesh.indices.size(), 36u);
-    EXPECT_TRUE(is_closed(mesh));
-    EXPECT_NEAR(volume(mesh), 8.0, 1e-4);
+    EXPECT_TRUE(is_closed_mesh(mesh));
+    EXPECT_NEAR(volume_of_mesh(mesh), 8.0, 1e-4);
     EXPECT_GT(min_agreement(mesh), 0.9999f);
 }
 
@@ -81,9 +81,9 @@ TEST(ShapeMeshes, RoundedShapesAreClosedSmoothAndFillTheirVolume) {
                   pi * 1.25 * 1.25 * 2.0 + 2.0 * pi * 0.25 + pi * (pi * 0.0625 + 4.0 / 3.0 * 0.25 * 0.0625)}};
     for (const auto& c : cases) {
         const TriangleMesh mesh = rounded_shape_triangles(c.shape);
-        EXPECT_TRUE(is_closed(mesh)) << c.shape.index();
-        EXPECT_NEAR(volume(mesh) / c.volume, 1.0, 0.012) << c.shape.index();
-        EXPECT_LT(volume(mesh), c.volume) << c.shape.index();
+        EXPECT_TRUE(is_closed_mesh(mesh)) << c.shape.index();
+        EXPECT_NEAR(volume_of_mesh(mesh) / c.volume, 1.0, 0.012) << c.shape.index();
+        EXPECT_LT(volume_of_mesh(mesh), c.volume) << c.shape.index();
         EXPECT_GT(min_agreement(mesh), 0.9f) << c.shape.index();
     }
     EXPECT_TRUE(rounded_shape_triangles(Box{}).indices.empty());
@@ -109,8 +109,8 @@ TEST(ShapeMeshes, SharpEdgesStaySharp) {
     const TriangleMesh mesh = surface_triangles(cube.vertices(), cube.indices());
     EXPECT_EQ(mesh.vertices.size(), 24u);
     EXPECT_EQ(mesh.indices.size(), 36u);
-    EXPECT_TRUE(is_closed(mesh));
-    EXPECT_NEAR(volume(mesh), 8.0, 1e-4);
+    EXPECT_TRUE(is_closed_mesh(mesh));
+    EXPECT_NEAR(volume_of_mesh(mesh), 8.0, 1e-4);
     EXPECT_GT(min_agreement(mesh), 0.9999f);
 }
 

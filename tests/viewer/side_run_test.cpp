@@ -12,17 +12,10 @@ namespace {
 
 using namespace cairn;
 using namespace cairn::viewer;
+using test::seek;
+using test::step_to;
 
 constexpr std::uint64_t parting = 10, end = 40;
-
-void step_to(Stage& stage, std::uint64_t step) {
-    while (stage.timeline().now().step < step) stage.step();
-}
-
-void seek(Stage& stage, std::uint64_t step) {
-    stage.apply(command::SeekTo{step});
-    while (stage.timeline().now().step != step) stage.advance(0.0);
-}
 
 // A box that was shot at another, and all its places.
 struct Shot {

@@ -13,7 +13,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-constexpr double frame = 1.0 / 60.0;
+using test::frame;
 
 std::size_t body_count(const Stage& stage) { return stage.state().layout->bodies.size(); }
 

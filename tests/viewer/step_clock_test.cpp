@@ -1,5 +1,7 @@
 #include "viewer/step_clock.h"
 
+#include "test_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,7 @@ namespace {
 
 using cairn::viewer::StepClock;
 
-constexpr double frame = 1.0 / 60.0;
+using test::frame;
 
 TEST(StepClock, TakesOneStepForEachStepOfRealTime) {
     StepClock clock(frame);

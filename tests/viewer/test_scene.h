@@ -5,6 +5,8 @@
 #include "viewer/scene_source.h"
 #include "viewer/stage.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +15,11 @@
 #include <vector>
 
 namespace cairn::viewer::test {
+
+/// Of a window: its width over its height.
+inline constexpr float aspect = 16.0f / 9.0f;
+/// Seconds between two pictures.
+inline constexpr double frame = 1.0 / 60.0;
 
 /// What a dynamic body at that place is made from.
 inline BodyDef body_at(const Position& position) {
@@ -90,6 +97,19 @@ inline std::vector<BodyId> some_of(const std::vector<BodyId>& bodies, std::initi
     std::vector<BodyId> some;
     for (const std::size_t i : places) some.push_back(bodies[i]);
     return some;
+}
+
+/// Steps until that step is done.
+inline void step_to(Stage& stage, std::uint64_t step) {
+    while (stage.timeline().now().step < step) stage.step();
+}
+
+/// Goes to that step of the timeline, and waits until it is there.
+inline void seek(Stage& stage, std::uint64_t step) {
+    stage.apply(command::SeekTo{step});
+    for (int i = 0; i < 1000 && (stage.timeline().now().step != step || stage.until_next_step() == 0.0); ++i)
+        stage.advance(0.0);
+    ASSERT_EQ(stage.timeline().now().step, step);
 }
 
 } // namespace cairn::viewer::test

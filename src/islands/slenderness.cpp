@@ -1,0 +1,92 @@
+#include "islands/slenderness.h"
+
+#include "bodies/bodies.h"
+#include "islands/substep_policy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+using math::DSym3;
+using math::DVec3;
+
+constexpr double slow_fall = 2;  // s: for a factor of e
+constexpr double safety = 1.3;   // at the very limit, what leans does not come back
+constexpr double of_outline = 3; // second moments of the outline of a box, over those of its inside
+
+DSym3 scaled(double s, const DSym3& m) { return {s * m.xx, s * m.xy, s * m.xz, s * m.yy, s * m.yz, s * m.zz}; }
+DSym3 diagonal(double d) { return {d, 0, 0, d, 0, d}; }
+double along(const DSym3& m, DVec3 u) { return math::dot(u, m * u); }
+
+// The second moments of a body's mass about its center, m^2.
+DSym3 own_moments(const BodyMass& mass, const BodyMotion& motion) {
+    if (mass.isotropic) return diagonal(0.5 * double(mass.inertia.x) / double(mass.mass));
+    const DSym3 i = world_inertia(motion, mass);
+    return scaled(1 / double(mass.mass), diagonal(0.5 * (i.xx + i.yy + i.zz)) + scaled(-1, i));
+}
+
+// Of a symmetric matrix in the plane across a direction: the lesser of its principal values.
+double least_across(const DSym3& m, DVec3 direction) {
+    const DVec3 some = std::fabs(direction.x) < 0.6 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
+    const DVec3 e = math::normalized(math::cross(direction, some)), f = math::cross(direction, e);
+    const double ee = along(m, e), ff = along(m, f), ef = math::dot(e, m * f);
+    return 0.5 * (ee + ff) - std::sqrt(0.25 * (ee - ff) * (ee - ff) + ef * ef);
+}
+
+// `own`, `upward`: the moments of a body about its center in the mean, of which follow how far it reaches across and
+// how far contacts are apart; how far it reaches along the pull.
+float sinking_of(const Extent& extent, const DSym3& own, const DSym3& upward) {
+    const double pull = math::length(extent.pull);
+    if (!(pull > 0)) return nothing_can_buckle;
+    const DVec3 up = (-1 / pull) * extent.pull, middle = (1 / extent.count) * extent.sum;
+    const DSym3 places = scaled(1 / extent.count, extent.squares) + scaled(-1, squared(middle));
+    const double height = std::sqrt(12 * along(places + upward, up));
+    const double center = math::dot(up, (1 / extent.mass) * extent.moment - middle) + 0.5 * height;
+    const double least = least_across(places + scaled(of_outline, own), up);
+    // A rod that stands on one end falls by a factor of e in sqrt(2 H / 3 g).
+    const double fall = height * extent.mass / (1.5 * pull), needed = 1 - fall / (slow_fall * slow_fall);
+    if (!(least > 0 && height > 0 && center > 0 && needed > 0)) return nothing_can_buckle;
+    constexpr double euler = 3.14159265358979 * 3.14159265358979 / 4, greenhill = 3.92;
+    const double top_heavy = std::clamp(2 * center / height - 1, 0.0, 1.0);
+    const double strain = (greenhill + top_heavy * (euler - greenhill)) * least / (height * center * needed * safety);
+    // Demands of what is narrow are greater by as much (demand_of).
+    const double distance = std::max(std::sqrt(12 * along(own, up)), double(usual_width));
+    return float(strain * distance);
+}
+
+} // namespace
+
+void add_to_extent(Extent& extent, const Extent& more) {
+    extent.count += more.count;
+    extent.mass += more.mass;
+    extent.sum += more.sum;
+    extent.moment += more.moment;
+    extent.pull += more.pull;
+    extent.squares = extent.squares + more.squares;
+    extent.least += more.least;
+    extent.greatest += more.greatest;
+}
+
+float least_stable_sinking(const Extent& extent) {
+    return sinking_of(extent, diagonal(std::max(extent.least / extent.count, 0.0)),
+                      diagonal(extent.greatest / extent.count));
+}
+
+float stable_sinking(const Bodies& bodies, const Island& island, const BodyWeights& weights) {
+    Extent extent;
+    DSym3 own;
+    const DVec3 origin = bodies.motion[island.first_body].x;
+    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+        if (!(bodies.mass[b].inverse_mass > 0)) continue;
+        add_to_extent(extent, bodies.mass[b], bodies.motion[b], origin, weights.pull(b));
+        own = own + own_moments(bodies.mass[b], bodies.motion[b]);
+    }
+    if (!(extent.count > 0)) return nothing_can_buckle;
+    own = scaled(1 / extent.count, own);
+    return sinking_of(extent, own, own);
+}
+
+} // namespace cairn
