@@ -8,11 +8,10 @@
 //
 //     n = max(usual, share x sqrt(demand)),    demand in m/s^2,
 //
-// and at least as many as keep it from buckling (slenderness.h),
 // where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
-// of n. That is for a step of 1/60 s: what counts is how long a substep is, so shorter steps take fewer in proportion,
-// longer ones more. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md
-// has the measurements.
+// of n; and at least as many as keep what stands from buckling (slenderness.h). That is for a step of 1/60 s: what
+// counts is how long a substep is, so shorter steps take fewer in proportion, longer ones more. It looks at the scene
+// alone, so that results do not depend on threads. docs/decisions/substeps.md has the measurements.
 #pragma once
 
 #include "bodies/integrators.h"

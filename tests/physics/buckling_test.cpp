@@ -43,8 +43,8 @@ TEST(Buckling, ColumnsWallsAndPyramidsOfAnySizeStandAwake) {
 
 // A column of n cubes of side a, pressed by its own weight, buckles if its contacts are softer than Greenhill's law
 // says. One of two cubes of mass m is a spring of m omega^2 / 2, with omega = 2 pi 7.5 Hz for each substep of 1/60 s
-// from 8 on, at four corners, a / 2 from the middle: E I = m omega^2 a^3 / 8. It stands if q H^3 < 7.84 E I, with q = m
-// g / a.
+// from 8 on, at four corners, a / 2 from the middle: E I = m omega^2 a^3 / 8. It stands if q H^3 < 7.84 E I, with the
+// weight q = m g / a of a meter.
 TEST(Buckling, BeginsWhereTheTheoryOfColumnsHasIt) {
     for (const auto& [count, side] : {std::pair{20, 0.05}, {20, 0.025}, {30, 0.1}, {40, 0.2}}) {
         const double omega = std::sqrt(8 * 9.81 * count * count * count / (7.84 * side)), exact = omega / (15 * pi);
