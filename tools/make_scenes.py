@@ -9,6 +9,7 @@ Lengths are in meters, masses in kg, densities in kg/m^3, angles in degrees; y i
 import pathlib
 import sys
 
+import scenes_of_bicycles as bicycles
 import scenes_of_boxes as boxes
 import scenes_of_joints as hung
 import scenes_of_machines as machines
@@ -54,6 +55,7 @@ SCENES = [
     ("35_stroll", machines.stroll),
     ("36_harbor", water.harbor),
     ("37_arches", masonry.arches),
+    ("38_bicycles", bicycles.bicycles),
     ("welcome", boxes.welcome),
 ]
 

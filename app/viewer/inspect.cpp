@@ -82,6 +82,7 @@ struct CarryOut {
         }
         body.wake();
     }
+    void operator()(const edit::Enabled& enabled) { body.set_enabled(enabled.on); }
     void operator()(const edit::Surface& surface) {
         std::vector<BodyId> bodies{body.id()};
         if (surface.also_what_it_touches)
@@ -95,6 +96,7 @@ struct CarryOut {
 
 struct EditNames {
     const char* operator()(const edit::Trigger&) const { return "trigger"; }
+    const char* operator()(const edit::Enabled&) const { return "enable or disable a body"; }
     const char* operator()(const edit::Name&) const { return "name of a body"; }
     const char* operator()(const edit::Type&) const { return "type of a body"; }
     const char* operator()(const edit::Mass&) const { return "mass of a body"; }
@@ -108,7 +110,9 @@ struct EditNames {
 
 } // namespace
 
-bool can_be_pushed(const Body& body) { return body.type() == BodyType::dynamic && std::isfinite(body.mass()); }
+bool can_be_pushed(const Body& body) {
+    return body.type() == BodyType::dynamic && std::isfinite(body.mass()) && body.enabled();
+}
 
 std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_length) {
     if (!id || !world.is_valid(id)) return std::nullopt;
@@ -125,7 +129,8 @@ std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_l
     facts.velocity = body.linear_velocity();
     facts.turning = body.angular_velocity();
     facts.is_awake = body.is_awake();
-    if (facts.type == BodyType::dynamic && std::isfinite(facts.mass.mass)) {
+    facts.is_enabled = body.enabled();
+    if (can_be_pushed(body)) {
         const double mass = double(facts.mass.mass);
         facts.linear_energy = 0.5 * mass * double(glm::dot(facts.velocity, facts.velocity));
         facts.angular_energy = body.kinetic_energy() - facts.linear_energy;
@@ -170,6 +175,7 @@ BodyId duplicate(World& world, BodyId id, const Position& shift, std::vector<Sha
     def.allow_sleep = body.allow_sleep();
     def.name = body.name();
     def.user_data = body.user_data();
+    def.enabled = body.enabled();
     if (def.type == BodyType::dynamic) def.mass_properties = body.mass_properties();
     const std::vector<ShapeId> shapes = body.shapes();
     const BodyId copy = world.create_body(def);

@@ -28,6 +28,7 @@ struct BodyFacts {
     MassProperties mass;
     Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Of its frame, of its mass.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    bool is_enabled = true;
     bool is_trigger = false;                                                  ///< All its shapes are.
     bool can_be_stretched = false;                                            ///< Scaled along one axis alone.
     Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f};               ///< m/s, rad/s
@@ -46,7 +47,7 @@ struct BodyFacts {
 /// Nothing if there is no such body.
 std::optional<BodyFacts> read_facts(const World& world, BodyId body, double step_length);
 
-/// Whether forces move it: dynamic, and of finite mass.
+/// Whether forces move it: dynamic, of finite mass, and enabled.
 bool can_be_pushed(const Body& body);
 
 /// Surfaces of which somebody has measured the friction: that between two bodies that both have it.
@@ -95,11 +96,14 @@ struct Surface {
 struct Trigger {
     bool on = true; ///< All its shapes touch nothing, and report what comes in.
 };
+struct Enabled {
+    bool on = true;
+};
 
 } // namespace edit
 
 using BodyEdit = std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Pose, edit::Scale, edit::Velocity,
-                              edit::Turning, edit::Surface, edit::Trigger>;
+                              edit::Turning, edit::Surface, edit::Trigger, edit::Enabled>;
 const char* name_of(const BodyEdit& edit); ///< For undoing it.
 /// Throws as the calls of `Body` do.
 void carry_out(World& world, BodyId body, const BodyEdit& edit);

@@ -55,6 +55,14 @@ void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
         controller.post(command::EditBody{facts.id, edit::Trigger{is_trigger}});
     note_place(controller, "inspector.trigger");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("touches nothing, and reports what comes in and leaves");
+    ImGui::SameLine();
+    bool is_enabled = facts.is_enabled;
+    if (ImGui::Checkbox("enabled", &is_enabled))
+        controller.post(command::EditBody{facts.id, edit::Enabled{is_enabled}});
+    note_place(controller, "inspector.enabled");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("what is disabled takes no part in the world: it stands still as an outline, and its joints "
+                          "do not act");
     if (facts.type != BodyType::dynamic) return;
     if (ImGui::SliderFloat("mass", &edited_.mass.mass, 0.01f, 1e5f, "%.4g kg", ImGuiSliderFlags_Logarithmic) &&
         edited_.mass.mass > 0.0f)
@@ -82,7 +90,7 @@ void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
     fact("energy of moving", "%.4g J", facts.linear_energy);
     fact("energy of turning", "%.4g J", facts.angular_energy);
     fact("potential energy", "%.4g J", facts.potential_energy);
-    fact("state", facts.is_awake ? "awake" : "asleep", 0.0);
+    fact("state", !facts.is_enabled ? "disabled" : facts.is_awake ? "awake" : "asleep", 0.0);
 }
 
 void Inspector::draw_surface(const BodyFacts& facts, Controller& controller) {

@@ -87,6 +87,8 @@ Vec3 surface_color() { return linear_color(0xa89d89); }
 
 Vec3 trigger_color() { return linear_color(0xe8f4ff); }
 
+Vec3 disabled_color() { return linear_color(0x9aa0a6); }
+
 Vec3 terrain_color() { return linear_color(0x78836a); }
 
 Vec3 shape_color(ShapeType type) {

@@ -41,9 +41,10 @@ Vec3 selection_color();
 Vec3 static_color();
 Vec3 sleeping_color();
 Vec3 ground_color();
-Vec3 surface_color(); ///< Of triangle meshes.
-Vec3 trigger_color(); ///< Of lines.
-Vec3 terrain_color(); ///< Of the level parts of height fields.
+Vec3 surface_color();  ///< Of triangle meshes.
+Vec3 trigger_color();  ///< Of lines.
+Vec3 disabled_color(); ///< Of lines.
+Vec3 terrain_color();  ///< Of the level parts of height fields.
 
 /// A color for every kind of shape; planes have that of static bodies.
 Vec3 shape_color(ShapeType type);

@@ -96,15 +96,18 @@ Instance instance_at(const Position& position, const Quat& rotation, const Posit
     return instance;
 }
 
-// The edges of the box around a trigger: nothing there can be touched, so nothing solid is drawn.
-void add_trigger(RenderFrame& frame, const ShapeLayout& shape, const Position& position, const Quat& rotation) {
+// The edges of the box around a trigger, or what is disabled: nothing there can be touched, so nothing solid is drawn.
+// Planes have none.
+void add_outline(RenderFrame& frame, const ShapeLayout& shape, const Position& position, const Quat& rotation,
+                 const Vec3& color) {
+    if (shape.type == ShapeType::plane) return;
     const auto corner = [&](int i) {
         const Vec3 signs(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
         return Vec3(position - frame.origin) + rotation * (shape.bound_center + signs * shape.bound_extent);
     };
     for (int i = 0; i < 8; ++i)
         for (const int axis : {1, 2, 4})
-            if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), trigger_color()});
+            if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), color});
 }
 
 // The poses of a picture's bodies between two motions.
@@ -330,12 +333,16 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
     if (options.visuals)
         for (const VisualLayout& visual : layout.visuals)
-            add_visual(frame, frame.origin, visual, layout, current, transforms, options);
+            if (!visual.body || layout.bodies[*visual.body].is_enabled)
+                add_visual(frame, frame.origin, visual, layout, current, transforms, options);
     for (const ShapeLayout& shape : layout.shapes) {
-        if (is_covered(layout, shape, options)) continue;
+        const BodyLayout& body = layout.bodies[shape.body];
+        if (body.is_enabled && is_covered(layout, shape, options)) continue;
         const Transform pose = pose_of(shape, transforms[shape.body]);
-        if (shape.is_trigger) {
-            if (shape.type != ShapeType::plane) add_trigger(frame, shape, pose.position, pose.rotation);
+        if (shape.is_trigger || !body.is_enabled) {
+            const Vec3 color = !body.is_enabled ? disabled_color() : trigger_color();
+            add_outline(frame, shape, pose.position, pose.rotation,
+                        is_highlighted(body.id, options) ? selection_color() : color);
             continue;
         }
         const Vec3 color = color_of(layout, current, shape, options.colors);

@@ -144,7 +144,8 @@ std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t index
 std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& layout) {
     std::unordered_map<BodyId, std::uint32_t> dynamic_bodies;
     for (std::size_t i = 0; i < layout.bodies.size(); ++i)
-        if (layout.bodies[i].type == BodyType::dynamic) dynamic_bodies.emplace(layout.bodies[i].id, std::uint32_t(i));
+        if (layout.bodies[i].type == BodyType::dynamic && layout.bodies[i].is_enabled)
+            dynamic_bodies.emplace(layout.bodies[i].id, std::uint32_t(i));
     std::vector<std::uint32_t> parents(layout.bodies.size());
     std::iota(parents.begin(), parents.end(), 0u);
     const auto join = [&](BodyId body_a, BodyId body_b) {
@@ -186,7 +187,7 @@ WorldLayout read_layout(const World& world, std::span<const Appearance> appearan
             const auto color = colors.find(shape);
             if (color != colors.end()) layout.shapes.back().color = color->second;
         }
-        layout.bodies.push_back({id, body.type(), mass, body.name(), false});
+        layout.bodies.push_back({id, body.type(), mass, body.name(), body.enabled(), false});
     }
     meshes.drop_unused();
     add_visuals(layout, mesh_list, visuals);

@@ -39,6 +39,7 @@ struct BodyLayout {
     BodyType type = BodyType::dynamic;
     float mass = 0.0f; ///< kg; infinite for static and kinematic bodies.
     std::string name;
+    bool is_enabled = true;
     bool has_visuals = false; ///< Is shown by `WorldLayout::visuals` instead of by its shapes, where those are shown.
 };
 

@@ -47,6 +47,7 @@ struct BodyDef {
     std::optional<MassProperties> mass_properties{}; ///< Overrides mass and shapes altogether.
     std::string name{};                              ///< For people; need not be unique.
     std::uint64_t user_data = 0;                     ///< Not touched by the engine.
+    bool enabled = true;                             ///< false: it takes no part in the world until it is enabled.
 };
 
 /// A light accessor to one body of a world. Cheap to copy and to make (`world.body(id)`); it stays usable as
@@ -77,6 +78,7 @@ class Body {
     float angular_damping() const;
     bool is_awake() const; ///< Static bodies never are; kinematic ones are while they move.
     bool allow_sleep() const;
+    bool enabled() const;
     std::vector<ShapeId> shapes() const;
 
     /// Teleports the body: velocities stay, contacts are found anew.
@@ -91,6 +93,12 @@ class Body {
     void set_damping(float linear, float angular);
     void set_allow_sleep(bool allow);
     void set_type(BodyType type);
+    /// Takes a body out of the world and puts it back, with its shapes, joints and handles as they are: for what is
+    /// used again and again, or not yet. What is disabled does not move and keeps its velocities; nothing touches it,
+    /// queries do not see it, its joints do not act, and energies and momenta are without it. All of it may be changed,
+    /// but nothing can push it: forces and impulses are refused (wrong_state). What it touched ends with a ContactEnd,
+    /// and wakes; where it is put back into something, it is pushed out as what is made there.
+    void set_enabled(bool enabled);
     void set_name(std::string_view name);
     /// Replaces the mass properties; they no longer follow the shapes. Dynamic bodies only.
     void set_mass_properties(const MassProperties& properties);

@@ -203,6 +203,17 @@ class Body:
     @allow_sleep.setter
     def allow_sleep(self, value: bool) -> None: ...
     @property
+    def enabled(self) -> bool:
+        """Whether it takes part in the world. Setting: Takes a body out of the world and puts it back, with its shapes,
+        joints and handles as they are: for what is used again and again, or not yet. What is disabled does not move and
+        keeps its velocities; nothing touches it, queries do not see it, its joints do not act, and energies and momenta
+        are without it. All of it may be changed, but nothing can push it: forces and impulses are refused
+        (wrong_state). What it touched ends with a ContactEnd, and wakes; where it is put back into something, it is
+        pushed out as what is made there.
+        """
+    @enabled.setter
+    def enabled(self, value: bool) -> None: ...
+    @property
     def shapes(self) -> list[ShapeId]:
         """Its shapes, oldest first."""
     def set_transform(self, position: Vector, rotation: Vector) -> None:

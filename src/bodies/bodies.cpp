@@ -47,7 +47,7 @@ void set_mass(Bodies& bodies, Joints& joints, std::int32_t body, const MassPrope
     mass.mass = properties.mass;
     mass.inertia = {p.x, p.y, p.z};
     mass.principal = math::normalized(math::Quat{q.x, q.y, q.z, q.w});
-    const bool dynamic = bodies.is_dynamic(body);
+    const bool dynamic = bodies.settings[body].own_type == BodyType::dynamic;
     mass.inverse_mass = dynamic ? reciprocal(mass.mass) : 0;
     mass.inverse_inertia = dynamic ? math::Vec3{reciprocal(p.x), reciprocal(p.y), reciprocal(p.z)} : math::Vec3{};
     if (bodies.links[body].first_joint != none) ++joints.changes;
@@ -81,7 +81,7 @@ void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int
         const math::Quat axes = math::to_float(principal.axes);
         properties.mass = float(scale * sum.mass);
         // What is moved by hand turns about its origin: no mass of it takes part.
-        if (bodies.settings[body].type != BodyType::kinematic)
+        if (bodies.settings[body].own_type != BodyType::kinematic)
             properties.center_of_mass = {float(sum.center.x), float(sum.center.y), float(sum.center.z)};
         properties.inertia_diagonal = {float(moments.x), float(moments.y), float(moments.z)};
         properties.inertia_orientation = {axes.w, axes.x, axes.y, axes.z};

@@ -36,6 +36,7 @@ void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
     const float turn = turn_reach(bodies, b, dt);
     bodies.boxes_until[b] = bodies.travel[b];
     place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) {
+        if (!bodies.is_enabled(b)) return;
         const ShapePose& pose = shapes.poses[shape];
         if (shapes.geometry[shape].type == ShapeType::plane)
             broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
@@ -152,6 +153,7 @@ void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase
 
 void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
     const std::int32_t body = shapes.links[shape].body;
+    if (!bodies.is_enabled(body)) return broad_phase.make_room(shape);
     bodies.boxes_until[body] = bodies.travel[body];
     const BodyType type = bodies.settings[body].type;
     const bool is_trigger = shapes.traits[shape].is_trigger != 0;
@@ -169,6 +171,7 @@ void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, st
 
 void renew_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
     const std::int32_t body = shapes.links[shape].body;
+    if (!bodies.is_enabled(body)) return;
     bodies.boxes_until[body] = bodies.travel[body];
     if (shapes.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = shapes.poses[shape];

@@ -118,7 +118,8 @@ void move_character(const CharacterContext& c, std::size_t index, CharacterScrat
 } // namespace
 
 void move_characters(const CharacterContext& context, CharacterScratch& scratch, float dt) {
-    for (std::size_t i = 0; i < context.characters.all.size(); ++i) move_character(context, i, scratch, double(dt));
+    for (std::size_t i = 0; i < context.characters.all.size(); ++i)
+        if (context.bodies.is_enabled(context.characters.all[i].body)) move_character(context, i, scratch, double(dt));
 }
 
 } // namespace cairn

@@ -135,11 +135,14 @@ void BroadPhase::choose_first_origin(const DBounds& bounds) {
     all_dirty_ = 1;
 }
 
+void BroadPhase::make_room(std::uint32_t shape) {
+    if (shape < proxies_.size()) return;
+    set_size(proxies_, shape + 1);
+    set_size(fat_, shape + 1);
+}
+
 BroadPhase::Proxy& BroadPhase::make_proxy(std::uint32_t shape) {
-    if (shape >= proxies_.size()) {
-        set_size(proxies_, shape + 1);
-        set_size(fat_, shape + 1);
-    }
+    make_room(shape);
     ++shape_count_;
     return proxies_[shape] = Proxy{};
 }

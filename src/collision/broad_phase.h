@@ -81,6 +81,8 @@ class BroadPhase {
     void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet = false,
                    bool trigger = false);
     void move_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
+    // For a shape that is not in it, or not yet: it may be asked for.
+    void make_room(std::uint32_t shape);
     // Its pairs are reported lost at the next update.
     void remove(std::uint32_t shape);
     // A shape of any kind but a plane has moved. `displacement` is the motion expected over the next step, m: the

@@ -141,7 +141,9 @@ float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwar
 // What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
 // axis and radius. What is rounded does with a sphere about that. Returns the radius of the sphere, up to midway.
 float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation, float* rim) {
-    const bool is_top = math::dot(axis_of(pose, 1), outwards) > 0;
+    const float cosine = math::dot(axis_of(pose, 1), outwards);
+    const float sine = g.type == ShapeType::cylinder ? std::sqrt(std::max(1 - cosine * cosine, 0.0f)) : 1.0f;
+    const bool is_top = 2 * g.size.y * cosine + (g.size.z - g.size.x) * sine > 0; // the end that reaches farther out
     const float radius = is_top ? g.size.z : g.size.x;
     std::fill_n(rim, 4, 0.0f);
     if (g.type == ShapeType::cylinder) put(rim, axis_of(pose, 1)), rim[3] = radius;

@@ -19,7 +19,7 @@ namespace {
 constexpr int flights_per_chunk = 16; // for threads
 
 bool may_fly(const Bodies& bodies, const Islands& islands, std::int32_t b) {
-    return !bodies.is_dynamic(b) || (bodies.links[b].first_joint == none && is_on_its_own(bodies, islands, b));
+    return !bodies.is_dynamic(b) || (bodies.links[b].joint_count == 0 && is_on_its_own(bodies, islands, b));
 }
 
 // How far forces bring the two together in the step, along the normal.

@@ -31,7 +31,7 @@ inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         const math::Vec3 w = bodies.motion[b].w;
-        if (bodies.links[b].first_joint != none || time * time * math::dot(w, w) > small * small) return false;
+        if (bodies.links[b].joint_count > 0 || time * time * math::dot(w, w) > small * small) return false;
     }
     const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
     return math::dot(passing, passing) <= farthest * farthest;

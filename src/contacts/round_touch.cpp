@@ -76,8 +76,10 @@ math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, 
 
 void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, const PosedShape& a, const PosedShape& b,
                            float dt, Manifold& m) {
-    const bool is_round = a.geometry.type == ShapeType::cylinder || b.geometry.type == ShapeType::cylinder;
-    if (m.count < 2 || !is_round) return;
+    const auto is_round = [](const Geometry& g) {
+        return g.type == ShapeType::cylinder || g.type == ShapeType::capsule;
+    };
+    if (m.count < 2 || (!is_round(a.geometry) && !is_round(b.geometry))) return;
     const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
     const math::Vec3 n = to_vec(m.normal),
                      pull = math::to_float(acceleration_at(in.bodies, in.fields, in.settings, c.body_a, motion_a.x));

@@ -24,7 +24,7 @@ namespace {
 float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.substeps)); }
 
 // By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
-bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].first_joint != none; }
+bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].joint_count > 0; }
 
 // What is led goes about the point at which it is held by what is heaviest, if that is at least as heavy as itself: a
 // door about its hinge, a shin about the knee. What is heavier goes as if nothing hung on it.
@@ -42,7 +42,8 @@ std::optional<Lead> lead_of(const NarrowInput& in, std::int32_t b) {
         const JointInfo& info = in.joints.info[joint];
         const std::int32_t other = other_body(info, side);
         const float weight = weight_of(other);
-        if (info.rules.point != JointLock::full || !(lead ? weight > least : weight >= least)) return;
+        const bool holds = info.rules.point == JointLock::full && joint_owner(in.bodies, info) != none;
+        if (!holds || !(lead ? weight > least : weight >= least)) return;
         least = weight;
         lead = {other, (side == 0 ? info.anchor_a : info.anchor_b) - math::to_double(in.bodies.mass[b].center)};
     });

@@ -20,7 +20,7 @@ void Assemblies::take(std::int32_t body, std::int32_t assembly) {
 }
 
 std::int32_t Assemblies::of(std::int32_t body) {
-    if (bodies_.links[body].first_joint == none || !bodies_.is_dynamic(body)) return none;
+    if (bodies_.links[body].joint_count == 0 || !bodies_.is_dynamic(body)) return none;
     if (scratch_.assembly_of[body] != none) return scratch_.assembly_of[body];
     const auto assembly = std::int32_t(scratch_.assemblies.size());
     const auto begin = std::int32_t(scratch_.members.size());

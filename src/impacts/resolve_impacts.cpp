@@ -138,7 +138,7 @@ class ImpactQueue {
     // Its joints act in the solver alone: what strikes it is the next step's.
     bool is_jointed(std::uint32_t shape) const {
         const std::int32_t b = s.shapes.links[shape].body;
-        return s.bodies.is_dynamic(b) && s.bodies.links[b].first_joint != none;
+        return s.bodies.is_dynamic(b) && s.bodies.links[b].joint_count > 0;
     }
     // A pair of which the first went along with the other, or with something else since then, until something struck
     // it.
@@ -198,7 +198,7 @@ class ImpactQueue {
     void ask_again(std::int32_t i, double time) { ask_again(std::span(&i, 1), time); }
 
     bool can_go_on(std::int32_t b) const {
-        return s.bodies.is_dynamic(b) && is_on_its_own(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
+        return s.bodies.is_dynamic(b) && is_on_its_own(s.bodies, s.islands, b) && s.bodies.links[b].joint_count == 0;
     }
 
     MovingState state_of(std::int32_t mover, std::int32_t body, double time) const {

@@ -240,6 +240,7 @@ void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& island
 void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
                        StepEvents& events, std::uint32_t shape) {
     if (islands.awake.size() + islands.free.size() == islands.all.size()) return; // nothing sleeps
+    if (!bodies.is_enabled(shapes.links[shape].body)) return;
     DBounds bounds = shape_bounds(shapes, shape);
     bounds.lo = bounds.lo - math::DVec3{max_margin, max_margin, max_margin};
     bounds.hi = bounds.hi + math::DVec3{max_margin, max_margin, max_margin};

@@ -82,8 +82,8 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
 void collect_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, JointLayout& layout) {
     for (const std::int32_t body : layout.bodies) {
         if (bodies.links[body].joint_count == 0) continue;
-        for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int side) {
-            if (side == 1 && joint_owner(bodies, joints.info[joint]) != body) return;
+        for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int) {
+            if (joint_owner(bodies, joints.info[joint]) != body) return;
             layout.joints.push_back(joint);
             layout.first_row.push_back(std::uint32_t(layout.rows.size()));
             collect_joint(bodies, joints, direct, joint, layout);

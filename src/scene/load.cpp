@@ -262,6 +262,8 @@ class Builder {
         if (own) {
             if (const auto value = own->find("linear_damping")) def.linear_damping = value->real(nonnegative_float);
             if (const auto value = own->find("angular_damping")) def.angular_damping = value->real(nonnegative_float);
+            if (const auto value = own->find("allow_sleep")) def.allow_sleep = value->boolean();
+            if (const auto value = own->find("enabled")) def.enabled = value->boolean();
         }
         try {
             const BodyId body = scene_.world.create_body(def);

@@ -184,6 +184,8 @@ class Writer {
         Json own = Json::object();
         if (body.linear_damping() != 0.0f) own["linear_damping"] = shortest(body.linear_damping());
         if (body.angular_damping() != 0.0f) own["angular_damping"] = shortest(body.angular_damping());
+        if (!body.allow_sleep()) own["allow_sleep"] = false;
+        if (!body.enabled()) own["enabled"] = false;
         if (const auto group = group_of_.find(body.id().bits); group != group_of_.end()) own["group"] = group->second;
         if (body.is_character()) own["character"] = written_character(body);
         if (own.empty() && !needs_mark) return;

@@ -179,7 +179,7 @@ void share_out_records(const Bodies& bodies, Contacts& contacts, SolverScratch& 
     cut.rank = ranks.rank(), cut.size = ranks.size();
     std::vector<std::int32_t> members;
     for (std::int32_t b = 0; b < std::int32_t(bodies.links.size()); ++b)
-        if (bodies.slots.is_live(std::uint32_t(b)) && bodies.is_dynamic(b) && bodies.links[b].first_joint == none)
+        if (bodies.slots.is_live(std::uint32_t(b)) && bodies.is_dynamic(b) && bodies.links[b].joint_count == 0)
             members.push_back(b);
     cut.owner.assign(bodies.links.size(), every_rank);
     cut_along_curve(bodies, members, cut, cut.owner);

@@ -27,10 +27,11 @@ struct alignas(64) BodyMass {
 
 struct BodySettings {
     float gravity_scale = 1, linear_damping = 0, angular_damping = 0;
-    float given_mass = 0; // kg, if BodyMass::has_given_mass
-    BodyType type = BodyType::dynamic;
+    float given_mass = 0;              // kg, if BodyMass::has_given_mass
+    BodyType type = BodyType::dynamic; // while it is disabled: static
     std::uint8_t allow_sleep = 1;
-    std::uint8_t padding[2] = {};
+    BodyType own_type = BodyType::dynamic; // as users see it
+    std::uint8_t enabled = 1;              // 0: no shape of it is in the broad phase, no joint of it is solved
 };
 
 // What pushes a body during the step. Double, so that no sum of floats overflows.
@@ -76,6 +77,7 @@ struct Bodies {
     BodyId id(std::int32_t body) const { return slots.id(std::uint32_t(body)); }
     bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[body].any; }
     bool is_dynamic(std::int32_t body) const { return settings[body].type == BodyType::dynamic; }
+    bool is_enabled(std::int32_t body) const { return settings[body].enabled != 0; }
 };
 
 } // namespace cairn

@@ -5,8 +5,11 @@
 
 namespace cairn {
 
-// The body that a joint counts to, in whose island it is; none if neither is dynamic.
+// The body that a joint counts to, in whose island it is; none if neither is dynamic, or one is disabled: it is not
+// solved.
 inline std::int32_t joint_owner(const Bodies& bodies, const JointInfo& joint) {
+    for (const std::int32_t body : {joint.body_a, joint.body_b})
+        if (body != none && !bodies.is_enabled(body)) return none;
     if (joint.body_a != none && bodies.is_dynamic(joint.body_a)) return joint.body_a;
     return joint.body_b != none && bodies.is_dynamic(joint.body_b) ? joint.body_b : none;
 }

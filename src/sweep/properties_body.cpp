@@ -144,6 +144,12 @@ constexpr std::array of_body{
                  Body body = c.trial.world.body(s.body);
                  body.set_damping(body.linear_damping(), single(*v));
              }},
+    Property{"enabled", "", read_body<[](const Body& b) { return b.enabled() ? 1.0 : 0.0; }>(),
+             [](Changes& c, const Subject& s, const double* v) {
+                 if (*v != 0.0 && *v != 1.0)
+                     throw Error(ErrorCode::invalid_value, "enabled", std::to_string(*v), "must be 0 or 1");
+                 c.trial.world.body(s.body).set_enabled(*v != 0.0);
+             }},
     Property{"center_of_mass", "xyz",
              [](const Trial& t, const Subject& s, double* out) { put(out, t.world.body(s.body).center_of_mass()); }},
     Property{"speed", "", read_body<[](const Body& b) { return length_of(b.linear_velocity()); }>()},

@@ -43,6 +43,9 @@ Result measure_turntable();
 // masonry.cpp
 Result measure_masonry();
 
+// bicycle.cpp
+Result measure_bicycle();
+
 // impacts.cpp
 Result measure_billiards();
 Result measure_shots();

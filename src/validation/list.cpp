@@ -106,6 +106,11 @@ std::span<const Case> cases() {
          "a circle of many stones from 0.1075 of its radius in thickness on. Planks overhang until the center of mass "
          "of all above an edge is over it: by 1/2 + 1/4 + 1/6 + ... of their length.",
          measure_masonry},
+        {33, "bicycle", "A bicycle that nobody steers",
+         "Four bodies on three hinges that roll without slipping: pushed, it follows the linearized equations of J. P. "
+         "Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab (Proc. R. Soc. A 463, 2007), with the numbers of "
+         "their benchmark. From 4.29 to 6.02 m/s it rights itself.",
+         measure_bicycle},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "

@@ -24,12 +24,17 @@ struct Access {
     State& s;
     std::size_t b;
     std::int32_t index() const { return std::int32_t(b); }
+    BodyType own_type() const { return s.bodies.settings[b].own_type; }
     BodyMotion& motion() const { return s.bodies.motion[b]; }
     BodyMass& mass() const { return s.bodies.mass[b]; }
 };
 
 void require_dynamic(const Access& a, const char* call) {
-    if (!a.s.bodies.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
+    if (a.own_type() != BodyType::dynamic) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
+}
+void require_pushable(const Access& a, const char* call) {
+    require_dynamic(a, call);
+    if (!a.s.bodies.is_enabled(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be enabled");
 }
 // What pushes a body in the next step.
 BodyForces& pushed(const Access& a) {
@@ -39,7 +44,7 @@ BodyForces& pushed(const Access& a) {
     return forces;
 }
 void require_moving(const Access& a, const char* call) {
-    if (a.s.bodies.settings[a.b].type == BodyType::static_)
+    if (a.own_type() == BodyType::static_)
         throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
 }
 
@@ -81,7 +86,7 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
 
 BodyType Body::type() const {
     CAIRN_ACCESS;
-    return s.bodies.settings[a.b].type;
+    return a.own_type();
 }
 const std::string& Body::name() const {
     CAIRN_ACCESS;
@@ -120,7 +125,7 @@ Vec3 Body::velocity_at(const Position& point) const {
 }
 float Body::mass() const {
     CAIRN_ACCESS;
-    return s.bodies.is_dynamic(a.index()) ? a.mass().mass : infinity;
+    return a.own_type() == BodyType::dynamic ? a.mass().mass : infinity;
 }
 MassProperties Body::mass_properties() const {
     CAIRN_ACCESS;
@@ -154,12 +159,17 @@ float Body::angular_damping() const {
 }
 bool Body::is_awake() const {
     CAIRN_ACCESS;
+    if (!s.bodies.is_enabled(a.index())) return false;
     if (s.bodies.is_dynamic(a.index())) return cairn::is_awake(s.bodies, s.islands, a.index());
     return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
 }
 bool Body::allow_sleep() const {
     CAIRN_ACCESS;
     return s.bodies.settings[a.b].allow_sleep;
+}
+bool Body::enabled() const {
+    CAIRN_ACCESS;
+    return s.bodies.is_enabled(a.index());
 }
 std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
@@ -174,7 +184,7 @@ namespace {
 void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation) {
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
     wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
-    wake_joined(a.s.bodies, a.s.islands, a.s.joints, a.s.events, a.index());
+    if (a.s.bodies.is_enabled(a.index())) wake_joined(a.s.bodies, a.s.islands, a.s.joints, a.s.events, a.index());
     set_pose(a.s.bodies, a.index(), origin, rotation);
     update_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
@@ -230,7 +240,7 @@ void Body::move_to(const Transform& target, float seconds) {
     require_position("Body::move_to target.position", target.position);
     const Quat rotation = checked_rotation("Body::move_to target.rotation", target.rotation);
     require_above("Body::move_to seconds", seconds, 0);
-    if (s.bodies.settings[a.b].type != BodyType::kinematic)
+    if (a.own_type() != BodyType::kinematic)
         throw Error(ErrorCode::wrong_state, "Body::move_to", "", "the body must be kinematic");
     const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
     const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
@@ -265,15 +275,47 @@ void Body::set_allow_sleep(bool allow) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
+namespace {
+
+// From now on the simulation has it as something static that nothing touches: its contacts and joints end.
+void leave_simulation(const Access& a) {
+    State& s = a.s;
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
+        s.broad_phase.remove(std::uint32_t(i));
+    update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { deactivate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
+    if (s.bodies.is_dynamic(a.index())) remove_from_island(s.bodies, s.islands, a.index());
+    std::erase(s.bodies.kinematics, a.index());
+    s.bodies.settings[a.b].type = BodyType::static_;
+}
+
+// With the type of its own, unless it is disabled; contacts are found at the next step.
+void enter_simulation(const Access& a) {
+    State& s = a.s;
+    if (!s.bodies.is_enabled(a.index())) return;
+    s.bodies.settings[a.b].type = a.own_type();
+    if (a.own_type() == BodyType::dynamic) create_island(s.bodies, s.islands, a.index());
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { activate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
+    if (a.own_type() == BodyType::kinematic) s.bodies.kinematics.push_back(a.index());
+    a.motion().turned = {};
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
+        add_proxy(s.bodies, s.shapes, s.broad_phase, std::uint32_t(i));
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
+}
+
+} // namespace
+
 void Body::set_type(BodyType type) {
     CAIRN_CHANGE(body_set_type, type);
     if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
-    BodySettings& settings = s.bodies.settings[a.b];
-    if (settings.type == type) return;
+    if (a.own_type() == type) return;
     if (find_character(s.characters, a.index()))
         throw Error(ErrorCode::wrong_state, "Body::set_type", "",
                     "a character must stay kinematic: remove_character first");
-    std::vector<std::uint32_t> shapes;
     for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next) {
         if (type == BodyType::dynamic && is_surface(s.shapes.geometry[i].type))
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
@@ -284,28 +326,35 @@ void Body::set_type(BodyType type) {
         if (type == BodyType::dynamic && s.shapes.traits[i].is_one_way)
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a one-way shape cannot be dynamic");
-        shapes.push_back(std::uint32_t(i));
     }
     change.begin();
-    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
-    wake_body(s.bodies, s.islands, s.events, a.index());
-    // All contacts end, and are found anew at the next step.
-    for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
-    update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
-    for_each_joint(s.bodies, s.joints, a.index(),
-                   [&](std::uint32_t joint, int) { deactivate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
-    if (settings.type == BodyType::dynamic) remove_from_island(s.bodies, s.islands, a.index());
-    std::erase(s.bodies.kinematics, a.index());
-    settings.type = type;
-    if (type == BodyType::dynamic) create_island(s.bodies, s.islands, a.index());
-    for_each_joint(s.bodies, s.joints, a.index(),
-                   [&](std::uint32_t joint, int) { activate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
-    if (type == BodyType::kinematic) s.bodies.kinematics.push_back(a.index());
+    if (s.bodies.is_enabled(a.index())) leave_simulation(a);
+    s.bodies.settings[a.b].own_type = type;
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
-    a.motion().turned = {};
     refresh_mass(s.bodies, s.shapes, s.joints, a.index());
     place_shapes(s.bodies, s.shapes, a.index());
-    for (const std::uint32_t i : shapes) add_proxy(s.bodies, s.shapes, s.broad_phase, i);
+    enter_simulation(a);
+}
+
+void Body::set_enabled(bool enabled) {
+    CAIRN_CHANGE(body_set_enabled, enabled);
+    if (s.bodies.is_enabled(a.index()) == enabled) return;
+    change.begin();
+    if (enabled) {
+        s.bodies.settings[a.b].enabled = 1;
+        return enter_simulation(a);
+    }
+    leave_simulation(a);
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
+        forget_ground(s.characters, std::uint32_t(i));
+    s.bodies.settings[a.b].enabled = 0;
+    s.bodies.forces[a.b] = {};
+    std::erase(s.bodies.pushed, a.index());
+    for_each_joint(s.bodies, s.joints, a.index(), [&](std::uint32_t joint, int) {
+        JointInfo& info = s.joints.info[joint];
+        info.force = info.torque = {};
+        info.substep_time = 0; // what it bore is nothing to begin with later
+    });
 }
 
 void Body::set_name(std::string_view name) {
@@ -363,7 +412,7 @@ void Body::sleep() {
 void Body::add_force(const Vec3& force) {
     CAIRN_CHANGE(body_add_force, force);
     require_finite("Body::add_force force", force);
-    require_dynamic(a, "Body::add_force");
+    require_pushable(a, "Body::add_force");
     change.begin();
     pushed(a).force += math::to_double(to_math(force));
     wake_body(s.bodies, s.islands, s.events, a.index());
@@ -372,7 +421,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     CAIRN_CHANGE(body_add_force_at, force, point);
     require_finite("Body::add_force_at force", force);
     require_position("Body::add_force_at point", point);
-    require_dynamic(a, "Body::add_force_at");
+    require_pushable(a, "Body::add_force_at");
     const math::DVec3 f = math::to_double(to_math(force));
     change.begin();
     pushed(a).force += f;
@@ -382,7 +431,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
 void Body::add_torque(const Vec3& torque) {
     CAIRN_CHANGE(body_add_torque, torque);
     require_finite("Body::add_torque torque", torque);
-    require_dynamic(a, "Body::add_torque");
+    require_pushable(a, "Body::add_torque");
     change.begin();
     pushed(a).torque += math::to_double(to_math(torque));
     wake_body(s.bodies, s.islands, s.events, a.index());
@@ -390,7 +439,7 @@ void Body::add_torque(const Vec3& torque) {
 void Body::apply_impulse(const Vec3& impulse) {
     CAIRN_CHANGE(body_apply_impulse, impulse);
     require_finite("Body::apply_impulse impulse", impulse);
-    require_dynamic(a, "Body::apply_impulse");
+    require_pushable(a, "Body::apply_impulse");
     change.begin();
     add_velocity(a, double(a.mass().inverse_mass) * math::to_double(to_math(impulse)), {});
 }
@@ -398,7 +447,7 @@ void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
     CAIRN_CHANGE(body_apply_impulse_at, impulse, point);
     require_finite("Body::apply_impulse_at impulse", impulse);
     require_position("Body::apply_impulse_at point", point);
-    require_dynamic(a, "Body::apply_impulse_at");
+    require_pushable(a, "Body::apply_impulse_at");
     const math::DVec3 p = math::to_double(to_math(impulse));
     change.begin();
     add_velocity(a, double(a.mass().inverse_mass) * p,
@@ -407,7 +456,7 @@ void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
 void Body::apply_angular_impulse(const Vec3& impulse) {
     CAIRN_CHANGE(body_apply_angular_impulse, impulse);
     require_finite("Body::apply_angular_impulse impulse", impulse);
-    require_dynamic(a, "Body::apply_angular_impulse");
+    require_pushable(a, "Body::apply_angular_impulse");
     change.begin();
     add_velocity(a, {}, inverse_inertia_times(a, math::to_double(to_math(impulse))));
 }

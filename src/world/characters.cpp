@@ -100,7 +100,7 @@ void Body::set_character(const CharacterDef& def) {
     World::Impl::Change change(impl, commands::body_set_character, id_, def);
     validate(def);
     State& s = impl.state;
-    if (s.bodies.settings[b].type != BodyType::kinematic)
+    if (s.bodies.settings[b].own_type != BodyType::kinematic)
         throw Error(ErrorCode::wrong_state, "Body::set_character", "", "the body must be kinematic");
     change.begin();
     if (Character* found = find_character(s.characters, b)) return define(*found, def);

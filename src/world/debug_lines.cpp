@@ -107,11 +107,14 @@ std::vector<DebugLine> World::debug_lines(const DebugLinesDef& what) const {
     require_at_least("DebugLinesDef.impulse_scale", what.impulse_scale, 0);
     std::vector<DebugLine> lines;
     LineWriter writer(*this, what, lines);
-    for (const BodyId id : bodies()) writer.body(body(id));
+    const auto is_there = [&](BodyId id) { return id.is_null() || body(id).enabled(); };
+    for (const BodyId id : bodies())
+        if (is_there(id)) writer.body(body(id));
     if (what.contacts)
         for (const Contact& contact : contacts()) writer.contact(contact);
     if (what.joints)
-        for (const JointId id : joints()) writer.joint(joint_def(id));
+        for (const JointId id : joints())
+            if (is_there(joint_def(id).body_a) && is_there(joint_def(id).body_b)) writer.joint(joint_def(id));
     return lines;
 }
 

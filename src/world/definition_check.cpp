@@ -37,8 +37,11 @@ void check_bodies(const Bodies& bodies, const CheckedDefinitions& definitions) {
     require_count("bodies.user_data", definitions.user_data.size(), count);
     std::size_t kinematic = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        require_sound(bodies.settings[i].type <= BodyType::dynamic, {"bodies", i, "type"}, int(bodies.settings[i].type),
-                      "must be 0 to 2");
+        const BodySettings& own = bodies.settings[i];
+        require_sound(own.own_type <= BodyType::dynamic && own.enabled <= 1, {"bodies", i, "own_type"},
+                      int(own.own_type), "must be 0 to 2, and enabled or not");
+        require_sound(own.type == (own.enabled ? own.own_type : BodyType::static_), {"bodies", i, "type"},
+                      int(own.type), "must be that of its own, or static if it is disabled");
         const BodyMass& mass = bodies.mass[i];
         const math::Vec3 moments = mass.inertia, inverse = mass.inverse_inertia;
         const math::Quat q = mass.principal;

@@ -164,6 +164,8 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
+// Characters that stand on a shape do so no more.
+void forget_ground(Characters& characters, std::uint32_t shape);
 // Takes a shape out of the world; its body still lists it. Characters on it forget it.
 void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape);
 

@@ -133,7 +133,10 @@ JointId World::create_joint(const JointDef& def) {
     if (!def.body_b.is_null()) info.body_b = impl_->index_of(def.body_b);
     if (info.body_a == info.body_b)
         refuse("JointDef.body_b", def.body_b.is_null() ? "null" : "that of body_a", "must be another body than body_a");
-    if (joint_owner(s.bodies, info) == none)
+    const auto is_dynamic = [&](std::int32_t b) {
+        return b != none && s.bodies.settings[b].own_type == BodyType::dynamic;
+    };
+    if (!is_dynamic(info.body_a) && !is_dynamic(info.body_b))
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
     require_slot(s.joints.slots, "World::create_joint");

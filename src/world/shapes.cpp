@@ -45,7 +45,9 @@ void link_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape, std::int32_
 void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, std::int32_t replaced,
                            const Shape& shape, const ShapeDef& def) {
     const BodyMass& mass = bodies.mass[body];
-    if (!bodies.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
+    if (bodies.settings[body].own_type != BodyType::dynamic || !mass.follows_shapes || mass.has_given_mass ||
+        !(def.density > 0))
+        return;
     double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
     for (std::int32_t i = bodies.links[body].first_shape; i != none; i = shapes.links[i].next)
         if (i != replaced) sum += geometry_mass(shapes.geometry[i], shapes.data[i], shapes.links[i].density).mass;
@@ -94,11 +96,12 @@ void require_fit(const State& s, std::int32_t body, std::int32_t replaced, const
                  const char* argument) {
     validate(shape);
     validate(def);
-    if (is_surface(make_geometry(shape, {}).type) && s.bodies.is_dynamic(body))
+    const bool is_dynamic = s.bodies.settings[body].own_type == BodyType::dynamic;
+    if (is_surface(make_geometry(shape, {}).type) && is_dynamic)
         throw Error(ErrorCode::wrong_state, argument, shape_name(shape),
                     "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
-    if (s.bodies.is_dynamic(body)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
-    require_ends(make_geometry(shape, {}).type, s.bodies.is_dynamic(body), def.one_way);
+    if (is_dynamic) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
+    require_ends(make_geometry(shape, {}).type, is_dynamic, def.one_way);
     require_mass_in_range(s.bodies, s.shapes, body, replaced, shape, def);
 }
 
@@ -121,9 +124,13 @@ bool is_tested_alike(const Geometry& a, const Geometry& b) {
 
 } // namespace
 
-void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape) {
+void forget_ground(Characters& characters, std::uint32_t shape) {
     for (Character& c : characters.all)
         if (c.ground_shape == std::int32_t(shape)) c.ground_body = c.ground_shape = none;
+}
+
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape) {
+    forget_ground(characters, shape);
     broad_phase.remove(shape);
     shapes.slots.kill(shape);
     shapes.dead.push_back(shape);
@@ -276,7 +283,7 @@ void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
     const std::uint32_t i = impl_->index_of(id);
     require_finite("World::set_surface_velocity velocity", velocity);
     State& s = impl_->state;
-    if (s.bodies.is_dynamic(s.shapes.links[i].body))
+    if (s.bodies.settings[s.shapes.links[i].body].own_type == BodyType::dynamic)
         require_still_surface("World::set_surface_velocity velocity", velocity);
     change.begin();
     impl_->def_of[i].surface_velocity = velocity;

@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-inline constexpr std::uint64_t snapshot_magic = 0x32316e7269616321ull; // "!cairn12"
+inline constexpr std::uint64_t snapshot_magic = 0x33316e7269616321ull; // "!cairn13"
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;

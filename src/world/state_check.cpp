@@ -80,7 +80,7 @@ class StateCheck final : PairReader {
         for (std::size_t i = 0; i < s_.characters.all.size(); ++i) {
             const Character& c = s_.characters.all[i];
             require_sound(c.body > last && is_body(c.body) && is_live_body(c.body) &&
-                              bodies_.settings[c.body].type == BodyType::kinematic,
+                              bodies_.settings[c.body].own_type == BodyType::kinematic,
                           {"characters", i, "body"}, c.body, "must be a kinematic body behind that of the one before");
             last = c.body;
             const std::int32_t ground = c.ground_shape;
@@ -407,6 +407,10 @@ class StateCheck final : PairReader {
             const std::int32_t body = shapes_.links[i].body;
             const bool is_plane = shapes_.geometry[i].type == ShapeType::plane;
             const BodyType type = bodies_.settings[body].type;
+            if (!bodies_.is_enabled(body)) {
+                require_sound(where == Whereabouts::none, place, int(where), "must be 0 of a body that is disabled");
+                continue;
+            }
             if (type != BodyType::dynamic) {
                 require_sound(where == (is_plane                    ? Whereabouts::plane
                                         : type == BodyType::static_ ? Whereabouts::fixed

@@ -157,8 +157,9 @@ BodyId World::create_body(const BodyDef& def) {
     s.bodies.counted[b] = {};
     s.bodies.travel[b] = s.bodies.ahead[b] = s.bodies.boxes_until[b] = 0;
     s.bodies.mass[b] = {};
-    s.bodies.settings[b] = {
-        def.gravity_scale, def.linear_damping, def.angular_damping, 0, def.type, def.allow_sleep, {}};
+    const BodyType type = def.enabled ? def.type : BodyType::static_;
+    s.bodies.settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, 0, type,
+                            def.allow_sleep,   def.type,           def.enabled};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
     BodyMotion& motion = s.bodies.motion[b] = {};
     motion.x = to_math(def.position);
@@ -183,8 +184,8 @@ BodyId World::create_body(const BodyDef& def) {
         s.bodies.settings[b].given_mass = def.mass.value_or(0.0f);
         refresh_mass(s.bodies, s.shapes, s.joints, body);
     }
-    if (def.type == BodyType::dynamic) create_island(s.bodies, s.islands, body);
-    if (def.type == BodyType::kinematic) s.bodies.kinematics.push_back(body);
+    if (type == BodyType::dynamic) create_island(s.bodies, s.islands, body);
+    if (type == BodyType::kinematic) s.bodies.kinematics.push_back(body);
     return s.bodies.id(body);
 }
 

@@ -37,6 +37,7 @@ void copy_body(const cairn_world* from, cairn_body_id body, cairn_world* to, cai
     CAIRN_CALL(cairn_body_get_angular_damping(from, body, &def.angular_damping));
     CAIRN_CALL(cairn_body_get_gravity_scale(from, body, &def.gravity_scale));
     CAIRN_CALL(cairn_body_get_allow_sleep(from, body, &def.allow_sleep));
+    CAIRN_CALL(cairn_body_get_enabled(from, body, &def.enabled));
     CAIRN_CALL(cairn_body_get_user_data(from, body, &def.user_data));
     read_text(name, [&](auto... to_read) { return cairn_body_get_name(from, body, to_read...); });
     def.name = name.c_str();

@@ -86,6 +86,7 @@ int main(void) {
     MEMBER(cairn_body_def, mass_properties);
     MEMBER(cairn_body_def, name);
     MEMBER(cairn_body_def, user_data);
+    MEMBER(cairn_body_def, enabled);
     SIZE(cairn_character_def);
     MEMBER(cairn_character_def, struct_size);
     MEMBER(cairn_character_def, up);

@@ -524,6 +524,18 @@ static cairn_result body_get_allow_sleep(const struct wrong_context* c, int wron
     return cairn_body_get_allow_sleep(world, body, allow_sleep);
 }
 
+static cairn_result body_get_enabled(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    bool enabled_room[4];
+    bool* enabled = enabled_room;
+    if (wrong == 3) { enabled = NULL; }
+    return cairn_body_get_enabled(world, body, enabled);
+}
+
 static cairn_result body_get_shapes(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -655,6 +667,16 @@ static cairn_result body_set_type(const struct wrong_context* c, int wrong) {
     if (wrong == 3) { type = -1; }
     if (wrong == 4) { type = 3; }
     return cairn_body_set_type(world, body, type);
+}
+
+static cairn_result body_set_enabled(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_body_id body = c->body;
+    if (wrong == 1) { body = c->stale_body; }
+    if (wrong == 2) { body.bits = 0; }
+    bool enabled = true;
+    return cairn_body_set_enabled(world, body, enabled);
 }
 
 static cairn_result body_set_name(const struct wrong_context* c, int wrong) {
@@ -2043,6 +2065,10 @@ const struct wrong_call wrong_calls[] = {
     {"body_get_allow_sleep", "body is stale", body_get_allow_sleep, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_get_allow_sleep", "body is null", body_get_allow_sleep, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_get_allow_sleep", "allow_sleep is null", body_get_allow_sleep, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"body_get_enabled", "world is null", body_get_enabled, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_enabled", "body is stale", body_get_enabled, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_enabled", "body is null", body_get_enabled, 2, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_get_enabled", "enabled is null", body_get_enabled, 3, CAIRN_ERROR_INVALID_VALUE},
     {"body_get_shapes", "world is null", body_get_shapes, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"body_get_shapes", "body is stale", body_get_shapes, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_get_shapes", "body is null", body_get_shapes, 2, CAIRN_ERROR_INVALID_HANDLE},
@@ -2092,6 +2118,9 @@ const struct wrong_call wrong_calls[] = {
     {"body_set_type", "body is null", body_set_type, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_set_type", "type is -1", body_set_type, 3, CAIRN_ERROR_INVALID_VALUE},
     {"body_set_type", "type is 3", body_set_type, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"body_set_enabled", "world is null", body_set_enabled, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_enabled", "body is stale", body_set_enabled, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"body_set_enabled", "body is null", body_set_enabled, 2, CAIRN_ERROR_INVALID_HANDLE},
     {"body_set_name", "world is null", body_set_name, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"body_set_name", "body is stale", body_set_name, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"body_set_name", "body is null", body_set_name, 2, CAIRN_ERROR_INVALID_HANDLE},

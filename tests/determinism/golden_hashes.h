@@ -16,13 +16,13 @@ inline constexpr std::uint64_t sleep_and_wake = 0x7aef54faa73b4fc1;
 inline constexpr std::uint64_t compounds = 0xa53910e67ca29647;
 inline constexpr std::uint64_t free_tops = 0xbee2e2957f98eefe;
 inline constexpr std::uint64_t explicit_euler = 0x895088332d3afe5e;
-inline constexpr std::uint64_t whirl = 0x784ff0a00fb5d145;
-inline constexpr std::uint64_t changes = 0xf63daa87f0d7aa55;
-inline constexpr std::uint64_t all_shapes = 0xe81b1584e6ffe181;
-inline constexpr std::uint64_t rounded_shapes = 0x1e68c6746216e200;
-inline constexpr std::uint64_t surfaces = 0xef9230a688a5675a;
+inline constexpr std::uint64_t whirl = 0xe41c42ee053abc06;
+inline constexpr std::uint64_t changes = 0xac1975dceaa8718d;
+inline constexpr std::uint64_t all_shapes = 0xb4f45ab17bb7b2f9;
+inline constexpr std::uint64_t rounded_shapes = 0x76a1761bbd806522;
+inline constexpr std::uint64_t surfaces = 0xef2426932c757415;
 inline constexpr std::uint64_t all_joints = 0xd5ab026c103448c2;
-inline constexpr std::uint64_t chains = 0x461b668176f89b0a;
+inline constexpr std::uint64_t chains = 0x77c219d77d516f9c;
 inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
 
 } // namespace cairn_test::golden

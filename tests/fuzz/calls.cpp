@@ -142,6 +142,7 @@ void Calls::create() {
     def.rotation = bytes_.rotation();
     def.linear_velocity = bytes_.vector(5);
     def.allow_sleep = bytes_.pick(5) != 0;
+    def.enabled = bytes_.pick(9) != 8;
     std::array<BodyId, 3> ids;
     std::size_t i = 0;
     each([&](World& world) { ids[i++] = world.create_body(def); });
@@ -202,7 +203,7 @@ void Calls::move() {
 
 void Calls::push() {
     const BodyId id = body();
-    if (!is(id, BodyType::dynamic)) return;
+    if (!is(id, BodyType::dynamic) || !first(id).enabled()) return;
     const float mass = first(id).mass();
     if (!std::isfinite(mass)) return;
     const Vec3 vector = bytes_.vector(10 * mass);
@@ -222,7 +223,7 @@ void Calls::change_body() {
     placed_ = true;
     const BodyId id = body();
     const float value = bytes_.unit();
-    const int what = bytes_.pick(6);
+    const int what = bytes_.pick(7);
     each([&](World& world) {
         Body b = world.body(id);
         if (what == 0 && id != ground_) b.set_type(BodyType(std::uint8_t((value + 1) * 1.49f)));
@@ -231,6 +232,7 @@ void Calls::change_body() {
         if (what == 3) b.set_allow_sleep(value > 0);
         if (what == 4) b.set_mass_from_shapes(value > 0 ? std::optional<float>(20 * value) : std::nullopt);
         if (what == 5) b.wake();
+        if (what == 6) b.set_enabled(value > -0.5f);
     });
 }
 

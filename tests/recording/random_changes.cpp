@@ -107,6 +107,8 @@ void RandomChanges::change_body(World& world, BodyId id) {
     switch (pick(21)) {
     case 12:
         return body.sleep();
+    case 13:
+        return body.set_enabled(!body.enabled());
     case 0:
         return body.set_transform(place(), rotation());
     case 1:
@@ -137,7 +139,7 @@ void RandomChanges::change_body(World& world, BodyId id) {
         break;
     }
     if (body.type() == BodyType::kinematic) return change_character(body);
-    if (!is_dynamic) return;
+    if (!is_dynamic || !body.enabled()) return;
     switch (pick(8)) {
     case 0:
         return body.add_force(vector(30.0f));

@@ -161,6 +161,17 @@ TEST(SceneLoad, Damping) {
     EXPECT_FLOAT_EQ(only_body(scene).angular_damping(), 0.25f);
 }
 
+TEST(SceneLoad, WhatIsDisabledOrNeverSleeps) {
+    const Scene scene = load_nodes(R"({"extensions":{"CAIRN_body":{"allow_sleep":false,"enabled":false},
+        "KHR_physics_rigid_bodies":{"motion":{"mass":3,"linearVelocity":[1,0,0]},)" +
+                                   box + "}}}");
+    const Body body = only_body(scene);
+    EXPECT_FALSE(body.enabled() || body.allow_sleep());
+    EXPECT_EQ(body.type(), BodyType::dynamic);
+    EXPECT_EQ(body.mass(), 3.0f);
+    EXPECT_EQ(body.linear_velocity(), Vec3(1.0f, 0.0f, 0.0f));
+}
+
 TEST(SceneLoad, Materials) {
     Parts parts;
     parts.nodes = node("", R"("motion":{},"collider":{"geometry":{"shape":1},"physicsMaterial":1})");

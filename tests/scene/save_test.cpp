@@ -30,13 +30,13 @@ void expect_same_world(const World& a, const World& b) {
     for (std::size_t i = 0; i < a.bodies().size(); ++i) {
         const Body first = a.body(a.bodies()[i]), second = b.body(b.bodies()[i]);
         SCOPED_TRACE(first.name());
-        EXPECT_EQ(first.name(), second.name());
-        EXPECT_EQ(first.type(), second.type());
+        EXPECT_TRUE(first.name() == second.name() && first.type() == second.type());
         expect_alike(first.position(), second.position(), 3, "position");
         expect_alike(first.rotation(), second.rotation(), 4, "rotation");
         expect_alike(first.linear_velocity(), second.linear_velocity(), 3, "linear velocity");
         expect_alike(first.angular_velocity(), second.angular_velocity(), 3, "angular velocity");
         EXPECT_EQ(first.linear_damping(), second.linear_damping());
+        EXPECT_TRUE(first.allow_sleep() == second.allow_sleep() && first.enabled() == second.enabled());
         EXPECT_EQ(first.gravity_scale(), second.gravity_scale());
         EXPECT_EQ(first.mass(), second.mass());
         if (first.type() == BodyType::dynamic) {
@@ -148,8 +148,8 @@ TEST(SceneSave, EverythingAFileCanSay) {
         "," + R"({"name":"group","children":[8,9],"extensions":{"CAIRN_body":{}}},)" + node("", box) + "," +
         node(R"("translation":[0,0.1,0],)", box) + "," +
         node(R"("name":"mover",)", R"("motion":{"isKinematic":true,"angularVelocity":[0,1,0]},)" + box) + "," +
-        R"({"extensions":{"CAIRN_body":{"linear_damping":0.1,"angular_damping":0.2},"KHR_physics_rigid_bodies":
-            {"motion":{},)" +
+        R"({"extensions":{"CAIRN_body":{"linear_damping":0.1,"angular_damping":0.2,"allow_sleep":false,"enabled":false},
+            "KHR_physics_rigid_bodies":{"motion":{"linearVelocity":[1,2,3]},)" +
         box + R"(}},"extras":{"cairn_color":[0.1,0.2,0.3]}})";
     parts.roots = "0,3,4,5,6,7,10,11";
     expect_stable(load_text(document(parts)));

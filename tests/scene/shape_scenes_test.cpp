@@ -319,6 +319,24 @@ TEST_F(ShapeScene, TheRaceIsWonByShape) {
     expect_sane(20, 0.1, 0.006);
 }
 
+TEST_F(ShapeScene, OfThreeBicyclesTheSlowOneFallsAndTheNextRightsItself) {
+    load("38_bicycles");
+    const auto lean = [&](const char* name) {
+        double most = 0;
+        for (const BodyId id : dynamic_bodies())
+            if (const Body body = world().body(id); body.name() == name && body.mass() > 50)
+                most = std::fabs(std::asin(double((body.rotation() * Vec3(0, 0, 1)).y)));
+        return most;
+    };
+    run(240);
+    EXPECT_GT(lean("bicycle at 3 m/s"), 1.0);
+    EXPECT_LT(lean("bicycle at 5 m/s"), 0.003) << "0.008 at first";
+    run(360);
+    EXPECT_LT(lean("bicycle at 5 m/s"), 0.003);
+    EXPECT_LT(lean("bicycle at 8 m/s"), 0.1) << "it falls slowly";
+    expect_sane(20, 0.05, 0.01);
+}
+
 TEST_F(ShapeScene, ArchesStandIfALineOfThrustFitsIntoThem) {
     load("37_arches");
     std::map<std::string, double> farthest;

@@ -50,6 +50,7 @@ TEST_F(SweepProperties, WhatIsSetIsMeasuredAsItWasSet) {
                                                              {"ball.linear_damping", 0.25},
                                                              {"ball.angular_damping", 0.5},
                                                              {"'wide crate'.friction", 0.5},
+                                                             {"'wide crate'.enabled", 0},
                                                              {"ball.static_friction", 0.75},
                                                              {"ball.dynamic_friction", 0.25},
                                                              {"bodies[1].shapes[0].restitution", 0.5},

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace {
 
@@ -175,6 +176,23 @@ TEST(Inspect, ATriggerLetsBodiesThroughAndIsUndone) {
     EXPECT_LT(fallen.y, 0.5) << "through the box, onto the ground";
     while (stage.state().timeline.undoable) stage.apply(command::Undo{});
     EXPECT_FALSE(stage.world().shape_def(stage.world().body(body).shapes().front()).is_trigger);
+}
+
+TEST(Inspect, WhatIsDisabledLetsBodiesThroughAndIsUndone) {
+    Stage stage(test::load_boxes, "2");
+    select_first(stage);
+    const BodyId body = facts_of(stage).id;
+    stage.apply(command::EditBody{body, edit::Enabled{false}});
+    EXPECT_FALSE(facts_of(stage).is_enabled);
+    EXPECT_EQ(facts_of(stage).linear_energy + facts_of(stage).angular_energy, 0.0);
+    SpawnSettings ball;
+    ball.kind = SpawnSettings::Kind::sphere;
+    ball.size = 0.4f;
+    stage.apply(command::Spawn{ball, {0.0, 3.0, 0.0}});
+    for (int i = 0; i < 120; ++i) stage.step();
+    EXPECT_LT(stage.world().body(stage.world().bodies().back()).position().y, 0.5) << "through the box";
+    while (stage.state().timeline.undoable) stage.apply(command::Undo{});
+    EXPECT_TRUE(std::as_const(stage.world()).body(body).enabled());
 }
 
 TEST(Inspect, ForceFieldsAreAddedChangedRemovedAndUndone) {

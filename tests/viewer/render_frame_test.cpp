@@ -193,6 +193,18 @@ TEST(RenderFrame, TriggersAreOutlinesAndNothingSolid) {
     EXPECT_LT(glm::distance(greatest + Vec3(frame.origin), Vec3(1.5f, 2.0f, 3.0f)), 1e-5f);
 }
 
+TEST(RenderFrame, WhatIsDisabledIsAnOutline) {
+    World world;
+    const BodyId box = world.create_body(test::body_at({0.0, 1.0, 0.0}));
+    world.add_shape(box, Box{});
+    EXPECT_EQ(make_frame(world, {}, CameraPose{}).boxes.size(), 1u);
+    world.body(box).set_enabled(false);
+    const RenderFrame frame = make_frame(world, {}, CameraPose{});
+    EXPECT_TRUE(frame.boxes.empty());
+    ASSERT_EQ(frame.lines.size(), 12u);
+    EXPECT_EQ(frame.lines[0].color, disabled_color());
+}
+
 TEST(RenderFrame, EveryKindOfShapeHasAColorOfItsOwn) {
     World world;
     const BodyId body = world.create_body(test::body_at({0.0, 4.0, 0.0}));

@@ -329,6 +329,8 @@ export interface BodyDef {
     name?: string;
     /** Not touched by the engine. */
     userData?: bigint | number;
+    /** false: it takes no part in the world until it is enabled. */
+    enabled?: boolean;
 }
 
 /**
@@ -1215,6 +1217,16 @@ export class Body {
     /** Whether it may fall asleep. Setting: false: the body and its island never fall asleep. */
     get allowSleep(): boolean;
     set allowSleep(value: boolean);
+    /**
+     * Whether it takes part in the world. Setting: Takes a body out of the world and puts it back, with its shapes,
+     * joints and handles as they are: for what is used again and again, or not yet. What is disabled does not move and
+     * keeps its velocities; nothing touches it, queries do not see it, its joints do not act, and energies and momenta
+     * are without it. All of it may be changed, but nothing can push it: forces and impulses are refused (wrongState).
+     * What it touched ends with a ContactEnd, and wakes; where it is put back into something, it is pushed out as what
+     * is made there.
+     */
+    get enabled(): boolean;
+    set enabled(value: boolean);
     /** Its shapes, oldest first. */
     get shapes(): ShapeId[];
     /** Teleports the body: velocities stay, contacts are found anew. Throws invalidHandle, invalidValue, wrongState. */

@@ -57,6 +57,7 @@ typedef struct cairn_body_def {
     cairn_mass_properties mass_properties; ///< Overrides mass and shapes altogether.
     const char* name; ///< For people; need not be unique. UTF-8; null: empty.
     uint64_t user_data; ///< Not touched by the engine.
+    bool enabled; ///< false: it takes no part in the world until it is enabled.
 } cairn_body_def;
 CAIRN_C_API cairn_body_def cairn_default_body_def(void);
 
@@ -186,6 +187,9 @@ CAIRN_C_API cairn_result cairn_body_is_awake(const cairn_world* world, cairn_bod
 /// Whether it may fall asleep. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_allow_sleep(const cairn_world* world, cairn_body_id body, bool* allow_sleep);
 
+/// Whether it takes part in the world. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_get_enabled(const cairn_world* world, cairn_body_id body, bool* enabled);
+
 /// Its shapes, oldest first. `count` gets how many there are; the first `capacity` of them are written. Errors:
 /// invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_shapes(const cairn_world* world, cairn_body_id body, cairn_shape_id* shapes,
@@ -227,6 +231,13 @@ CAIRN_C_API cairn_result cairn_body_set_allow_sleep(cairn_world* world, cairn_bo
 
 /// Makes the body static, kinematic or dynamic. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_body_set_type(cairn_world* world, cairn_body_id body, cairn_body_type type);
+
+/// Takes a body out of the world and puts it back, with its shapes, joints and handles as they are: for what is used
+/// again and again, or not yet. What is disabled does not move and keeps its velocities; nothing touches it, queries do
+/// not see it, its joints do not act, and energies and momenta are without it. All of it may be changed, but nothing
+/// can push it: forces and impulses are refused (wrong_state). What it touched ends with a ContactEnd, and wakes; where
+/// it is put back into something, it is pushed out as what is made there. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_body_set_enabled(cairn_world* world, cairn_body_id body, bool enabled);
 
 /// For people; need not be unique. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_set_name(cairn_world* world, cairn_body_id body, const char* name);

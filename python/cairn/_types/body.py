@@ -80,6 +80,8 @@ class BodyDef:
     """For people; need not be unique."""
     user_data: int = 0
     """Not touched by the engine."""
+    enabled: bool = True
+    """False: it takes no part in the world until it is enabled."""
 
 
 @lists_members

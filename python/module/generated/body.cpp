@@ -128,6 +128,18 @@ void add_body_calls(py::class_<PyBody>& c) {
         const auto value = take<bool>(o, "Body.allow_sleep");
         b.change("Body.allow_sleep", [&](Body& body) { body.set_allow_sleep(value); });
     }, "Whether it may fall asleep. Setting: False: the body and its island never fall asleep.");
+    c.def_property("enabled", [](const PyBody& b) {
+        const auto answer = b.get("Body.enabled").enabled();
+        return write(answer);
+    }, [](const PyBody& b, py::object o) {
+        const auto value = take<bool>(o, "Body.enabled");
+        b.change("Body.enabled", [&](Body& body) { body.set_enabled(value); });
+    }, "Whether it takes part in the world. Setting: Takes a body out of the world and puts it back, with its "
+        "shapes, joints and handles as they are: for what is used again and again, or not yet. What is disabled does "
+            "not move and keeps its velocities; nothing touches it, queries do not see it, its joints do not act, and "
+                "energies and momenta are without it. All of it may be changed, but nothing can push it: forces and "
+                    "impulses are refused (wrong_state). What it touched ends with a ContactEnd, and wakes; where it "
+                        "is put back into something, it is pushed out as what is made there.");
     c.def_property_readonly("shapes", [](const PyBody& b) {
         const auto answer = b.get("Body.shapes").shapes();
         return write(answer);

@@ -41,11 +41,13 @@ void read(py::handle o, BodyDef& x, const Where& where) {
     read(o.attr("mass_properties"), x.mass_properties, {"BodyDef", "mass_properties"});
     read(o.attr("name"), x.name, {"BodyDef", "name"});
     read(o.attr("user_data"), x.user_data, {"BodyDef", "user_data"});
+    read(o.attr("enabled"), x.enabled, {"BodyDef", "enabled"});
 }
 py::object write(const BodyDef& x) {
     return make("BodyDef", py::make_tuple(write(x.type), write(x.position), write(x.rotation), write(x.linear_velocity),
         write(x.angular_velocity), write(x.linear_damping), write(x.angular_damping), write(x.gravity_scale),
-        write(x.allow_sleep), write(x.mass), write(x.mass_properties), write(x.name), write(x.user_data)));
+        write(x.allow_sleep), write(x.mass), write(x.mass_properties), write(x.name), write(x.user_data),
+        write(x.enabled)));
 }
 
 void read(py::handle o, CharacterDef& x, const Where& where) {

@@ -189,6 +189,13 @@ cairn_result cairn_body_get_allow_sleep(const cairn_world* world, cairn_body_id 
     });
 }
 
+cairn_result cairn_body_get_enabled(const cairn_world* world, cairn_body_id body, bool* enabled) {
+    return guarded([&] {
+        required(enabled, "enabled");
+        *enabled = world_of(world).body(to_cpp(body)).enabled();
+    });
+}
+
 cairn_result cairn_body_get_shapes(const cairn_world* world, cairn_body_id body, cairn_shape_id* shapes,
                                    size_t capacity, size_t* count) {
     return guarded([&] {
@@ -256,6 +263,12 @@ cairn_result cairn_body_set_allow_sleep(cairn_world* world, cairn_body_id body, 
 cairn_result cairn_body_set_type(cairn_world* world, cairn_body_id body, cairn_body_type type) {
     return guarded([&] {
         world_of(world).body(to_cpp(body)).set_type(to_body_type(type, "type"));
+    });
+}
+
+cairn_result cairn_body_set_enabled(cairn_world* world, cairn_body_id body, bool enabled) {
+    return guarded([&] {
+        world_of(world).body(to_cpp(body)).set_enabled(enabled);
     });
 }
 

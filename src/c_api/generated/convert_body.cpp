@@ -51,6 +51,7 @@ BodyDef to_cpp(const cairn_body_def& c) {
     if (c.has_mass_properties) x.mass_properties = to_cpp(c.mass_properties);
     x.name = text_of(c.name);
     x.user_data = c.user_data;
+    x.enabled = c.enabled;
     return x;
 }
 cairn_body_def to_c(const BodyDef& x) {
@@ -70,6 +71,7 @@ cairn_body_def to_c(const BodyDef& x) {
     c.has_mass_properties = x.mass_properties.has_value();
     if (x.mass_properties) c.mass_properties = to_c(*x.mass_properties);
     c.user_data = x.user_data;
+    c.enabled = x.enabled;
     return c;
 }
 

@@ -332,5 +332,12 @@ struct BodySleep {
     using Arguments = std::tuple<BodyId>;
 };
 inline constexpr BodySleep body_sleep{};
+struct BodySetEnabled {
+    static constexpr std::uint32_t code = 45;
+    static constexpr const char* name = "Body::set_enabled";
+    static constexpr bool moves_only = false;
+    using Arguments = std::tuple<BodyId, bool>;
+};
+inline constexpr BodySetEnabled body_set_enabled{};
 
 } // namespace cairn::commands

@@ -398,6 +398,15 @@ static bool execute_body(World& world, std::uint64_t code, CommandReader& from) 
         world.body(body).sleep();
         return true;
     }
+    case BodySetEnabled::code: {
+        BodyId body{};
+        read(from, body);
+        bool enabled{};
+        read(from, enabled);
+        from.finish();
+        world.body(body).set_enabled(enabled);
+        return true;
+    }
     default: return false;
     }
 }
@@ -452,6 +461,7 @@ std::string_view name_of(std::uint64_t code) {
     case 42: return "World::set_shape";
     case 43: return "World::set_shape_def";
     case 44: return "Body::sleep";
+    case 45: return "Body::set_enabled";
     default: return {};
     }
 }

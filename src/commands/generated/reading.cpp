@@ -85,7 +85,7 @@ void read(CommandReader& from, MassProperties& x) {
 }
 
 void read(CommandReader& from, BodyDef& x) {
-    const std::size_t members = from.member_count(13, "BodyDef");
+    const std::size_t members = from.member_count(14, "BodyDef");
     if (members > 0) from.enumerator(x.type, 2, "BodyDef.type");
     if (members > 1) read(from, x.position);
     if (members > 2) read(from, x.rotation);
@@ -99,6 +99,7 @@ void read(CommandReader& from, BodyDef& x) {
     if (members > 10) read(from, x.mass_properties);
     if (members > 11) read(from, x.name);
     if (members > 12) read(from, x.user_data);
+    if (members > 13) read(from, x.enabled);
 }
 
 void read(CommandReader& from, CharacterDef& x) {

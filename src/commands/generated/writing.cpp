@@ -85,7 +85,7 @@ void write(CommandWriter& to, const MassProperties& x) {
 }
 
 void write(CommandWriter& to, const BodyDef& x) {
-    to.number(13);
+    to.number(14);
     write(to, x.type);
     write(to, x.position);
     write(to, x.rotation);
@@ -99,6 +99,7 @@ void write(CommandWriter& to, const BodyDef& x) {
     write(to, x.mass_properties);
     write(to, x.name);
     write(to, x.user_data);
+    write(to, x.enabled);
 }
 
 void write(CommandWriter& to, const CharacterDef& x) {

@@ -46,6 +46,7 @@ export const CALLS = [
     { owner: 'Body', name: 'setDamping', isSetter: false, types: ['float', 'float'] },
     { owner: 'Body', name: 'allowSleep', isSetter: true, types: ['bool'] },
     { owner: 'Body', name: 'type', isSetter: true, types: ['BodyType'] },
+    { owner: 'Body', name: 'enabled', isSetter: true, types: ['bool'] },
     { owner: 'Body', name: 'name', isSetter: true, types: ['string'] },
     { owner: 'Body', name: 'massProperties', isSetter: true, types: ['MassProperties'] },
     { owner: 'Body', name: 'setMassFromShapes', isSetter: false, types: ['float?'] },

@@ -88,7 +88,7 @@ inline std::string js(const Material& x) { return object({{"staticFriction", js(
 inline std::string js(const CollisionFilter& x) { return object({{"layers", js(x.layers)}, {"collidesWith", js(x.collides_with)}}); }
 inline std::string js(const ShapeDef& x) { return object({{"position", js(x.position)}, {"rotation", js(x.rotation)}, {"density", js(x.density)}, {"material", js(x.material)}, {"filter", js(x.filter)}, {"isTrigger", js(x.is_trigger)}, {"surfaceVelocity", js(x.surface_velocity)}, {"userData", js(x.user_data)}, {"oneWay", js(x.one_way)}}); }
 inline std::string js(const MassProperties& x) { return object({{"mass", js(x.mass)}, {"centerOfMass", js(x.center_of_mass)}, {"inertiaDiagonal", js(x.inertia_diagonal)}, {"inertiaOrientation", js(x.inertia_orientation)}}); }
-inline std::string js(const BodyDef& x) { return object({{"type", js(x.type)}, {"position", js(x.position)}, {"rotation", js(x.rotation)}, {"linearVelocity", js(x.linear_velocity)}, {"angularVelocity", js(x.angular_velocity)}, {"linearDamping", js(x.linear_damping)}, {"angularDamping", js(x.angular_damping)}, {"gravityScale", js(x.gravity_scale)}, {"allowSleep", js(x.allow_sleep)}, {"mass", js(x.mass)}, {"massProperties", js(x.mass_properties)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const BodyDef& x) { return object({{"type", js(x.type)}, {"position", js(x.position)}, {"rotation", js(x.rotation)}, {"linearVelocity", js(x.linear_velocity)}, {"angularVelocity", js(x.angular_velocity)}, {"linearDamping", js(x.linear_damping)}, {"angularDamping", js(x.angular_damping)}, {"gravityScale", js(x.gravity_scale)}, {"allowSleep", js(x.allow_sleep)}, {"mass", js(x.mass)}, {"massProperties", js(x.mass_properties)}, {"name", js(x.name)}, {"userData", js(x.user_data)}, {"enabled", js(x.enabled)}}); }
 inline std::string js(const CharacterDef& x) { return object({{"up", js(x.up)}, {"maxSlope", js(x.max_slope)}, {"stepHeight", js(x.step_height)}, {"stickDistance", js(x.stick_distance)}, {"skin", js(x.skin)}, {"mass", js(x.mass)}, {"maxPushForce", js(x.max_push_force)}, {"airAcceleration", js(x.air_acceleration)}, {"flies", js(x.flies)}}); }
 inline std::string js(const JointSpring& x) { return object({{"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}, {"isAcceleration", js(x.is_acceleration)}}); }
 inline std::string js(const JointRange& x) { return object({{"lower", js(x.lower)}, {"upper", js(x.upper)}, {"spring", js(x.spring)}}); }
@@ -273,6 +273,7 @@ class RecordedBody : public RecordedBodyBase {
     auto angular_damping() const { return real().angular_damping(); }
     auto is_awake() const { return real().is_awake(); }
     auto allow_sleep() const { return real().allow_sleep(); }
+    auto enabled() const { return real().enabled(); }
     auto shapes() const { return real().shapes(); }
     auto set_transform(const Position& position, const Quat& rotation) {
         real().set_transform(position, rotation);
@@ -313,6 +314,10 @@ class RecordedBody : public RecordedBodyBase {
     auto set_type(BodyType type) {
         real().set_type(type);
         note("" + body_text() + ".type = " + js(type) + ";");
+    }
+    auto set_enabled(bool enabled) {
+        real().set_enabled(enabled);
+        note("" + body_text() + ".enabled = " + js(enabled) + ";");
     }
     auto set_name(std::string_view name) {
         real().set_name(name);

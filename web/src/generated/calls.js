@@ -983,6 +983,27 @@ export class BodyCalls {
         }
     }
 
+    get enabled() {
+        const mark = enter();
+        try {
+            const out = room(1);
+            check(M._cairn_body_get_enabled(use(this.world), this.low, this.high, out));
+            return fields.getBool(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    set enabled(enabled) {
+        const mark = enter();
+        try {
+            const $enabled = boolOf(enabled, 'enabled');
+            check(M._cairn_body_set_enabled(use(this.world), this.low, this.high, $enabled));
+        } finally {
+            leave(mark);
+        }
+    }
+
     get shapes() {
         const mark = enter();
         try {

@@ -371,7 +371,8 @@ export function putBodyDef(p, value, where) {
         case 'massProperties': if (x === null) continue; M._cairn_default_mass_properties(p + 96); putMassProperties(p + 96, x, 'BodyDef.massProperties'); putBool(p + 92, true, 'BodyDef.massProperties'); break;
         case 'name': putString(p + 140, x, 'BodyDef.name'); break;
         case 'userData': putU64(p + 144, x, 'BodyDef.userData'); break;
-        default: unknown('BodyDef', key, ['type', 'position', 'rotation', 'linearVelocity', 'angularVelocity', 'linearDamping', 'angularDamping', 'gravityScale', 'allowSleep', 'mass', 'massProperties', 'name', 'userData']);
+        case 'enabled': putBool(p + 152, x, 'BodyDef.enabled'); break;
+        default: unknown('BodyDef', key, ['type', 'position', 'rotation', 'linearVelocity', 'angularVelocity', 'linearDamping', 'angularDamping', 'gravityScale', 'allowSleep', 'mass', 'massProperties', 'name', 'userData', 'enabled']);
         }
     }
 }
@@ -391,6 +392,7 @@ export function getBodyDef(p) {
         massProperties: getBool(p + 92) ? getMassProperties(p + 96) : null,
         name: getString(p + 140),
         userData: getU64(p + 144),
+        enabled: getBool(p + 152),
     };
 }
 
@@ -1295,7 +1297,7 @@ export const JOINT_LIMIT_BYTES = 32;
 export const JOINT_DRIVE_BYTES = 36;
 export const JOINT_DEF_BYTES = 656;
 export const JOINT_BYTES = 520;
-export const BODY_DEF_BYTES = 152;
+export const BODY_DEF_BYTES = 160;
 export const WORLD_DEF_BYTES = 60;
 export const SNAPSHOT_SIZES_BYTES = 24;
 export const BODY_ARRAYS_BYTES = 36;
