@@ -46,6 +46,12 @@ Result measure_masonry();
 // bicycle.cpp
 Result measure_bicycle();
 
+// wheelset.cpp
+Result measure_wheelset();
+
+// capstan.cpp
+Result measure_capstan();
+
 // impacts.cpp
 Result measure_billiards();
 Result measure_shots();

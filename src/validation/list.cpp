@@ -111,6 +111,16 @@ std::span<const Case> cases() {
          "Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab (Proc. R. Soc. A 463, 2007), with the numbers of "
          "their benchmark. From 4.29 to 6.02 m/s it rights itself.",
          measure_bicycle},
+        {34, "wheelset", "Conical wheels on rails",
+         "An axle with two conical wheels goes to and fro across its rails, with the wavelength 2 pi sqrt(r b / slope) "
+         "for "
+         "wheels of radius r, rails 2 b apart: rolling without slip (J. Klingel, 1883).",
+         measure_wheelset},
+        {35, "capstan", "A rope around a drum",
+         "Friction holds exp(mu times the angle) of the smaller load (L. Euler, 1762; J. A. Eytelwein, 1808): a rope "
+         "of 52 "
+         "links, half around.",
+         measure_capstan},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "
