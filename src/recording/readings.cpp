@@ -76,8 +76,9 @@ bool ReadingsWriter::is_due(const World& world, double time) {
     is_whole_ = time >= whole_time_;
     if (is_whole_) whole_time_ = time + whole_interval;
     std::vector<ShapeId> shapes;
-    for (const BodyId body : world.bodies())
-        for (const ShapeId shape : world.body(body).shapes()) shapes.push_back(shape);
+    for (const BodyId id : world.bodies())
+        if (const Body body = world.body(id); body.enabled())
+            for (const ShapeId shape : body.shapes()) shapes.push_back(shape);
     if (shapes == shapes_ && frames_.size() == world.bodies().size()) return true;
     shapes_ = std::move(shapes);
     is_whole_ = true;
@@ -107,7 +108,8 @@ ProtoWriter ReadingsWriter::scene(const World& world) const {
         const Vec3 color = body.type() == BodyType::dynamic ? colors[id.index() % std::size(colors)] : still_color;
         for (const ShapeId shape : body.shapes()) {
             const ShapeDef& def = world.shape_def(shape);
-            if (!def.is_trigger) entity.add_shape(world.shape(shape), def.position, def.rotation, color);
+            if (!def.is_trigger && body.enabled())
+                entity.add_shape(world.shape(shape), def.position, def.rotation, color);
         }
         update.message(2, entity.message());
     }

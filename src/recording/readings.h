@@ -48,7 +48,7 @@ class ReadingsWriter {
     bool is_whole_ = true; // the poses of all bodies are due, not of those alone that moved
     std::map<BodyId, std::string> frames_;
     std::map<BodyId, Transform> sent_;
-    std::vector<ShapeId> shapes_; // of the bodies in `frames_`
+    std::vector<ShapeId> shapes_; // of the bodies in `frames_`, but for those that are disabled
 };
 
 } // namespace cairn::recording

@@ -1,5 +1,6 @@
 // What recordings have for programs that know nothing of Cairn.
 #include "recorded.h"
+#include "recording/mcap_reader.h"
 
 #include <nlohmann/json.hpp>
 
@@ -61,6 +62,40 @@ void fill(World& world) {
     JointDef def = world.joint_at({}, door, {0.5, 3.0, 9.0}, {0.0f, 0.0f, 1.0f}, HingeJoint{});
     def.name = "hinge";
     world.create_joint(def);
+}
+
+// Bytes of the messages that say which shapes there are.
+std::vector<std::size_t> sizes_of_scenes(const std::filesystem::path& path) {
+    const recording::McapReader reader{recording::InputBytes(path)};
+    const std::optional<std::uint16_t> channel = reader.channel("/scene");
+    std::vector<std::size_t> sizes;
+    for (std::size_t i = 0; i < reader.chunks().size(); ++i) {
+        const std::string records = reader.load(i);
+        reader.for_each_message(records, [&](const recording::McapMessage& message) {
+            if (message.channel == channel) sizes.push_back(message.data.size());
+        });
+    }
+    return sizes;
+}
+
+TEST(Readings, HaveNoShapesOfWhatIsDisabled) {
+    const TemporaryFile file(".mcap");
+    recording::RecorderOptions options;
+    options.readings = all_readings();
+    recording::Recorder recorder(file.path(), options);
+    World world;
+    world.set_command_listener(recorder.listener());
+    fill(world);
+    const BodyId ball = *world.find_body("twin");
+    for (const bool enabled : {true, false, false, true}) {
+        world.body(ball).set_enabled(enabled);
+        for (int i = 0; i < 20; ++i) world.step(1.0f / 60.0f);
+    }
+    recorder.close();
+    const std::vector<std::size_t> sizes = sizes_of_scenes(file.path());
+    ASSERT_EQ(sizes.size(), 3u) << "at first, without it, and with it again";
+    EXPECT_GT(sizes[2], sizes[1] + 50) << "a ball takes more; times take a few bytes more as they grow";
+    EXPECT_NEAR(double(sizes[2]), double(sizes[0]), 40.0);
 }
 
 TEST(Readings, AreReadByOtherProgramsAsFoxgloveHasThem) {

@@ -12,7 +12,7 @@ export class WorldView {
     readonly world: World;
     /** The bodies that are drawn. */
     readonly ids: BodyId[];
-    /** Makes the meshes anew: after bodies, shapes or fluids came, went or were changed. */
+    /** Makes the meshes anew: after bodies, shapes or fluids came, went or were changed, or bodies enabled or disabled: those are not seen. */
     rebuild(): void;
     /** Puts everything where it is now. Throws CairnError (invalidValue) if bodies came or went since `rebuild`. */
     sync(): void;

@@ -9,7 +9,7 @@ const FARTHEST = 1000; // m, of a fluid without end
 /**
  * Draws the shapes of a world, and the surfaces of its fluids. `THREE` is the module of three.js, so that there is one
  * copy of it in the page. `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after
- * bodies, shapes or fluids came, went or were changed.
+ * bodies, shapes or fluids came, went or were changed, or bodies enabled or disabled: those are not seen.
  */
 export class WorldView {
     constructor(THREE, world) {
@@ -31,6 +31,7 @@ export class WorldView {
         this.ids = world.bodies;
         this.ids.forEach((id, index) => {
             const body = world.body(id);
+            if (!body.enabled) return;
             const fixed = body.type === 'static';
             for (const shape of body.shapes) {
                 const kind = world.shape(shape);
