@@ -122,6 +122,12 @@ std::uint32_t packed_features(const Manifold& m) {
 // Of a tapered cylinder: by how much its radius shrinks, over a length along its axis.
 float narrowing_of(const Geometry& g) { return (g.size.x - g.size.z) / (2 * g.size.y); }
 
+// Of the normal and the axis. What touches by a circle of radius R about the axis rolls with the radius R over this
+// (Meusnier): a cone on its side, and a wheel on its rim.
+float sine_with_axis(const ShapePose& pose, math::Vec3 normal) {
+    return std::max(math::length(math::cross(axis_of(pose, 1), normal)), 0.1f);
+}
+
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
 // or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius of
 // curvature. Rounded shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a
@@ -135,7 +141,8 @@ float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwar
     const float slope = narrowing_of(g), slant = std::sqrt(1 + slope * slope);
     const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
     constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
-    return std::fabs(along) < steepest ? slant * mean + g.rounding + 0.5f * separation : around;
+    return std::fabs(along) < steepest ? mean / sine_with_axis(pose, outwards) + g.rounding + 0.5f * separation
+                                       : around;
 }
 
 // What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
@@ -157,10 +164,10 @@ float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, fl
 math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecord& r) {
     if (g.type != ShapeType::cylinder || g.size.x == g.size.z) return {};
     const math::Vec3 way = to_vec(point_of(r, 1)) - to_vec(point_of(r, 0));
-    const float square = math::dot(way, way), growth = -narrowing_of(g);
+    const float square = math::dot(way, way);
     if (!(square > 0)) return {};
-    const float sign = math::dot(way, axis_of(pose, 1)) < 0 ? -1.0f : 1.0f;
-    return (sign * growth / std::sqrt(square)) * way;
+    const float growth = -narrowing_of(g) * math::dot(way, axis_of(pose, 1)) / sine_with_axis(pose, to_vec(r.normal));
+    return (growth / square) * way;
 }
 
 // How the surfaces are round where they touch (what is met as a plane is not), and how the points move over them: the

@@ -207,13 +207,13 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
                          b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
         Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a_then, b_then, m);
-        if (c.touching) drop_what_stays_apart(in, c, a_then, b_then, dt, m);
+        drop_what_stays_apart(in, c, c.touching != 0, a_then, b_then, dt, m);
         is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }
     if (!is_settled) {
         Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a, b, m);
-        if (c.touching) drop_what_stays_apart(in, c, a, b, dt, m);
+        drop_what_stays_apart(in, c, c.touching != 0, a, b, dt, m);
         narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
     }
     if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart

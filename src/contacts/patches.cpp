@@ -56,8 +56,8 @@ float find_at_start(const NarrowInput& in, const Contacts& contacts, const Narro
     const float margin = contact_margin(in.bodies, narrow, group, dt);
     const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
     const float distance = find_patches(a, b, margin, reach_of(group, margin), own.surface, own.hits);
-    if (touches(contacts, group))
-        for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, a, b, dt, hit);
+    const bool meets = touches(contacts, group);
+    for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, meets, a, b, dt, hit);
     return distance;
 }
 
@@ -160,8 +160,8 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
                      b_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_b);
     find_patches(a_then, b_then, margin, margin, own.surface, own.hits);
-    if (touches(contacts, group))
-        for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, a_then, b_then, dt, hit);
+    const bool meets = touches(contacts, group);
+    for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, meets, a_then, b_then, dt, hit);
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
     own.matched.clear();
     for (const Manifold& hit : own.hits) {

@@ -36,7 +36,7 @@ math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3
 // Of a contact that touches: takes from a manifold of cylinders or capsules the points that do not come to touch in the
 // step, as the bodies tilt about the lowest one by their spins and what pulls at them. So what rolls on a rim has one
 // point.
-void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, const PosedShape& a, const PosedShape& b,
-                           float dt, Manifold& manifold);
+void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, bool touches, const PosedShape& a,
+                           const PosedShape& b, float dt, Manifold& manifold);
 
 } // namespace cairn
