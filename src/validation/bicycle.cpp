@@ -138,7 +138,7 @@ struct Ride {
     double lean = 0, steer = 0; // root mean square of what they differ from the equations, of those
     double energy = 1;          // what is left of it
     Curve measured_lean{"lean", {}, {}, true}, measured_steer{"steer", {}, {}, true};
-    Curve expected_lean{"linearized equations", {}, {}}, expected_steer{"linearized equations", {}, {}};
+    Curve expected_lean{"lean, expected", {}, {}}, expected_steer{"steer, expected", {}, {}};
 };
 // It rides upright for a second, while its wheels sink in as far as they do, is pushed, and rides on for three.
 Ride ride(double speed, double push, RandomStart& random, double dt) {

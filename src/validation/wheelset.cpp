@@ -111,7 +111,7 @@ Result measure_wheelset() {
                 const Rolled run = roll_along(track, dt);
                 wavelength.add(run.wavelength / track.wavelength());
                 if (i > 0 || round_rails || dt != time_steps[0]) continue;
-                Curve expected{"Klingel", {}, {}};
+                Curve expected{"expected (Klingel)", {}, {}};
                 for (int k = 0; k <= 240; ++k) {
                     expected.x.push_back(1.8 * half_track * k / 240);
                     expected.y.push_back(track.offset * std::cos(2 * pi * expected.x.back() / track.wavelength()));
