@@ -123,7 +123,7 @@ std::uint32_t packed_features(const Manifold& m) {
 float narrowing_of(const Geometry& g) { return (g.size.x - g.size.z) / (2 * g.size.y); }
 
 // Of the normal and the axis. What touches by a circle of radius R about the axis rolls with the radius R over this
-// (Meusnier): a cone on its side, and a wheel on its rim.
+// (Meusnier): a cone on its side, and a wheel on its rim. What stands on its end does not roll: finite there.
 float sine_with_axis(const ShapePose& pose, math::Vec3 normal) {
     return std::max(math::length(math::cross(axis_of(pose, 1), normal)), 0.1f);
 }
