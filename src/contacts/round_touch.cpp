@@ -80,7 +80,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool tou
         return g.type == ShapeType::cylinder || g.type == ShapeType::capsule;
     };
     if (m.count < 2 || (!is_round(a.geometry) && !is_round(b.geometry))) return;
-    // Of what has not met it, and which nothing else carries, it is not known how it will lie.
+    // How something lies that falls, and has not met this yet, is not known.
     if (!touches && in.bodies.links[c.body_a].contact_count <= (c.point_count > 0 ? 1 : 0)) return;
     const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
     const math::Vec3 n = to_vec(m.normal),

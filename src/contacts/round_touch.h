@@ -33,9 +33,9 @@ bool is_followed(PairKind kind, const Geometry& shape, const Geometry& other, co
 // Of what turns with w: the part that tilts the axis toward the normal, and so brings points nearer.
 math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3 w, math::Vec3 normal);
 
-// Of a contact that touches: takes from a manifold of cylinders or capsules the points that do not come to touch in the
-// step, as the bodies tilt about the lowest one by their spins and what pulls at them. So what rolls on a rim has one
-// point.
+// Takes from a manifold of cylinders or capsules the points that do not come to touch in the step, as the bodies tilt
+// about the lowest one by their spins, what pulls at them, and what they meet. So what rolls on a rim has one point.
+// `touches`: whether the pair did before; of those that did not, only what something else carries is looked at.
 void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, bool touches, const PosedShape& a,
                            const PosedShape& b, float dt, Manifold& manifold);
 

@@ -64,7 +64,7 @@ class Bicycle {
   public:
     Bicycle(double speed, double heading, const glm::dvec3& place)
         : world_(without_sleep()), turn_(glm::angleAxis(heading, glm::dvec3(0, 1, 0))), place_(place), speed_(speed) {
-        add_ground(world_, grip());
+        add_ground(world_, rough());
         rear_ = add({0, rear_radius, 0}, mass_of(2, 0.0603, 0.0603, 0.12, 0), speed / rear_radius);
         frame_ = add({0.3, 0.9, 0}, mass_of(85, 9.2, 2.8, 11, -2.4), 0);
         fork_ = add({0.9, 0.7, 0}, mass_of(4, 0.05892, 0.00708, 0.06, 0.00756), 0);
@@ -95,11 +95,6 @@ class Bicycle {
     }
 
   private:
-    static Material grip() {
-        Material material = surface(1);
-        material.torsional_friction = 0; // it touches in points
-        return material;
-    }
     glm::dvec3 ahead_of() {
         const glm::dvec3 x = glm::dquat(world_.body(frame_).rotation()) * glm::dvec3(1, 0, 0);
         return glm::normalize(glm::dvec3(x.x, 0, x.z));
@@ -117,7 +112,7 @@ class Bicycle {
     void add_wheel(BodyId body, double radius) {
         constexpr float half = 0.02f; // m
         ShapeDef def;
-        def.material = grip();
+        def.material = rough();
         def.position = {0, 0, half};
         def.rotation = glm::angleAxis(float(pi / 2), Vec3(1, 0, 0));
         world_.add_shape(body, Cylinder{half, float(radius), float(0.9 * radius)}, def);

@@ -22,12 +22,6 @@ struct Track {
 
 constexpr double rail_radius = 0.03, half_tread = 0.06, half_track = 30; // m
 
-Material rail_grip() {
-    Material material = surface(1);
-    material.torsional_friction = 0;
-    return material;
-}
-
 // Edges of boxes, or cylinders, on which the wheels touch at their middles as they stand straight.
 void add_rails(World& world, const Track& track) {
     for (const double side : {-1.0, 1.0}) {
@@ -39,9 +33,9 @@ void add_rails(World& world, const Track& track) {
         def.rotation = Quat(track.heading);
         if (track.round_rails) {
             def.rotation = Quat(track.heading * glm::angleAxis(pi / 2, glm::dvec3(0, 0, 1)));
-            add_body(world, Cylinder{float(half_track), float(rail_radius)}, def, rail_grip());
+            add_body(world, Cylinder{float(half_track), float(rail_radius)}, def, rough());
         } else {
-            add_body(world, Box{{float(half_track), 0.05f, 0.03f}}, def, rail_grip());
+            add_body(world, Box{{float(half_track), 0.05f, 0.03f}}, def, rough());
         }
     }
 }
@@ -58,7 +52,7 @@ BodyId add_wheels(World& world, const Track& track) {
     const BodyId axle = world.create_body(def);
     for (const double side : {-1.0, 1.0}) {
         ShapeDef wheel;
-        wheel.material = rail_grip();
+        wheel.material = rough();
         wheel.position = {0, 0, float(side * track.half_gauge)};
         wheel.rotation = glm::angleAxis(float(side * pi / 2), Vec3(1, 0, 0)); // the smaller end is outside
         const double taper = track.conicity * half_tread;

@@ -32,6 +32,13 @@ inline Material surface(float friction, float restitution = 0) {
     return material;
 }
 
+// Of what rolls and touches in points: friction, but no couple against spinning about the normal.
+inline Material rough() {
+    Material material = surface(1);
+    material.torsional_friction = 0;
+    return material;
+}
+
 inline BodyId add_body(World& world, const Shape& shape, const BodyDef& def, const Material& material = {}) {
     const BodyId body = world.create_body(def);
     ShapeDef shape_def;

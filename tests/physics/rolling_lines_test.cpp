@@ -12,12 +12,6 @@ namespace {
 
 double energy_of(const World& world) { return world.kinetic_energy() + world.potential_energy(); }
 
-Material rough() {
-    Material material = surface(1);
-    material.torsional_friction = 0;
-    return material;
-}
-
 void add_round(World& world, bool is_capsule, double half, double radius, const BodyDef& def) {
     if (is_capsule)
         add_body(world, Capsule{float(half), float(radius), {}}, def, surface(1));
@@ -328,7 +322,6 @@ Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
     def.linear_velocity = Vec3(glm::cross(rate, arm * axis + glm::dvec3(0, ball, 0)));
     ShapeDef tip;
     tip.material = rough();
-    tip.material.torsional_friction = 0;
     tip.position = {0, float((ball > 0 ? 0 : 0.02) - arm), 0};
     tip.rotation = glm::angleAxis(float(pi), Vec3(1, 0, 0));
     const BodyId top = world.create_body(def);
