@@ -45,9 +45,10 @@ endfunction()
 function(cairn_quick_tests folder)
     # Those that are compiled several files at a time: their headers take most of the time (JSON, scenes, the viewer), and
     # their names in unnamed namespaces differ.
-    set(together cairn_api_test cairn_checkpoint_cli_test cairn_checkpoint_test cairn_cli_test cairn_impacts
-                 cairn_impacts_oracle_test cairn_physics_test cairn_recording_test cairn_scene_test
-                 cairn_sweep_cli_test cairn_sweep_test cairn_viewer_core_test)
+    set(together cairn_api_test cairn_character_test cairn_checkpoint_cli_test cairn_checkpoint_test cairn_cli_test
+                 cairn_convex_test cairn_faults_test cairn_geometry_test cairn_impacts cairn_impacts_oracle_test
+                 cairn_physics_test cairn_recording_test cairn_scene_test cairn_sweep_cli_test cairn_sweep_test
+                 cairn_viewer_core_test)
     if(NOT TARGET cairn_test_headers)
         cairn_test_headers(cairn_test_headers)
         cairn_test_headers(cairn_public_test_headers <cairn/cairn.h>)

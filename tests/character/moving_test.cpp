@@ -5,8 +5,6 @@ namespace {
 
 using namespace cairn_test;
 
-Quat about_up(double angle) { return Quat(float(std::cos(0.5 * angle)), 0, float(std::sin(0.5 * angle)), 0); }
-
 TEST(CharacterMoving, IsCarriedByPlatformsThatMoveInAnyDirection) {
     Chance chance(21);
     for (int i = 0; i < 60; ++i) {

@@ -29,6 +29,8 @@ class Chance {
     std::mt19937 random_;
 };
 
+inline Quat about_up(double angle) { return Quat(float(std::cos(0.5 * angle)), 0, float(std::sin(0.5 * angle)), 0); }
+
 inline BodyId add_body(World& world, BodyType type, const Position& position, const Shape& shape,
                        const ShapeDef& def = {}, const Quat& rotation = Quat(1, 0, 0, 0)) {
     BodyDef body;

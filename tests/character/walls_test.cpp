@@ -7,8 +7,6 @@ namespace {
 
 using namespace cairn_test;
 
-Quat about_up(double angle) { return Quat(float(std::cos(0.5 * angle)), 0, float(std::sin(0.5 * angle)), 0); }
-
 // A wall of a kind: 0 a thin box, 1 a two-sided mesh, 2 a plane, 3 a hull, 4 a thin rectangle. `out`: its side.
 void add_wall(World& world, int kind, double distance, double angle) {
     const Quat turn = about_up(angle);

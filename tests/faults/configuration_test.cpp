@@ -1,29 +1,19 @@
 // Configurations that break engines: rows 33 to 40 of the list of faults.
 #include "../api/test_world.h"
 #include "../unit/allocation_count.h"
+#include "measures.h"
 
 #include <algorithm>
-#include <fstream>
 #include <ostream>
-#include <unistd.h>
 #include <vector>
 
 namespace cairn::test {
 namespace {
 
-float speed_of(const World& world, BodyId body) { return glm::length(world.body(body).linear_velocity()); }
 float fastest(const World& world) {
     float most = 0;
     for (const BodyId body : world.bodies()) most = std::max(most, speed_of(world, body));
     return most;
-}
-
-// Memory of this process that lies in RAM, in bytes.
-std::size_t resident_memory() {
-    std::ifstream file("/proc/self/statm");
-    std::size_t total = 0, resident = 0;
-    file >> total >> resident;
-    return resident * std::size_t(sysconf(_SC_PAGESIZE));
 }
 
 // Pushing apart is capped; what is above the cap by more than this is an explosion.

@@ -1,23 +1,15 @@
 // 100,000 bodies in one place: row 39 of the list of faults.
 #include "../api/test_world.h"
 #include "../sanitized.h"
+#include "measures.h"
 
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <random>
-#include <unistd.h>
 
 namespace cairn::test {
 namespace {
-
-std::size_t resident_memory() {
-    std::ifstream file("/proc/self/statm");
-    std::size_t total = 0, resident = 0;
-    file >> total >> resident;
-    return resident * std::size_t(sysconf(_SC_PAGESIZE));
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,6 +1,7 @@
 // Extreme but legal values: rows 20 to 27 of the list of faults. The world stays finite, and no energy comes from
 // nowhere.
 #include "../api/test_world.h"
+#include "measures.h"
 
 #include <algorithm>
 #include <vector>
@@ -20,8 +21,6 @@ BodyDef with_mass(const Position& position, float mass) {
     def.mass = mass;
     return def;
 }
-
-float speed_of(const World& world, BodyId body) { return glm::length(world.body(body).linear_velocity()); }
 
 // --- row 20
 

@@ -33,13 +33,6 @@ DVec3 any_size(Random& random) {
     };
     return {u(), u(), u()};
 }
-// Any; by quarter turns; or by nearly those.
-DQuat any_turn(Random& random, int kind) {
-    if (kind == 0) return random.rotation();
-    const DVec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double off = kind == 1 ? 0 : std::pow(10, random.uniform(-12, -2));
-    return about(axes[random.below(3)], 0.5 * 3.14159265358979 * random.below(4) + off);
-}
 TwoBoxes any_boxes(Random& random, int kind, double apart) {
     TwoBoxes t{any_size(random), any_size(random), {}, {}, any_turn(random, kind), any_turn(random, kind)};
     const double reach = length(t.size_a) + length(t.size_b);

@@ -18,13 +18,7 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
     cairn::collide_convex(a, b, margin, guess, memory, out);
 }
 
-DVec3 normal_of(const Manifold& m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
 DVec3 point_of(const Manifold& m, int i) { return {m.points[i][0], m.points[i][1], m.points[i][2]}; }
-double deepest(const Manifold& m) {
-    double d = 1e30;
-    for (int i = 0; i < m.count; ++i) d = std::min(d, double(m.points[i][3]));
-    return d;
-}
 double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
 // The greatest separation over all directions, by sampling and hill climbing.
 double greatest_separation(const Convex& a, const Convex& b, DVec3 hint, Random& random, DVec3& best) {
@@ -258,7 +252,6 @@ Manifold on_floor(const Solid& s, const Solid& floor, double half, double gap, D
     collide_convex(s.at({}, q), floor.at({0.1, -half - gap - 0.5, -0.05}), 0.02, guess, m);
     return m;
 }
-const DQuat lying = about({0, 0, 1}, 1.5707963267948966);
 constexpr DVec3 y_axis{0, 1, 0};
 
 TEST(ConvexContact, ShapesAtRestHaveAllTheirPointsAndTheExactSeparation) {

@@ -1,6 +1,7 @@
 // What the tests of convex shapes share: shapes posed at will, hulls made by hand, random numbers.
 #pragma once
 
+#include "collision/manifold.h"
 #include "shapes/convex.h"
 
 #include <algorithm>
@@ -238,6 +239,23 @@ inline Solid any_solid(Random& random, double s) {
     default:
         return hull(random.below(2) ? dodecahedron(0.5 * u()) : prism(3 + random.below(6), u(), u()));
     }
+}
+
+inline const DQuat lying = about({0, 0, 1}, 1.5707963267948966);
+
+// Any; by quarter turns; or by nearly those.
+inline DQuat any_turn(Random& random, int kind) {
+    if (kind == 0) return random.rotation();
+    const DVec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double off = kind == 1 ? 0 : std::pow(10, random.uniform(-12, -2));
+    return about(axes[random.below(3)], 0.5 * 3.14159265358979 * random.below(4) + off);
+}
+
+inline DVec3 normal_of(const cairn::Manifold& m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
+inline double deepest(const cairn::Manifold& m) {
+    double d = 1e30;
+    for (int i = 0; i < m.count; ++i) d = std::min(d, double(m.points[i][3]));
+    return d;
 }
 
 } // namespace convex_test

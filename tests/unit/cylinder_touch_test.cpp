@@ -28,15 +28,8 @@ Solid any_cylinder(Random& random, double size) {
     if (kind == 1) return cylinder(half, radius, size * random.uniform(0.05, 1));
     return cylinder(half, radius);
 }
-// Any; by quarter turns; or by nearly those.
-DQuat any_turn(Random& random, int kind) {
-    if (kind == 0) return random.rotation();
-    const DVec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double off = kind == 1 ? 0 : std::pow(10, random.uniform(-12, -2));
-    return about(axes[random.below(3)], 0.5 * 3.14159265358979 * random.below(4) + off);
-}
 
-Cast any_cast(Random& random, int k) {
+Cast any_cast_of_cylinder(Random& random, int k) {
     const double size = random.below(3) == 0 ? random.uniform(2, 8) : random.uniform(0.2, 1);
     Cast c{any_polytope(random, size), any_cylinder(random, random.uniform(0.2, 1)), {}, {}, any_turn(random, k % 3),
            any_turn(random, k / 3 % 3)};
@@ -50,7 +43,7 @@ TEST(CylinderSweeps, AreThoseOfConservativeAdvancement) {
     Random random(1);
     int hits = 0, misses = 0, at_once = 0;
     for (int k = 0; k < 40000; ++k) {
-        const Cast cast = any_cast(random, k);
+        const Cast cast = any_cast_of_cylinder(random, k);
         const auto expected = advance(cast), hit = cast_convex(cast.a(), cast.way, cast.b());
         const double near = 4 * cast.tolerance(), length = convex_test::length(cast.way);
         if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
@@ -90,7 +83,7 @@ TEST(CylinderSweeps, LimitsCount) {
     Random random(2);
     int hits = 0;
     for (int k = 0; k < 10000; ++k) {
-        const Cast cast = any_cast(random, k);
+        const Cast cast = any_cast_of_cylinder(random, k);
         const auto hit = cast_convex(cast.a(), cast.way, cast.b());
         if (!hit || hit->fraction < 1e-3) continue;
         ++hits;

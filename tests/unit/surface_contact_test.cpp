@@ -14,14 +14,7 @@ using cairn::SurfaceContact;
 using Part = SurfaceContact::Part;
 
 constexpr DVec3 up{0, 1, 0};
-const DQuat lying = about({0, 0, 1}, 1.5707963267948966);
 
-double deepest(const Manifold& m) {
-    double d = 1e30;
-    for (int i = 0; i < m.count; ++i) d = std::min(d, double(m.points[i][3]));
-    return d;
-}
-DVec3 normal_of(const Manifold& m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
 
 TEST(PlaneContact, TheDeepestPointIsTheLowestOfTheShape) {
     Random random(1);
