@@ -4,7 +4,7 @@ import re
 from api_table import GROUPS, HANDLES, snake
 from api_text import BY_VALUE, C_SCALARS, MADE, beside, c_name, comment, constant, described, joined, wrapped
 
-ABI_VERSION = 5
+ABI_VERSION = 6
 
 BASE = '''#if defined(_WIN32) && defined(CAIRN_C_BUILDING)
 #define CAIRN_C_API __declspec(dllexport)

@@ -42,6 +42,9 @@ struct Names {
     std::optional<NamedChange> operator()(const command::SetJointStrength&) const {
         return NamedChange{"strength of a joint", Merge::soon};
     }
+    std::optional<NamedChange> operator()(const command::SetJointEnabled& change) const {
+        return NamedChange{change.enabled ? "enable a joint" : "disable a joint"};
+    }
     std::optional<NamedChange> operator()(const command::SetJointSolver&) const {
         return NamedChange{"solver of a joint"};
     }

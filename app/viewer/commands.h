@@ -148,6 +148,10 @@ struct SetJointStrength {
     JointId joint;
     float break_force, break_torque; ///< N and N m, > 0; may be infinite.
 };
+struct SetJointEnabled {
+    JointId joint;
+    bool enabled;
+};
 struct SetJointSolver {
     JointId joint;
     JointSolver solver = JointSolver::automatic;
@@ -213,7 +217,7 @@ using Command =
                  command::SelectBody, command::EditBody, command::EditBodies, command::GroupSelected,
                  command::UngroupSelected, command::EndChange, command::DuplicateSelected, command::SaveScene,
                  command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
-                 command::SetJointSolver, command::RemoveJoint>;
+                 command::SetJointEnabled, command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

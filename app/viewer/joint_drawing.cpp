@@ -27,6 +27,7 @@ constexpr float free_angular_error = 0.1f;                // rad
 constexpr float heavy_load = 0.5f; // of what breaks a joint
 
 bool fails(const JointLayout& joint, const JointState& state) {
+    if (!joint.def.enabled) return false;
     return state.linear_error > free_linear_error * joint.reach || state.angular_error > free_angular_error;
 }
 
@@ -302,6 +303,7 @@ struct JointShape {
 } // namespace
 
 Vec3 joint_color(const JointLayout& joint, const JointState& state) {
+    if (!joint.def.enabled) return disabled_color();
     if (fails(joint, state)) return joint_error_color();
     return joint_ramp(joint_load(joint.def, state));
 }

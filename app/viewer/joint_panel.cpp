@@ -294,7 +294,8 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
         ImGui::EndCombo();
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("blue: bears little; yellow: about to break; red: does not hold; white: selected");
+        ImGui::SetTooltip(
+            "blue: bears little; yellow: about to break; red: does not hold; gray: disabled; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);
     ImGui::BeginChild("joint list", ImVec2(0.0f, lines * ImGui::GetTextLineHeightWithSpacing()));
     ImGuiListClipper clipper; // there may be thousands
@@ -338,6 +339,8 @@ void JointPanel::draw_facts(const StageState& state, const JointLayout& joint, c
 }
 
 void JointPanel::draw_strength(Controller& controller) {
+    bool enabled = edited_.enabled;
+    if (ImGui::Checkbox("enabled", &enabled)) controller.post(command::SetJointEnabled{edited_id_, enabled});
     bool changed = cap_slider("breaks by force", "##force", edited_.break_force, false);
     changed |= cap_slider("breaks by torque", "##torque", edited_.break_torque, true);
     if (changed) controller.post(command::SetJointStrength{edited_id_, edited_.break_force, edited_.break_torque});

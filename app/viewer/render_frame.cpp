@@ -251,7 +251,7 @@ void add_solid(ShapeInstances& all, const Position& origin, const ShapeLayout& s
 void add_strings(RenderFrame& frame, const WorldMotion& motion, std::span<const Transform> transforms) {
     constexpr float thickness = 0.01f; // of the length
     for (const JointLayout& joint : *motion.joints) {
-        if (!joint.color) continue;
+        if (!joint.color || !joint.def.enabled) continue;
         const JointFrames ends = frames_of(joint, transforms);
         const Vec3 way(ends.b.position - ends.a.position);
         const float length = glm::length(way);

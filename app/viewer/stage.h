@@ -160,6 +160,7 @@ class Stage {
     void operator()(const command::SelectJoint& select);
     void operator()(const command::SetJoint& joint);
     void operator()(const command::SetJointStrength& strength);
+    void operator()(const command::SetJointEnabled& change);
     void operator()(const command::SetJointSolver& solver);
     void operator()(const command::RemoveJoint& joint);
 

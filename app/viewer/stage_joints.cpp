@@ -59,6 +59,12 @@ void Stage::operator()(const command::SetJointStrength& strength) {
     refresh_motion();
 }
 
+void Stage::operator()(const command::SetJointEnabled& change) {
+    scene_.world.set_joint_enabled(change.joint, change.enabled);
+    refresh_joints();
+    refresh_motion();
+}
+
 // A world takes the solver of a joint only when the joint is made.
 void Stage::operator()(const command::SetJointSolver& solver) {
     JointDef def = scene_.world.joint_def(solver.joint);

@@ -188,6 +188,7 @@ struct JointDef {
     JointSolver solver = JointSolver::automatic;
     std::string name{};          ///< For people; need not be unique.
     std::uint64_t user_data = 0; ///< Not touched by the engine.
+    bool enabled = true;         ///< false: it acts on nothing, as if it were not there.
 };
 
 /// What a joint did in the last step.

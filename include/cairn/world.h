@@ -206,6 +206,10 @@ class World {
     /// Changes limits, motors, springs, or the kind of the joint. Wakes its bodies.
     void set_joint(JointId id, const Joint& joint);
     void set_joint_strength(JointId joint, float break_force, float break_torque); ///< N and N m, > 0; may be infinite.
+    /// A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide,
+    /// as if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where they
+    /// have parted. Both wake them.
+    void set_joint_enabled(JointId joint, bool enabled);
     JointState joint_state(JointId joint) const;
     std::vector<JointId> joints() const;                            ///< All, in order of slot index.
     std::vector<JointId> joints(BodyId body) const;                 ///< Those of one body, oldest first.

@@ -398,6 +398,11 @@ class World:
         """
     def set_joint_strength(self, joint: JointId, break_force: float, break_torque: float) -> None:
         """N and N m, > 0; may be infinite. Raises: invalid_handle, invalid_value, wrong_state."""
+    def set_joint_enabled(self, joint: JointId, enabled: bool) -> None:
+        """A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and
+        collide, as if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together
+        where they have parted. Both wake them. Raises: invalid_handle, wrong_state.
+        """
     def joint_state(self, joint: JointId) -> JointState:
         """What a joint did in the last step. Raises: invalid_handle, wrong_state."""
     @property

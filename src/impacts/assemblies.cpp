@@ -28,7 +28,8 @@ std::int32_t Assemblies::of(std::int32_t body) {
     for (std::size_t k = std::size_t(begin); k < scratch_.members.size(); ++k)
         for_each_joint(bodies_, joints_, scratch_.members[k], [&](std::uint32_t joint, int side) {
             const std::int32_t other = other_body(joints_.info[joint], side);
-            if (other != none && bodies_.is_dynamic(other) && scratch_.assembly_of[other] == none)
+            if (other != none && bodies_.is_dynamic(other) && joints_.info[joint].enabled &&
+                scratch_.assembly_of[other] == none)
                 take(other, assembly);
         });
     scratch_.assemblies.push_back({begin, std::int32_t(scratch_.members.size())});

@@ -110,7 +110,7 @@ void split_island(Bodies& bodies, const Contacts& contacts, Islands& islands, co
     for (const std::int32_t b : members)
         for_each_joint(bodies, joints, b, [&](std::uint32_t joint, int side) {
             const std::int32_t other = other_body(joints.info[joint], side);
-            if (other == none || !bodies.is_dynamic(other)) return;
+            if (other == none || !bodies.is_dynamic(other) || !joints.info[joint].enabled) return;
             const std::int32_t a = find_root(parent, number[b]);
             const std::int32_t c = find_root(parent, number[other]);
             parent[std::max(a, c)] = std::min(a, c);

@@ -106,7 +106,7 @@ namespace {
 template <class F> void for_joined_islands(const Bodies& bodies, const Joints& joints, std::int32_t body, F&& f) {
     for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int side) {
         const std::int32_t other = other_body(joints.info[joint], side);
-        if (is_solved(bodies, other)) f(bodies.links[other].island);
+        if (is_solved(bodies, other) && joints.info[joint].enabled) f(bodies.links[other].island);
     });
 }
 

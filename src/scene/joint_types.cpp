@@ -345,7 +345,7 @@ void warn_of_unknown_joint_members(const Value& own, std::vector<std::string>& w
     const std::string name = type && type->is_string() ? type->text() : "general";
     for (const auto& [candidate, blank] : types()) {
         if (name != candidate) continue;
-        JointSpeller speller(own, {"type", "break_force", "break_torque", "solver"}, warnings);
+        JointSpeller speller(own, {"type", "break_force", "break_torque", "solver", "enabled"}, warnings);
         Joint joint = blank;
         std::visit([&](auto& j) { members_of_joint(speller, j); }, joint);
         speller.finish();

@@ -109,6 +109,7 @@ JointDef read_joint(const Value& value, std::vector<std::string>& warnings) {
     if (const auto force = own->find("break_force")) def.break_force = force->real(positive_float);
     if (const auto torque = own->find("break_torque")) def.break_torque = torque->real(positive_float);
     if (const auto solver = own->find("solver")) def.solver = read_solver(*solver);
+    if (const auto enabled = own->find("enabled")) def.enabled = enabled->boolean();
     return def;
 }
 
@@ -183,6 +184,7 @@ nlohmann::ordered_json write_joint(const JointDef& joint) {
     if (std::isfinite(joint.break_force)) own["break_force"] = shortest(joint.break_force);
     if (std::isfinite(joint.break_torque)) own["break_torque"] = shortest(joint.break_torque);
     if (joint.solver != JointSolver::automatic) own["solver"] = solvers[static_cast<std::size_t>(joint.solver)].name;
+    if (!joint.enabled) own["enabled"] = false;
     if (!own.empty()) json["extensions"]["CAIRN_joint"] = std::move(own);
     return json;
 }

@@ -18,8 +18,9 @@ class ConstraintMaker {
 
     void equality(const XmlElement& child) {
         const MjcfElement element(child, model_.defaults, 0);
-        if (const auto active = element.attribute("active"); active && !active->boolean()) return;
-        if (child.tag() == "joint") return tie_joints(element);
+        const auto active = element.attribute("active");
+        const bool is_active = !active || active->boolean();
+        if (child.tag() == "joint") return tie_joints(element, is_active);
         const bool is_weld = child.tag() == "weld";
         const bool has_sites = element.attribute("site1") || element.attribute("site2");
         const MjcfAttached* a = end(element, has_sites ? "site1" : "body1", has_sites);
@@ -49,6 +50,7 @@ class ConstraintMaker {
             def.joint = BallJoint{};
         }
         def.name = element.name();
+        def.enabled = is_active;
         def.enable_collision = true; // it does not make them neighbors
         create(def, *a, in_a, *b, in_b, element);
     }
@@ -117,7 +119,7 @@ class ConstraintMaker {
     }
 
     // One joint that follows another, or stands still.
-    void tie_joints(const MjcfElement& element) {
+    void tie_joints(const MjcfElement& element, bool is_active) {
         const auto name = element.attribute("joint1"), other_name = element.attribute("joint2");
         if (!name) element.fail("must have the attribute joint1");
         const MjcfJoint* joint = model_.joint(*name);
@@ -131,11 +133,14 @@ class ConstraintMaker {
         if (joint == nullptr || joint->id.is_null() || !joint->is_scalar()) {
             return without("its first joint is no hinge or slide of its own");
         }
-        if (!other_name) return hold(*joint, joint->reference + curve[0]);
+        const auto hold_it = [&] { // by its own limits, which cannot be disabled
+            if (is_active) hold(*joint, joint->reference + curve[0]);
+        };
+        if (!other_name) return hold_it();
         if (other == nullptr || other->id.is_null()) return without("its second joint is no hinge of its own");
         if (curve[2] != 0.0 || curve[3] != 0.0 || curve[4] != 0.0) return without("it is no straight line");
         const double ratio = curve[1];
-        if (ratio == 0.0) return hold(*joint, joint->reference + curve[0]);
+        if (ratio == 0.0) return hold_it();
         if (joint->kind != MjcfJoint::Kind::hinge || other->kind != MjcfJoint::Kind::hinge) {
             return without("gears hold between two hinges only");
         }
@@ -156,6 +161,7 @@ class ConstraintMaker {
         def.frame_b.rotation = Quat(turn_from_x(joint->axis));
         def.joint = GearJoint{static_cast<float>(-1.0 / ratio)};
         def.enable_collision = true;
+        def.enabled = is_active;
         scene_.world.create_joint(def);
     }
 

@@ -31,8 +31,8 @@ class UsdJointMaker {
         }
         if (prim.type.substr(0, 7) != "Physics" || prim.type.find("Joint") == std::string::npos) return;
         stage_.value(prim, "physics:excludeFromArticulation");
-        if (!stage_.flag(prim, "physics:jointEnabled", true)) return;
         JointDef def;
+        def.enabled = stage_.flag(prim, "physics:jointEnabled", true);
         def.name = prim.name;
         def.enable_collision = stage_.flag(prim, "physics:collisionEnabled", false);
         const double meters = stage_.meters();

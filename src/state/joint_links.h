@@ -5,9 +5,10 @@
 
 namespace cairn {
 
-// The body that a joint counts to, in whose island it is; none if neither is dynamic, or one is disabled: it is not
-// solved.
+// The body that a joint counts to, in whose island it is; none if it is not solved: neither is dynamic, or it or one of
+// them is disabled.
 inline std::int32_t joint_owner(const Bodies& bodies, const JointInfo& joint) {
+    if (!joint.enabled) return none;
     for (const std::int32_t body : {joint.body_a, joint.body_b})
         if (body != none && !bodies.is_enabled(body)) return none;
     if (joint.body_a != none && bodies.is_dynamic(joint.body_a)) return joint.body_a;
@@ -27,7 +28,7 @@ inline bool joint_forbids_contact(const Bodies& bodies, const Joints& joints, st
     bool forbids = false;
     for_each_joint(bodies, joints, body_a, [&](std::uint32_t joint, int side) {
         const JointInfo& info = joints.info[joint];
-        forbids |= !info.enable_collision && other_body(info, side) == body_b;
+        forbids |= info.enabled && !info.enable_collision && other_body(info, side) == body_b;
     });
     return forbids;
 }

@@ -67,8 +67,9 @@ struct alignas(64) JointInfo {
     std::uint8_t enable_collision = 0, in_use = 0, solver = 0;
     float substep_time = 0; // s: that the impulses are for
     float break_force = 0, break_torque = 0;
-    math::Vec3 point_impulse; // of the last substep
-    float line_padding = 0;   // snapshots keep all bytes: none of them may be left to chance
+    math::Vec3 point_impulse;          // of the last substep
+    std::uint8_t enabled = 1;          // 0: it is not solved, and keeps nothing from colliding
+    std::uint8_t line_padding[3] = {}; // snapshots keep all bytes: none of them may be left to chance
 
     math::DVec3 anchor_a, anchor_b; // in the bodies' frames; of the world, in its own
     math::Vec3 force;

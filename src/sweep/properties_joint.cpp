@@ -124,6 +124,15 @@ constexpr std::array of_joint{
     of_axis<joint_friction>("friction"),
     strength<&JointDef::break_force, true>("break_force"),
     strength<&JointDef::break_torque, false>("break_torque"),
+    Property{"enabled", "",
+             [](const Trial& t, const Subject& s, double* out) {
+                 *out = t.world.is_valid(s.joint) ? static_cast<double>(t.world.joint_def(s.joint).enabled) : nothing;
+             },
+             [](Changes& c, const Subject& s, const double* v) {
+                 if (*v != 0.0 && *v != 1.0)
+                     throw Error(ErrorCode::invalid_value, "enabled", std::to_string(*v), "must be 0 or 1");
+                 c.trial.world.set_joint_enabled(s.joint, *v != 0.0);
+             }},
     Property{"position", "",
              [](const Trial& t, const Subject& s, double* out) {
                  *out = nothing;

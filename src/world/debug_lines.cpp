@@ -114,7 +114,8 @@ std::vector<DebugLine> World::debug_lines(const DebugLinesDef& what) const {
         for (const Contact& contact : contacts()) writer.contact(contact);
     if (what.joints)
         for (const JointId id : joints())
-            if (is_there(joint_def(id).body_a) && is_there(joint_def(id).body_b)) writer.joint(joint_def(id));
+            if (const JointDef& def = joint_def(id); def.enabled && is_there(def.body_a) && is_there(def.body_b))
+                writer.joint(def);
     return lines;
 }
 

@@ -94,7 +94,7 @@ template <std::size_t I = 0> bool select_joint(Joint& joint, std::uint64_t index
     return false;
 }
 
-CAIRN_ARCHIVES_MEMBERS(11, JointDef);
+CAIRN_ARCHIVES_MEMBERS(12, JointDef);
 template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def, std::uint32_t world) {
     for (BodyId* id : {&def.body_a, &def.body_b}) {
         BodyId kept = without_world(*id);
@@ -104,6 +104,7 @@ template <class Archive> void serialize_joint_def(Archive& archive, JointDef& de
     archive(def.enable_collision);
     for (Transform* frame : {&def.frame_a, &def.frame_b}) archive(frame->position), archive(frame->rotation);
     archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
+    archive(def.enabled);
     std::uint64_t kind = def.joint.index();
     archive(kind);
     if constexpr (Archive::reading)

@@ -48,9 +48,15 @@ float pulley_length(const Bodies& bodies, const JointInfo& info, const Joint& jo
 
 // Pairs of the two bodies' shapes are asked for anew at the next step.
 void refilter_pairs(const Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, const JointInfo& info) {
-    if (info.enable_collision || info.body_a == none || info.body_b == none) return;
+    if (!info.enabled || info.enable_collision || info.body_a == none || info.body_b == none) return;
     for (std::int32_t i = bodies.links[info.body_a].first_shape; i != none; i = shapes.links[i].next)
         broad_phase.refilter(std::uint32_t(i));
+}
+
+void forget_impulses(JointInfo& info, JointAxes& axes) {
+    info.substep_time = 0;
+    info.point_impulse = info.turn_impulse = {};
+    for (JointAxisState& axis : axes.states) axis = {};
 }
 
 // Rows of another make begin without impulses.
@@ -64,11 +70,7 @@ void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const 
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
     ++joints.changes;
-    if (!same) {
-        info.substep_time = 0;
-        info.point_impulse = info.turn_impulse = {};
-        for (JointAxisState& axis : axes.states) axis = {};
-    }
+    if (!same) forget_impulses(info, axes);
     if (locks.turn == JointLock::none && locks.axis_count == 0) info.torque = {}; // nothing counts it any more
     for (int i = 0; i < locks.axis_count; ++i) {                                  // what is no more must not act on
         JointAxisState& axis = axes.states[i];
@@ -150,6 +152,7 @@ JointId World::create_joint(const JointDef& def) {
     fill_frames(info, own);
     info.in_use = 1;
     info.enable_collision = own.enable_collision;
+    info.enabled = own.enabled;
     info.solver = std::uint8_t(own.solver);
     info.break_force = own.break_force;
     info.break_torque = own.break_torque;
@@ -229,6 +232,30 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     impl_->state.joints.info[index].break_torque = break_torque;
     if (const std::int32_t owner = joint_owner(impl_->state.bodies, impl_->state.joints.info[index]); owner != none)
         wake_body(impl_->state.bodies, impl_->state.islands, impl_->state.events, owner);
+}
+
+void World::set_joint_enabled(JointId id, bool enabled) {
+    Impl::Change change(*impl_, commands::world_set_joint_enabled, id, enabled);
+    const std::uint32_t index = impl_->index_of(id);
+    State& s = impl_->state;
+    JointInfo& info = s.joints.info[index];
+    if ((info.enabled != 0) == enabled) return;
+    change.begin();
+    impl_->joint_defs[index].enabled = enabled;
+    if (enabled) {
+        info.enabled = 1;
+        // The angles of its axes are counted from where its bodies are now.
+        const Joint& own = impl_->joint_defs[index].joint;
+        set_rules(s.bodies, s.joints, index, make_rules(own, pulley_length(s.bodies, info, own)));
+        activate_joint(s.bodies, s.islands, s.joints, s.events, index);
+        refilter_pairs(s.bodies, s.shapes, s.broad_phase, info);
+    } else {
+        refilter_pairs(s.bodies, s.shapes, s.broad_phase, info);
+        deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
+        info.enabled = 0;
+        info.force = info.torque = {};
+        forget_impulses(info, s.joints.axes[index]);
+    }
 }
 
 JointState World::joint_state(JointId id) const {

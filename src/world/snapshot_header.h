@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-inline constexpr std::uint64_t snapshot_magic = 0x33316e7269616321ull; // "!cairn13"
+inline constexpr std::uint64_t snapshot_magic = 0x34316e7269616321ull; // "!cairn14"
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;

@@ -101,7 +101,7 @@ template <class Archive> void serialize_contacts(Archive& archive, State& s) {
     archive(s.contacts.free);
 }
 
-static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
+static_assert(field_count<JointInfo>() == 26, "JointInfo has another member: if definitions set it, and not steps, "
                                               "moving_part, serialize_joints and serialize_defined_joints name it");
 static_assert(field_count<JointAxes>() == 2, "JointAxes has another member: archive it with states or with rules");
 

@@ -213,6 +213,7 @@ class StateCheck final : PairReader {
                       std::max(rules.point_column, rules.turn_column), "must be 0 to 2");
         require_sound(rules.axis_count <= max_joint_axes, {"joints", i, "axis_count"}, rules.axis_count,
                       "must be 0 to 8");
+        require_sound(joint.enabled <= 1, {"joints", i, "enabled"}, joint.enabled, "must be 0 or 1");
         require_sound(joint.solver <= std::uint8_t(JointSolver::direct), {"joints", i, "solver"}, joint.solver,
                       "must be 0 to 2");
         ends_ += std::size_t(joint.body_a != none) + std::size_t(joint.body_b != none);

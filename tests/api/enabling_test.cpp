@@ -327,5 +327,118 @@ TEST(Enabling, ACharacterThatIsDisabledStandsStillAndGoesOn) {
     EXPECT_NEAR(body.position().y, there.y - 1.0, 0.05);
 }
 
+// Heaps of bodies that are joined, so that they collide and so that they do not.
+struct JoinedHeap : Heap {
+    std::vector<JointId> joints;
+
+    explicit JoinedHeap(unsigned seed) : Heap(seed) {
+        Chance chance(1000 + seed);
+        for (int i = 0; i < 10; ++i) {
+            const BodyId a = bodies[any(chance)], b = bodies[any(chance)];
+            const float kind = chance.between(0.0f, 1.0f);
+            if (a == b || !(is_dynamic(a) || is_dynamic(b))) continue;
+            const Position middle = 0.5 * (world.body(a).position() + world.body(b).position());
+            const Joint joint = kind < 0.4f   ? Joint(BallJoint{})
+                                : kind < 0.7f ? Joint(HingeJoint{})
+                                              : Joint(FixedJoint{});
+            JointDef def = world.joint_at(a, b, middle, {0.0f, 1.0f, 0.0f}, joint);
+            def.enable_collision = i % 2 == 0;
+            def.solver = JointSolver(chance.below(3));
+            world.create_joint(def);
+        }
+        joints = world.joints();
+    }
+};
+
+TEST(Enabling, AJointThatIsDisabledIsNotThereForAnything) {
+    for (unsigned seed = 0; seed < 24; ++seed) {
+        JoinedHeap without(seed), disabled(seed);
+        Chance chance(100 + seed);
+        const int before = int(chance.below(200));
+        run(without.world, before);
+        run(disabled.world, before);
+        for (std::size_t i = 0; i < without.joints.size(); ++i) {
+            if (chance.below(2)) continue;
+            without.world.destroy_joint(without.joints[i]);
+            disabled.world.set_joint_enabled(disabled.joints[i], false);
+        }
+        run(without.world, 150);
+        run(disabled.world, 150);
+        for (std::size_t k = 0; k < without.bodies.size(); ++k)
+            ASSERT_TRUE(moves_alike(without.body(k), disabled.body(k))) << "seed " << seed << ", body " << k;
+        EXPECT_EQ(without.world.contacts().size(), disabled.world.contacts().size());
+        EXPECT_EQ(without.world.statistics().islands, disabled.world.statistics().islands);
+    }
+}
+
+// The bits of one that was made disabled are those of one that was made, and disabled before anything moved.
+TEST(Enabling, AJointThatIsMadeDisabledIsThereOnceItIsEnabled) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        JoinedHeap at_once(seed), later(seed);
+        Chance chance(200 + seed);
+        for (Heap* heap : {static_cast<Heap*>(&at_once), static_cast<Heap*>(&later)}) run(heap->world, 30);
+        const Vec3 axis = chance.in_box(1.0f);
+        const auto join = [&](Heap& heap, bool enabled) {
+            const Position middle = 0.5 * (heap.body(0).position() + heap.body(1).position());
+            JointDef def = heap.world.joint_at(heap.bodies[0], heap.bodies[1], middle, axis, BallJoint{});
+            def.enabled = enabled;
+            return heap.world.create_joint(def);
+        };
+        join(at_once, true);
+        const JointId made = join(later, false);
+        EXPECT_FALSE(later.world.joint_def(made).enabled);
+        later.world.set_joint_enabled(made, true);
+        EXPECT_TRUE(later.world.joint_def(made).enabled);
+        for (Heap* heap : {static_cast<Heap*>(&at_once), static_cast<Heap*>(&later)}) run(heap->world, 120);
+        for (std::size_t k = 0; k < at_once.bodies.size(); ++k)
+            ASSERT_TRUE(moves_alike(at_once.body(k), later.body(k))) << "seed " << seed << ", body " << k;
+    }
+}
+
+TEST(Enabling, AJointThatIsEnabledAgainBringsItsBodiesTogether) {
+    for (const JointSolver solver : {JointSolver::iterative, JointSolver::direct}) {
+        World world;
+        const BodyId box = add_body(world, body_at({0.0, -1.0, 0.0}), Box{{0.1f, 0.1f, 0.1f}});
+        JointDef def = world.joint_at({}, box, {0.0, 0.0, 0.0}, {0.0f, 0.0f, 1.0f}, HingeJoint{});
+        def.solver = solver;
+        const JointId joint = world.create_joint(def);
+        run(world, 120);
+        const float weight = glm::length(world.joint_state(joint).force);
+        EXPECT_NEAR(weight, world.body(box).mass() * 9.81f, 1e-3f * weight);
+        run(world, 120);
+        EXPECT_FALSE(world.body(box).is_awake());
+        world.set_joint_enabled(joint, false);
+        EXPECT_EQ(world.joint_state(joint).force, Vec3(0.0f));
+        run(world, 30);
+        EXPECT_NEAR(world.body(box).position().y, -1.0 - 0.5 * 9.81 * 0.25, 0.05); // it woke, and falls
+        EXPECT_NEAR(world.joint_state(joint).linear_error, 0.5f * 9.81f * 0.25f, 0.05f);
+        EXPECT_TRUE(world.joint_events().empty());
+        world.set_joint_enabled(joint, true);
+        float fastest = 0.0f;
+        for (int i = 0; i < 240; ++i) {
+            world.step(frame);
+            fastest = std::max(fastest, glm::length(world.body(box).linear_velocity()));
+        }
+        EXPECT_LT(world.joint_state(joint).linear_error, 1e-3f);
+        EXPECT_LT(fastest, 6.0f); // no faster than errors are taken back, but for its fall
+    }
+}
+
+TEST(Enabling, WhetherAJointIsEnabledIsKept) {
+    JoinedHeap heap(3);
+    for (std::size_t i = 0; i < heap.joints.size(); i += 2) heap.world.set_joint_enabled(heap.joints[i], false);
+    run(heap.world, 20);
+    const Snapshot saved = heap.world.save();
+    World other;
+    other.restore(saved);
+    for (std::size_t i = 0; i < heap.joints.size(); ++i)
+        EXPECT_EQ(other.joint_def(other.joints()[i]).enabled, i % 2 == 1);
+    for (World* world : {&heap.world, &other})
+        for (const JointId joint : world->joints()) world->set_joint_enabled(joint, true);
+    run(heap.world, 60);
+    run(other, 60);
+    EXPECT_EQ(heap.world.state_hash(), other.state_hash());
+}
+
 } // namespace
 } // namespace cairn::test

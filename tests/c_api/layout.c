@@ -206,6 +206,7 @@ int main(void) {
     MEMBER(cairn_joint_def, solver);
     MEMBER(cairn_joint_def, name);
     MEMBER(cairn_joint_def, user_data);
+    MEMBER(cairn_joint_def, enabled);
     SIZE(cairn_joint_state);
     MEMBER(cairn_joint_state, force);
     MEMBER(cairn_joint_state, torque);

@@ -1223,6 +1223,15 @@ static cairn_result world_set_joint_strength(const struct wrong_context* c, int 
     return cairn_world_set_joint_strength(world, joint, break_force, break_torque);
 }
 
+static cairn_result world_set_joint_enabled(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_joint_id joint = c->joint;
+    if (wrong == 1) { joint = c->stale_joint; }
+    bool enabled = true;
+    return cairn_world_set_joint_enabled(world, joint, enabled);
+}
+
 static cairn_result world_get_joint_state(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -2487,6 +2496,8 @@ const struct wrong_call wrong_calls[] = {
     {"world_set_joint_strength", "joint is stale", world_set_joint_strength, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"world_set_joint_strength", "break_force is NaN", world_set_joint_strength, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_set_joint_strength", "break_torque is NaN", world_set_joint_strength, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_set_joint_enabled", "world is null", world_set_joint_enabled, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_set_joint_enabled", "joint is stale", world_set_joint_enabled, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_joint_state", "world is null", world_get_joint_state, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_joint_state", "joint is stale", world_get_joint_state, 1, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_joint_state", "joint_state is null", world_get_joint_state, 2, CAIRN_ERROR_INVALID_VALUE},

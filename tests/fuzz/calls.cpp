@@ -263,12 +263,14 @@ void Calls::join() {
     const Joint kind = joint();
     const float strength = bytes_.pick(4) ? std::numeric_limits<float>::infinity() : 2000.0f;
     const JointSolver solver = JointSolver(bytes_.pick(3));
+    const bool enabled = bytes_.pick(9) != 8;
     std::array<JointId, 3> ids{};
     std::size_t i = 0;
     each([&](World& world) {
         JointDef def = world.joint_at(a, b, anchor, axis, kind);
         def.break_force = strength;
         def.solver = solver;
+        def.enabled = enabled;
         const std::size_t at = i++;
         ids[at] = world.create_joint(def);
     });
@@ -281,10 +283,12 @@ void Calls::change_joint() {
     if (joints.empty()) return;
     const JointId id = joints[std::size_t(bytes_.pick(int(joints.size())))];
     const Joint kind = joint();
-    const bool removes = bytes_.pick(3) == 0;
+    const int what = bytes_.pick(5);
     each([&](World& world) {
-        if (removes)
+        if (what == 0)
             world.destroy_joint(id);
+        else if (what == 1)
+            world.set_joint_enabled(id, !world.joint_def(id).enabled);
         else
             world.set_joint(id, kind);
     });

@@ -199,7 +199,9 @@ void RandomChanges::change_joints(World& world) {
     const std::vector<JointId> joints = world.joints();
     if (joints.empty()) return;
     const JointId id = joints[std::size_t(pick(int(joints.size())))];
-    switch (pick(4)) {
+    switch (pick(5)) {
+    case 3:
+        return world.set_joint_enabled(id, !world.joint_def(id).enabled);
     case 0:
         return world.set_joint(id, joint());
     case 1:

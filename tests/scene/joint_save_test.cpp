@@ -117,6 +117,7 @@ void expect_same_joint(const World& a, JointId id_a, const World& b, JointId id_
     EXPECT_EQ(x.break_force, y.break_force);
     EXPECT_EQ(x.break_torque, y.break_torque);
     EXPECT_EQ(x.solver, y.solver);
+    EXPECT_EQ(x.enabled, y.enabled);
     EXPECT_EQ(x.name, y.name);
 }
 
@@ -198,6 +199,7 @@ TEST(JointSave, EveryTypeKeepsEveryProperty) {
         balls.scene.world.create_joint(def);
         def.solver = JointSolver::iterative;
         def.break_torque = infinite;
+        def.enabled = false;
         balls.scene.world.create_joint(def);
         expect_saved(balls.scene);
     }

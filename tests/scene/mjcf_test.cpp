@@ -251,12 +251,15 @@ TEST(Mjcf, WeldsAndConnectsHold) {
         <body name="b" pos="1 0 3" euler="0 0 30"><freejoint/><geom type="box" size=".1 .1 .1"/></body>
         <body name="c" pos="2 0 3"><freejoint/><geom type="box" size=".1 .1 .1"/></body></worldbody>
         <equality><connect body1="a" body2="world" anchor="0 0 1"/><weld body1="a" body2="b"/>
-        <weld body1="c" active="false"/></equality>)");
+        <weld name="later" body1="c" active="false"/></equality>)");
     run(scene, 2.0);
     const glm::dvec3 between = body(scene, "b").position() - body(scene, "a").position();
     EXPECT_NEAR(glm::length(between), 1.0, 1e-3);
     EXPECT_GT(body(scene, "a").position().y, 2.0);                            // hangs a meter below 0 0 4
     EXPECT_NEAR(body(scene, "c").position().y, 3.0 - 0.5 * 9.81 * 4.0, 0.05); // falls
+    scene.world.set_joint_enabled(scene.world.find_joint("later").value(), true);
+    run(scene, 10.0); // and is brought back to where it was
+    EXPECT_NEAR(body(scene, "c").position().y, 3.0, 1e-3);
 }
 
 TEST(Mjcf, ClassesFillInWhatElementsLeaveOut) {

@@ -56,6 +56,7 @@ TEST_F(SweepProperties, WhatIsSetIsMeasuredAsItWasSet) {
                                                              {"bodies[1].shapes[0].restitution", 0.5},
                                                              {"ball.rolling_friction", 0.125},
                                                              {"ball.torsional_friction", 0.25},
+                                                             {"hinge.enabled", 0},
                                                              {"hinge.lower", 1.5},
                                                              {"hinge.upper", 2.5},
                                                              {"hinge.angle.motor_velocity", 3},

@@ -122,6 +122,23 @@ TEST(StageJoints, SolverAndStrengthAreChangedToo) {
     EXPECT_FALSE(stage.state().selected_joint);
 }
 
+TEST(StageJoints, AreDisabledAndEnabledAgain) {
+    Stage stage(hanging_box, "");
+    const JointId door = joints_of(stage.state())[0].id;
+    stage.apply(command::SetJointEnabled{door, false});
+    for (int i = 0; i < 30; ++i) stage.step();
+    StageState state = stage.state();
+    EXPECT_FALSE(joints_of(state)[0].def.enabled);
+    const WorldMotion& now = *state.current;
+    EXPECT_GT(now.joint_states[0].linear_error, 0.3f);                                  // it fell
+    EXPECT_EQ(joint_color(joints_of(state)[0], now.joint_states[0]), disabled_color()); // which is no failure
+    stage.apply(command::SetJointSolver{door, JointSolver::direct});
+    EXPECT_FALSE(joints_of(stage.state())[0].def.enabled);
+    stage.apply(command::SetJointEnabled{joints_of(stage.state())[0].id, true});
+    for (int i = 0; i < 240; ++i) stage.step();
+    EXPECT_LT(stage.state().current->joint_states[0].linear_error, 1e-3f);
+}
+
 TEST(StageJoints, ABrokenJointIsReportedByName) {
     Stage stage(hanging_box, "weak");
     for (int i = 0; i < 10; ++i) stage.step();

@@ -620,6 +620,8 @@ export interface JointDef {
     name?: string;
     /** Not touched by the engine. */
     userData?: bigint | number;
+    /** false: it acts on nothing, as if it were not there. */
+    enabled?: boolean;
 }
 
 /** What a joint did in the last step. */
@@ -1432,6 +1434,12 @@ export class World {
     setJoint(id: JointId | null, joint: Joint): void;
     /** N and N m, > 0; may be infinite. Throws invalidHandle, invalidValue, wrongState. */
     setJointStrength(joint: JointId | null, breakForce: number, breakTorque: number): void;
+    /**
+     * A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide,
+     * as if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where they
+     * have parted. Both wake them. Throws invalidHandle, wrongState.
+     */
+    setJointEnabled(joint: JointId | null, enabled: boolean): void;
     /** What a joint did in the last step. Throws invalidHandle, wrongState. */
     jointState(joint: JointId | null): JointState;
     /** All, in order of slot index. */

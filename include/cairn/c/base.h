@@ -20,7 +20,7 @@ extern "C" {
 #endif
 
 /// The version of the binary interface that these headers describe; see `cairn_abi_version`.
-#define CAIRN_ABI_VERSION 5
+#define CAIRN_ABI_VERSION 6
 
 /// What came of a call. Where it is not CAIRN_OK, nothing has changed, and `cairn_last_error` says what was wrong.
 typedef int32_t cairn_result;

@@ -262,6 +262,7 @@ typedef struct cairn_joint_def {
     cairn_joint_solver solver; ///< How it is solved.
     const char* name; ///< For people; need not be unique. UTF-8; null: empty.
     uint64_t user_data; ///< Not touched by the engine.
+    bool enabled; ///< false: it acts on nothing, as if it were not there.
 } cairn_joint_def;
 CAIRN_C_API cairn_joint_def cairn_default_joint_def(void);
 
@@ -306,6 +307,11 @@ CAIRN_C_API cairn_result cairn_world_set_joint(cairn_world* world, cairn_joint_i
 /// N and N m, > 0; may be infinite. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_set_joint_strength(cairn_world* world, cairn_joint_id joint, float break_force,
                                                         float break_torque);
+
+/// A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide, as
+/// if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where they have
+/// parted. Both wake them. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_world_set_joint_enabled(cairn_world* world, cairn_joint_id joint, bool enabled);
 
 /// What a joint did in the last step. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joint_state(const cairn_world* world, cairn_joint_id joint,

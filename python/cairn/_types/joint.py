@@ -331,6 +331,8 @@ class JointDef:
     """For people; need not be unique."""
     user_data: int = 0
     """Not touched by the engine."""
+    enabled: bool = True
+    """False: it acts on nothing, as if it were not there."""
 
 
 @lists_members

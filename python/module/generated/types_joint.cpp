@@ -218,11 +218,12 @@ void read(py::handle o, JointDef& x, const Where& where) {
     read(o.attr("solver"), x.solver, {"JointDef", "solver"});
     read(o.attr("name"), x.name, {"JointDef", "name"});
     read(o.attr("user_data"), x.user_data, {"JointDef", "user_data"});
+    read(o.attr("enabled"), x.enabled, {"JointDef", "enabled"});
 }
 py::object write(const JointDef& x) {
     return make("JointDef", py::make_tuple(write(x.body_a), write(x.body_b), write(x.frame_a), write(x.frame_b),
         write(x.joint), write(x.enable_collision), write(x.break_force), write(x.break_torque), write(x.solver),
-        write(x.name), write(x.user_data)));
+        write(x.name), write(x.user_data), write(x.enabled)));
 }
 
 py::object write(const JointState& x) {

@@ -151,6 +151,15 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         w.update();
     }, py::arg("joint"), py::arg("break_force"), py::arg("break_torque"), "set_joint_strength(joint: "
         "JointId, break_force: float, break_torque: float) -> None\n\nN and N m, > 0; may be infinite.");
+    c.def("set_joint_enabled", [](PyWorld& w, py::object o_joint, py::object o_enabled) {
+        const auto joint = take<JointId>(o_joint, "joint");
+        const auto enabled = take<bool>(o_enabled, "enabled");
+        w.use("World.set_joint_enabled").set_joint_enabled(joint, enabled);
+        w.update();
+    }, py::arg("joint"), py::arg("enabled"), "set_joint_enabled(joint: JointId, enabled: bool) -> None\n\nA joint "
+        "that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide, as "
+            "if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where "
+                "they have parted. Both wake them.");
     c.def("joint_state", [](PyWorld& w, py::object o_joint) {
         const auto joint = take<JointId>(o_joint, "joint");
         const auto answer = w.use("World.joint_state").joint_state(joint);

@@ -325,6 +325,7 @@ JointDef to_cpp(const cairn_joint_def& c) {
     x.solver = to_joint_solver(c.solver, "JointDef.solver");
     x.name = text_of(c.name);
     x.user_data = c.user_data;
+    x.enabled = c.enabled;
     return x;
 }
 cairn_joint_def to_c(const JointDef& x) {
@@ -340,6 +341,7 @@ cairn_joint_def to_c(const JointDef& x) {
     c.break_torque = x.break_torque;
     c.solver = cairn_joint_solver(x.solver);
     c.user_data = x.user_data;
+    c.enabled = x.enabled;
     return c;
 }
 

@@ -46,6 +46,12 @@ cairn_result cairn_world_set_joint_strength(cairn_world* world, cairn_joint_id j
     });
 }
 
+cairn_result cairn_world_set_joint_enabled(cairn_world* world, cairn_joint_id joint, bool enabled) {
+    return guarded([&] {
+        world_of(world).set_joint_enabled(to_cpp(joint), enabled);
+    });
+}
+
 cairn_result cairn_world_get_joint_state(const cairn_world* world, cairn_joint_id joint,
                                          cairn_joint_state* joint_state) {
     return guarded([&] {

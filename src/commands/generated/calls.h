@@ -339,5 +339,12 @@ struct BodySetEnabled {
     using Arguments = std::tuple<BodyId, bool>;
 };
 inline constexpr BodySetEnabled body_set_enabled{};
+struct WorldSetJointEnabled {
+    static constexpr std::uint32_t code = 46;
+    static constexpr const char* name = "World::set_joint_enabled";
+    static constexpr bool moves_only = false;
+    using Arguments = std::tuple<JointId, bool>;
+};
+inline constexpr WorldSetJointEnabled world_set_joint_enabled{};
 
 } // namespace cairn::commands

@@ -164,6 +164,15 @@ static bool execute_world(World& world, std::uint64_t code, CommandReader& from)
         world.set_shape_def(shape, def);
         return true;
     }
+    case WorldSetJointEnabled::code: {
+        JointId joint{};
+        read(from, joint);
+        bool enabled{};
+        read(from, enabled);
+        from.finish();
+        world.set_joint_enabled(joint, enabled);
+        return true;
+    }
     default: return false;
     }
 }
@@ -462,6 +471,7 @@ std::string_view name_of(std::uint64_t code) {
     case 43: return "World::set_shape_def";
     case 44: return "Body::sleep";
     case 45: return "Body::set_enabled";
+    case 46: return "World::set_joint_enabled";
     default: return {};
     }
 }

@@ -264,7 +264,7 @@ void read(CommandReader& from, Joint& x) {
 }
 
 void read(CommandReader& from, JointDef& x) {
-    const std::size_t members = from.member_count(11, "JointDef");
+    const std::size_t members = from.member_count(12, "JointDef");
     if (members > 0) read(from, x.body_a);
     if (members > 1) read(from, x.body_b);
     if (members > 2) read(from, x.frame_a);
@@ -276,6 +276,7 @@ void read(CommandReader& from, JointDef& x) {
     if (members > 8) from.enumerator(x.solver, 2, "JointDef.solver");
     if (members > 9) read(from, x.name);
     if (members > 10) read(from, x.user_data);
+    if (members > 11) read(from, x.enabled);
 }
 
 void read(CommandReader& from, WorldDef& x) {

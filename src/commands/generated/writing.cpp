@@ -251,7 +251,7 @@ void write(CommandWriter& to, const Joint& x) {
 }
 
 void write(CommandWriter& to, const JointDef& x) {
-    to.number(11);
+    to.number(12);
     write(to, x.body_a);
     write(to, x.body_b);
     write(to, x.frame_a);
@@ -263,6 +263,7 @@ void write(CommandWriter& to, const JointDef& x) {
     write(to, x.solver);
     write(to, x.name);
     write(to, x.user_data);
+    write(to, x.enabled);
 }
 
 void write(CommandWriter& to, const WorldDef& x) {

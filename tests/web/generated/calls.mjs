@@ -18,6 +18,7 @@ export const CALLS = [
     { owner: 'World', name: 'destroyJoint', isSetter: false, types: ['JointId'] },
     { owner: 'World', name: 'setJoint', isSetter: false, types: ['JointId', 'Joint'] },
     { owner: 'World', name: 'setJointStrength', isSetter: false, types: ['JointId', 'float', 'float'] },
+    { owner: 'World', name: 'setJointEnabled', isSetter: false, types: ['JointId', 'bool'] },
     { owner: 'World', name: 'jointState', isSetter: false, types: ['JointId'] },
     { owner: 'World', name: 'findJoint', isSetter: false, types: ['string'] },
     { owner: 'World', name: 'castRay', isSetter: false, types: ['Position', 'Vec3', 'double', 'QueryFilter'] },

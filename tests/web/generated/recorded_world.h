@@ -109,7 +109,7 @@ inline std::string js(const PulleyJoint& x) { return object({{"groundA", js(x.gr
 inline std::string js(const JointLimit& x) { return object({{"kind", js(x.kind)}, {"axes", js(x.axes)}, {"min", js(x.min)}, {"max", js(x.max)}, {"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}}); }
 inline std::string js(const JointDrive& x) { return object({{"kind", js(x.kind)}, {"isAcceleration", js(x.is_acceleration)}, {"axis", js(x.axis)}, {"maxForce", js(x.max_force)}, {"positionTarget", js(x.position_target)}, {"velocityTarget", js(x.velocity_target)}, {"stiffness", js(x.stiffness)}, {"damping", js(x.damping)}}); }
 inline std::string js(const GeneralJoint& x) { return object({{"limits", js(x.limits)}, {"drives", js(x.drives)}}); }
-inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)}, {"bodyB", js(x.body_b)}, {"frameA", js(x.frame_a)}, {"frameB", js(x.frame_b)}, {"joint", js(x.joint)}, {"enableCollision", js(x.enable_collision)}, {"breakForce", js(x.break_force)}, {"breakTorque", js(x.break_torque)}, {"solver", js(x.solver)}, {"name", js(x.name)}, {"userData", js(x.user_data)}}); }
+inline std::string js(const JointDef& x) { return object({{"bodyA", js(x.body_a)}, {"bodyB", js(x.body_b)}, {"frameA", js(x.frame_a)}, {"frameB", js(x.frame_b)}, {"joint", js(x.joint)}, {"enableCollision", js(x.enable_collision)}, {"breakForce", js(x.break_force)}, {"breakTorque", js(x.break_torque)}, {"solver", js(x.solver)}, {"name", js(x.name)}, {"userData", js(x.user_data)}, {"enabled", js(x.enabled)}}); }
 inline std::string js(const DebugLinesDef& x) { return object({{"shapes", js(x.shapes)}, {"bounds", js(x.bounds)}, {"centers", js(x.centers)}, {"velocities", js(x.velocities)}, {"contacts", js(x.contacts)}, {"joints", js(x.joints)}, {"size", js(x.size)}, {"impulseScale", js(x.impulse_scale)}}); }
 inline std::string js(const QueryFilter& x) { return object({{"layers", js(x.layers)}, {"ownLayers", js(x.own_layers)}, {"staticBodies", js(x.static_bodies)}, {"kinematicBodies", js(x.kinematic_bodies)}, {"dynamicBodies", js(x.dynamic_bodies)}, {"triggers", js(x.triggers)}, {"any", js(x.any)}, {"ignoredBodies", js(x.ignored_bodies)}}); }
 inline std::string js(const WorldDef& x) { return object({{"gravity", js(x.gravity)}, {"substeps", js(x.substeps)}, {"adaptiveSubsteps", js(x.adaptive_substeps)}, {"integrator", js(x.integrator)}, {"enableSleep", js(x.enable_sleep)}, {"sleepSpeed", js(x.sleep_speed)}, {"sleepTime", js(x.sleep_time)}, {"restitutionSpeed", js(x.restitution_speed)}, {"hitSpeed", js(x.hit_speed)}, {"recoverySpeed", js(x.recovery_speed)}, {"maxLinearSpeed", js(x.max_linear_speed)}, {"maxAngularSpeed", js(x.max_angular_speed)}}); }
@@ -192,6 +192,10 @@ class RecordedWorld : public Recording {
     auto set_joint_strength(JointId joint, float break_force, float break_torque) {
         world_.set_joint_strength(joint, break_force, break_torque);
         note("world.setJointStrength(" + js(joint) + ", " + js(break_force) + ", " + js(break_torque) + ")" + ";");
+    }
+    auto set_joint_enabled(JointId joint, bool enabled) {
+        world_.set_joint_enabled(joint, enabled);
+        note("world.setJointEnabled(" + js(joint) + ", " + js(enabled) + ")" + ";");
     }
     auto joint_state(JointId joint) const { return world_.joint_state(joint); }
     auto joints() const { return world_.joints(); }

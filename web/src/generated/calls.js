@@ -181,7 +181,7 @@ export class WorldCalls {
     createJoint(definition) {
         const mark = enter();
         try {
-            const $def = room(656);
+            const $def = room(664);
             M._cairn_default_joint_def($def);
             values.putJointDef($def, definition, 'JointDef');
             const out = room(8);
@@ -221,6 +221,17 @@ export class WorldCalls {
             const $breakForce = numberOf(breakForce, 'breakForce');
             const $breakTorque = numberOf(breakTorque, 'breakTorque');
             check(M._cairn_world_set_joint_strength(use(this), $joint[0], $joint[1], $breakForce, $breakTorque));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    setJointEnabled(joint, enabled) {
+        const mark = enter();
+        try {
+            const $joint = handleOf(joint, 'joint');
+            const $enabled = boolOf(enabled, 'enabled');
+            check(M._cairn_world_set_joint_enabled(use(this), $joint[0], $joint[1], $enabled));
         } finally {
             leave(mark);
         }

@@ -849,7 +849,8 @@ export function putJointDef(p, value, where) {
         case 'solver': putEnum(p + 636, x, JOINT_SOLVER, 'JointDef.solver'); break;
         case 'name': putString(p + 640, x, 'JointDef.name'); break;
         case 'userData': putU64(p + 648, x, 'JointDef.userData'); break;
-        default: unknown('JointDef', key, ['bodyA', 'bodyB', 'frameA', 'frameB', 'joint', 'enableCollision', 'breakForce', 'breakTorque', 'solver', 'name', 'userData']);
+        case 'enabled': putBool(p + 656, x, 'JointDef.enabled'); break;
+        default: unknown('JointDef', key, ['bodyA', 'bodyB', 'frameA', 'frameB', 'joint', 'enableCollision', 'breakForce', 'breakTorque', 'solver', 'name', 'userData', 'enabled']);
         }
     }
 }
@@ -867,6 +868,7 @@ export function getJointDef(p) {
         solver: JOINT_SOLVER[getInt(p + 636)],
         name: getString(p + 640),
         userData: getU64(p + 648),
+        enabled: getBool(p + 656),
     };
 }
 
@@ -1295,7 +1297,7 @@ export const MATERIAL_BYTES = 28;
 export const JOINT_SPRING_BYTES = 12;
 export const JOINT_LIMIT_BYTES = 32;
 export const JOINT_DRIVE_BYTES = 36;
-export const JOINT_DEF_BYTES = 656;
+export const JOINT_DEF_BYTES = 664;
 export const JOINT_BYTES = 520;
 export const BODY_DEF_BYTES = 160;
 export const WORLD_DEF_BYTES = 60;
