@@ -65,11 +65,10 @@ math::Vec3 normal_of(const Contacts& contacts, std::uint32_t contact, Communicat
     return normal;
 }
 
-void exchange_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator& ranks) {
-    exchange_of_owners(list, ranks, [&](ContactNormal& c) {
+void find_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator* ranks) {
+    for (ContactNormal& c : list)
         if (contacts.records.has(c.contact)) c.normal = math::to_vec(contacts.records[c.contact].normal);
-        return owner_of(contacts, c.contact);
-    });
+    if (ranks) exchange_of_owners(list, *ranks, [&](const ContactNormal& c) { return owner_of(contacts, c.contact); });
 }
 
 void change_owners(Contacts& contacts, const std::vector<std::int32_t>& owners, Communicator& ranks) {

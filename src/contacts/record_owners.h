@@ -36,12 +36,12 @@ template <class T, class F> void exchange_of_owners(std::vector<T>& list, Commun
 // The normal of its record, for all ranks; null: this process alone.
 math::Vec3 normal_of(const Contacts& contacts, std::uint32_t contact, Communicator* ranks);
 
-// The normals of many at once.
+// Those of many at once.
 struct ContactNormal {
     std::uint32_t contact;
     math::Vec3 normal;
 };
-void exchange_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator& ranks);
+void find_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator* ranks);
 
 // Gives bodies to other ranks; the records of their contacts go with them. `owners`: of all bodies.
 void change_owners(Contacts& contacts, const std::vector<std::int32_t>& owners, Communicator& ranks);

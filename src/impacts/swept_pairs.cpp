@@ -140,7 +140,7 @@ void SweptPairs::ask_for_axes() {
     if (without_axis_.empty()) return;
     std::vector<ContactNormal> normals;
     for (const std::int32_t k : without_axis_) normals.push_back({std::uint32_t((*this)[k].contact), {}});
-    exchange_normals(in.contacts, normals, *in.ranks);
+    find_normals(in.contacts, normals, in.ranks);
     for (std::size_t i = 0; i < normals.size(); ++i) set_axis((*this)[without_axis_[i]], normals[i].normal);
     without_axis_.clear();
 }

@@ -36,25 +36,39 @@ double least_across(const DSym3& m, DVec3 direction) {
     return 0.5 * (ee + ff) - std::sqrt(0.25 * (ee - ff) * (ee - ff) + ef * ef);
 }
 
+DVec3 up_of(const Extent& extent) { return (-1 / math::length(extent.pull)) * extent.pull; }
+
+// How an island reaches along the pull. `upward`: the moments of a body about its center in the mean.
+struct Height {
+    DVec3 middle;
+    DSym3 places; // second moments of the places of its bodies
+    double all;
+};
+Height height_of(const Extent& extent, const DSym3& upward, DVec3 up) {
+    Height h{(1 / extent.count) * extent.sum, {}, 0};
+    h.places = scaled(1 / extent.count, extent.squares) + scaled(-1, squared(h.middle));
+    h.all = std::sqrt(12 * along(h.places + upward, up));
+    return h;
+}
+
 // `own`, `upward`: the moments of a body about its center in the mean, of which follow how far it reaches across and
-// how far contacts are apart; how far it reaches along the pull.
-float sinking_of(const Extent& extent, const DSym3& own, const DSym3& upward) {
+// how far contacts are apart; how far it reaches along the pull. `held`: by contacts from the sides, m^2.
+float sinking_of(const Extent& extent, const DSym3& own, const DSym3& upward, const DSym3& held) {
     const double pull = math::length(extent.pull);
     if (!(pull > 0)) return nothing_can_buckle;
-    const DVec3 up = (-1 / pull) * extent.pull, middle = (1 / extent.count) * extent.sum;
-    const DSym3 places = scaled(1 / extent.count, extent.squares) + scaled(-1, squared(middle));
-    const double height = std::sqrt(12 * along(places + upward, up));
-    const double center = math::dot(up, (1 / extent.mass) * extent.moment - middle) + 0.5 * height;
-    const double least = least_across(places + scaled(of_outline, own), up);
+    const DVec3 up = up_of(extent);
+    const Height height = height_of(extent, upward, up);
+    const double center = math::dot(up, (1 / extent.mass) * extent.moment - height.middle) + 0.5 * height.all;
     // A rod that stands on one end falls by a factor of e in sqrt(2 H / 3 g).
-    const double fall = height * extent.mass / (1.5 * pull), needed = 1 - fall / (slow_fall * slow_fall);
-    if (!(least > 0 && height > 0 && center > 0 && needed > 0)) return nothing_can_buckle;
+    const double fall = height.all * extent.mass / (1.5 * pull), needed = 1 - fall / (slow_fall * slow_fall);
+    if (!(height.all > 0 && center > 0 && needed > 0)) return nothing_can_buckle;
     constexpr double euler = 3.14159265358979 * 3.14159265358979 / 4, greenhill = 3.92;
-    const double top_heavy = std::clamp(2 * center / height - 1, 0.0, 1.0);
-    const double strain = (greenhill + top_heavy * (euler - greenhill)) * least / (height * center * needed * safety);
+    const double top_heavy = std::clamp(2 * center / height.all - 1, 0.0, 1.0);
     // Demands of what is narrow are greater by as much (demand_of).
     const double distance = std::max(std::sqrt(12 * along(own, up)), double(usual_width));
-    return float(strain * distance);
+    const double of_column = (greenhill + top_heavy * (euler - greenhill)) * distance / height.all;
+    const double least = least_across(scaled(of_column, height.places + scaled(of_outline, own)) + held, up);
+    return least > 0 ? float(least / (center * needed * safety)) : nothing_can_buckle;
 }
 
 } // namespace
@@ -72,21 +86,37 @@ void add_to_extent(Extent& extent, const Extent& more) {
 
 float least_stable_sinking(const Extent& extent) {
     return sinking_of(extent, diagonal(std::max(extent.least / extent.count, 0.0)),
-                      diagonal(extent.greatest / extent.count));
+                      diagonal(extent.greatest / extent.count), {});
 }
 
-float stable_sinking(const Bodies& bodies, const Island& island, const BodyWeights& weights) {
-    Extent extent;
-    DSym3 own;
-    const DVec3 origin = bodies.motion[island.first_body].x;
+Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights) {
+    Column column;
+    column.origin = bodies.motion[island.first_body].x;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         if (!(bodies.mass[b].inverse_mass > 0)) continue;
-        add_to_extent(extent, bodies.mass[b], bodies.motion[b], origin, weights.pull(b));
-        own = own + own_moments(bodies.mass[b], bodies.motion[b]);
+        add_to_extent(column.extent, bodies.mass[b], bodies.motion[b], column.origin, weights.pull(b));
+        column.own = column.own + own_moments(bodies.mass[b], bodies.motion[b]);
     }
-    if (!(extent.count > 0)) return nothing_can_buckle;
-    own = scaled(1 / extent.count, own);
-    return sinking_of(extent, own, own);
+    if (!(math::length(column.extent.pull) > 0)) return column; // nor if there is no body
+    column.own = scaled(1 / column.extent.count, column.own);
+    column.up = up_of(column.extent);
+    const Height height = height_of(column.extent, column.own, column.up);
+    column.bottom = math::dot(column.up, height.middle) - 0.5 * height.all;
+    return column;
+}
+
+void hold_from_side(Column& column, DVec3 at, math::Vec3 normal) {
+    const DVec3 n = math::to_double(normal);
+    const double z = std::max(math::dot(column.up, at - column.origin) - column.bottom, 0.0);
+    column.sides.squares = column.sides.squares + squared(z * n);
+    column.sides.normals += (z * z) * n;
+    column.sides.weight += z * z;
+}
+
+float stable_sinking(const Column& column) {
+    DSym3 held = column.sides.squares;
+    if (column.sides.weight > 0) held = held + scaled(-1 / column.sides.weight, squared(column.sides.normals));
+    return sinking_of(column.extent, column.own, column.own, held);
 }
 
 } // namespace cairn

@@ -7,6 +7,11 @@
 // they make up: H^2 / 12 is the mean square of distances from the middle along the pull of gravity, and r^2 that
 // across, in the direction in which it is least, where each body counts with its outline, on which contacts press, and
 // not with its inside. So walls and pyramids are as slender as they are thick, and heaps are not slender at all.
+//
+// What fills a shaft is held by its walls. Contacts of the stiffness k at the heights z, with normals n, on what does
+// not move, hold it against tilting by k sum z^2 (n.e)^2 in the direction e, where they press from both sides; that it
+// is to be more than its weight times z adds sum z^2 (n.e)^2 / z to how far contacts may sink. It does not matter which
+// walls: where all press from one side the mean of the normals is taken out, and nothing is left.
 #pragma once
 
 #include "bodies/integrators.h"
@@ -38,9 +43,26 @@ inline void add_to_extent(Extent& extent, const BodyMass& mass, const BodyMotion
 }
 void add_to_extent(Extent& extent, const Extent& more);
 
+// An island as a column, and what holds it from its sides: sums over contacts with what does not move.
+struct Column {
+    Extent extent;
+    math::DSym3 own; // m^2: second moments of its bodies, in the mean
+    math::DVec3 origin, up;
+    double bottom = 0; // m: from the origin, upward
+    struct {
+        math::DSym3 squares; // of z n
+        math::DVec3 normals; // z^2 n
+        double weight = 0;   // z^2
+    } sides;
+};
+Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights);
+// By a contact that is pressed, at the place of its body.
+inline bool may_hold_from_side(const ContactInfo& c) { return !c.b_moves && c.force > 0; }
+void hold_from_side(Column& column, math::DVec3 at, math::Vec3 normal);
+
 // m: how far contacts may sink under what stands, so that it does not buckle, or takes `slow_fall` for a factor of e.
-// Exactly, of one island; and what it is at least, however its bodies are turned.
-float stable_sinking(const Bodies& bodies, const Island& island, const BodyWeights& weights);
+// Exactly; and what it is at least, however its bodies are turned and held.
+float stable_sinking(const Column& column);
 float least_stable_sinking(const Extent& extent);
 inline constexpr float nothing_can_buckle = std::numeric_limits<float>::infinity();
 

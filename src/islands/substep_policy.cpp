@@ -37,16 +37,18 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt) 
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const Bodies& bodies, const BodyWeights& weights, const WorldDef& settings, Island& island,
-                    float dt) {
-    IslandLoad load{island.joint_count > 0, island.weight > 0 ? island.greatest_load / island.weight : 0,
-                    island.greatest_demand, nothing_can_buckle};
+IslandLoad take_load(Island& island) {
+    const IslandLoad load{island.joint_count > 0, island.weight > 0 ? island.greatest_load / island.weight : 0,
+                          island.greatest_demand, nothing_can_buckle};
     island.greatest_load = island.greatest_demand = 0;
+    return load;
+}
+
+bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt) {
+    if (load.has_joints) return false; // they do not sink
     const int for_loads = wanted_substeps(settings, load, dt);
     load.stable_sinking = island.least_stable_sinking;
-    if (load.has_joints || wanted_substeps(settings, load, dt) == for_loads) return for_loads; // joints do not sink
-    load.stable_sinking = stable_sinking(bodies, island, weights);
-    return wanted_substeps(settings, load, dt);
+    return wanted_substeps(settings, load, dt) > for_loads;
 }
 
 float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& c,

@@ -36,9 +36,10 @@ struct IslandLoad {
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
-// Of an island in this step; what its contacts carried is forgotten, to be measured anew in the solver.
-int island_substeps(const Bodies& bodies, const BodyWeights& weights, const WorldDef& settings, Island& island,
-                    float dt);
+// What the contacts of an island carried; it is forgotten, to be measured anew in the solver. Nothing can buckle yet.
+IslandLoad take_load(Island& island);
+// Whether its places alone may ask for more substeps than its loads: then its column is looked at.
+bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& contact,

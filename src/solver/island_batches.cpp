@@ -2,8 +2,10 @@
 #include "solver/island_batches.h"
 
 #include "contacts/contact_update.h"
+#include "contacts/record_owners.h"
 #include "core/cache.h"
 #include "core/room.h"
+#include "islands/slenderness.h"
 #include "islands/substep_policy.h"
 #include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
@@ -88,6 +90,42 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
         [&](int k, std::uint32_t place) { scratch.of_batches[place] = unsorted[std::size_t(k)]; });
 }
 
+// How many substeps each awake island takes: by its loads, and so as not to buckle.
+void choose_substeps(const Bodies& bodies, const Contacts& contacts, Islands& islands, const BodyWeights& weights,
+                     const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
+    struct Slender {
+        std::int32_t island;
+        IslandLoad load;
+    };
+    std::vector<Slender> slender; // of most worlds none
+    std::vector<Column> columns;
+    for (const std::int32_t i : islands.awake) {
+        Island& island = islands.all[i];
+        const IslandLoad load = take_load(island);
+        island.substeps = wanted_substeps(settings, load, dt);
+        if (!may_be_slender(settings, island, load, dt)) continue;
+        slender.push_back({i, load});
+        columns.push_back(column_of(bodies, island, weights));
+    }
+    if (slender.empty()) return;
+    std::vector<std::int32_t> number(islands.all.size(), none);
+    for (std::size_t k = 0; k < slender.size(); ++k) number[std::size_t(slender[k].island)] = std::int32_t(k);
+    const auto column_of_contact = [&](std::uint32_t id) {
+        return number[std::size_t(bodies.links[contacts.info[id].body_a].island)];
+    };
+    std::vector<ContactNormal> sides;
+    for (const std::uint32_t id : step.solved)
+        if (may_hold_from_side(contacts.info[id]) && column_of_contact(id) != none) sides.push_back({id, {}});
+    find_normals(contacts, sides, ranks);
+    for (const ContactNormal& side : sides)
+        hold_from_side(columns[std::size_t(column_of_contact(side.contact))],
+                       bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
+    for (std::size_t k = 0; k < slender.size(); ++k) {
+        slender[k].load.stable_sinking = stable_sinking(columns[k]);
+        islands.all[slender[k].island].substeps = wanted_substeps(settings, slender[k].load, dt);
+    }
+}
+
 } // namespace
 
 void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id, float h) {
@@ -102,7 +140,7 @@ void rescale_impulses(ContactInfo& c, ContactRecords& records, std::uint32_t id,
 }
 
 void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
-                  const WorldDef& settings, StepScratch& step, float dt) {
+                  const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
     SolverScratch& scratch = step.solver;
     scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
@@ -116,10 +154,10 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         scratch.contacts_of_island[i] = 0;
         scratch.island_bounces[i] = 0;
         scratch.weighed_for[i] = std::uint8_t(islands.all[i].substeps > usual ? for_its_substeps : 0);
-        islands.all[i].substeps = island_substeps(bodies, weights, settings, islands.all[i], dt);
     }
+    choose_substeps(bodies, contacts, islands, weights, settings, step, ranks, dt);
     collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
-    count_standing_loads(bodies, contacts, islands, fields, settings, scratch, dt);
+    count_standing_loads(bodies, contacts, islands, fields, settings, scratch, ranks, dt);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);

@@ -6,6 +6,7 @@
 #include "solver/standing_loads.h"
 
 #include "bodies/integrators.h"
+#include "contacts/record_owners.h"
 #include "islands/slenderness.h"
 #include "islands/substep_policy.h"
 #include "solver/island_batches.h"
@@ -137,7 +138,7 @@ class Structure {
 } // namespace
 
 void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
-                          const WorldDef& settings, SolverScratch& scratch, float dt) {
+                          const WorldDef& settings, SolverScratch& scratch, Communicator* ranks, float dt) {
     if (!settings.adaptive_substeps) return;
     StandingLoads& work = scratch.standing;
     list_standing(contacts, islands, scratch);
@@ -152,7 +153,14 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         Structure structure(bodies, island, own, work, weights);
         float weight = 0;
         for (const StandingLoads::Body& body : work.bodies) weight += body.weight;
-        IslandLoad greatest{false, 0, 0, stable_sinking(bodies, island, weights)};
+        Column column = column_of(bodies, island, weights);
+        std::vector<ContactNormal> sides;
+        for (const StandingContact& c : own)
+            if (may_hold_from_side(contacts.info[c.id])) sides.push_back({c.id, {}});
+        find_normals(contacts, sides, ranks);
+        for (const ContactNormal& side : sides)
+            hold_from_side(column, bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
+        IslandLoad greatest{false, 0, 0, stable_sinking(column)};
         structure.hand_down((scratch.weighed_for[i] & for_its_substeps) != 0,
                             [&](const StandingContact& c, float load) {
                                 ContactInfo& info = contacts.info[c.id];

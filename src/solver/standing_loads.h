@@ -12,6 +12,6 @@ enum WeighedFor : std::uint8_t { for_begun_contact = 1, for_its_substeps = 2 };
 // Gives contacts that begin their part of the weights above them, and their islands as many substeps as that asks for,
 // where it is more than they have. Not in islands with joints, and not where things fly about.
 void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
-                          const WorldDef& settings, SolverScratch& scratch, float dt);
+                          const WorldDef& settings, SolverScratch& scratch, Communicator* ranks, float dt);
 
 } // namespace cairn

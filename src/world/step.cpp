@@ -108,7 +108,8 @@ void World::Impl::make_step(float dt) {
     put_told_to_sleep(state.bodies, state.contacts, state.islands, state.events, step.solved);
     push_by_fluids(fluids, step.fluids, *step.thread_pool, dt); // what has woken
     times.narrow_phase = clock.lap();
-    pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, dt);
+    pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, communicator.get(),
+                 dt);
     times.islands = clock.lap();
     state.clamped_speeds +=
         solve_batches(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
