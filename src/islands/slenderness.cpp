@@ -1,7 +1,6 @@
 #include "islands/slenderness.h"
 
 #include "bodies/bodies.h"
-#include "islands/substep_policy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +63,7 @@ float sinking_of(const Extent& extent, const DSym3& own, const DSym3& upward, co
     if (!(height.all > 0 && center > 0 && needed > 0)) return nothing_can_buckle;
     constexpr double euler = 3.14159265358979 * 3.14159265358979 / 4, greenhill = 3.92;
     const double top_heavy = std::clamp(2 * center / height.all - 1, 0.0, 1.0);
-    // Demands of what is narrow are greater by as much (demand_of).
-    const double distance = std::max(std::sqrt(12 * along(own, up)), double(usual_width));
+    const double distance = std::sqrt(12 * along(own, up));
     const double of_column = (greenhill + top_heavy * (euler - greenhill)) * distance / height.all;
     const double least = least_across(scaled(of_column, height.places + scaled(of_outline, own)) + held, up);
     return least > 0 ? float(least / (center * needed * safety)) : nothing_can_buckle;
@@ -87,6 +85,11 @@ void add_to_extent(Extent& extent, const Extent& more) {
 float least_stable_sinking(const Extent& extent) {
     return sinking_of(extent, diagonal(std::max(extent.least / extent.count, 0.0)),
                       diagonal(extent.greatest / extent.count), {});
+}
+
+float pull_by_width(const Extent& extent) {
+    const double width = std::sqrt(12 * std::max(extent.least, 0.0) / extent.count);
+    return extent.count > 1 && width > 0 ? float(math::length(extent.pull) / (extent.mass * width)) : 0;
 }
 
 Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights) {

@@ -60,6 +60,10 @@ Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& 
 inline bool may_hold_from_side(const ContactInfo& c) { return !c.b_moves && c.force > 0; }
 void hold_from_side(Column& column, math::DVec3 at, math::Vec3 normal);
 
+// 1/s^2: what pulls at several bodies, over their width, the root of its mean square. A single one bears nothing but
+// itself: 0.
+float pull_by_width(const Extent& extent);
+
 // m: how far contacts may sink under what stands, so that it does not buckle, or takes `slow_fall` for a factor of e.
 // Exactly; and what it is at least, however its bodies are turned and held.
 float stable_sinking(const Column& column);

@@ -1,12 +1,13 @@
-// How many substeps an island takes: one function of what the island bears now.
+// How many substeps an island takes: one function of what it is made of and of what it bears now.
 //
 // A soft contact with the reduced mass m sinks under a load F by F / (m omega^2), with omega in proportion to the
 // number of substeps n. So the overlap depends on the demand F / m, an acceleration, alone, and n in proportion to its
-// root keeps overlaps alike. In a heap many contacts share the weight, and the world's own number is enough. In a
-// slender structure (a tower, a heavy box on light ones) one contact carries a good part of all the weight, its share.
-// For shapes narrower than 1.5 cm the demand grows as their width falls, so that overlaps stay small beside it. Hence
+// root keeps overlaps alike. In a heap many contacts share the weight, and the demand is what its layers pull, each by
+// g: that overlaps are alike beside the width w of its bodies, whatever their scale, asks for n in proportion to the
+// root of g / w (Froude). In a slender structure (a tower, a heavy box on light ones) one contact carries a good part
+// of all the weight, its share. Hence
 //
-//     n = max(usual, share x sqrt(demand)),    demand in m/s^2,
+//     n = max(usual, sqrt(0.36 g / w), share x sqrt(demand)),    demand in m/s^2,
 //
 // where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
 // of n; and at least as many as keep what stands from buckling (slenderness.h). That is for a step of 1/60 s: what
@@ -30,9 +31,10 @@ inline constexpr float stiff_factor = 2; // of the frequency: contacts with what
 // What the policy looks at.
 struct IslandLoad {
     bool has_joints;
-    float share;          // of the island's weight that its most loaded contact carries
-    float demand;         // m/s^2: the greatest ratio of load to reduced mass of a contact
-    float stable_sinking; // m: how far contacts may sink (slenderness.h)
+    float share;             // of the island's weight that its most loaded contact carries
+    float demand;            // m/s^2: the greatest ratio of load to reduced mass of a contact
+    float stable_sinking;    // m: how far contacts may sink (slenderness.h)
+    float pull_by_width = 0; // 1/s^2: see slenderness.h
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
@@ -56,15 +58,10 @@ inline float load_gain(float dt) {
 // m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
 // last.
 inline constexpr float max_agitation = 1.0f;
-// m: what is narrower must not overlap as far as what is wider, but in proportion.
-inline constexpr float usual_width = 0.015f;
-
 // m/s^2: what a load asks for, by the sum of the inverse masses that bear it.
 inline float demand_of(const ContactInfo& c, float load, float inverse_mass) {
     const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
-    // The margin is a quarter of the smaller shape's least width, or less.
-    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
-    return load * (inverse_mass / stiffness) * smallness;
+    return load * (inverse_mass / stiffness);
 }
 
 // After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it; `gain`: see

@@ -160,7 +160,7 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         find_normals(contacts, sides, ranks);
         for (const ContactNormal& side : sides)
             hold_from_side(column, bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
-        IslandLoad greatest{false, 0, 0, stable_sinking(column)};
+        IslandLoad greatest{false, 0, 0, stable_sinking(column), island.pull_by_width};
         structure.hand_down((scratch.weighed_for[i] & for_its_substeps) != 0,
                             [&](const StandingContact& c, float load) {
                                 ContactInfo& info = contacts.info[c.id];

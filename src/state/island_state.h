@@ -24,6 +24,7 @@ struct Island {
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float least_stable_sinking = 1;      // m: see slenderness.h
+    float pull_by_width = 0;             // 1/s^2: of gravity and fields, over the mean width of its bodies
     float agitation = 0;                 // m/s: root of the mean square of the speeds about that of the whole
     float min_quiet_time = 0, greatest_quiet_time = 0;
 };

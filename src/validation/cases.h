@@ -51,6 +51,7 @@ Result measure_wheelset();
 
 // capstan.cpp
 Result measure_capstan();
+Result measure_silo();
 
 // impacts.cpp
 Result measure_billiards();

@@ -121,6 +121,11 @@ std::span<const Case> cases() {
          "of 52 "
          "links, half around.",
          measure_capstan},
+        {36, "silo", "Grains in a silo",
+         "Walls with friction bear most of what is poured in: the floor bears M (1 - exp(-m / M)) of the mass m, with "
+         "the "
+         "one mass M that fits (H. A. Janssen, 1895). Without friction it bears all.",
+         measure_silo},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "

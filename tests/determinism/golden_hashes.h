@@ -10,7 +10,7 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0x9ae765d0e33684f8;
 inline constexpr std::uint64_t pyramid = 0xcc44ecc828ffd6f9;
 inline constexpr std::uint64_t dominoes = 0x26f2ed50239c042e;
-inline constexpr std::uint64_t materials = 0x6cab518d46063e25;
+inline constexpr std::uint64_t materials = 0x8cd1b6aa273470e8;
 inline constexpr std::uint64_t tumbler = 0x538e8e5698219733;
 inline constexpr std::uint64_t sleep_and_wake = 0x7aef54faa73b4fc1;
 inline constexpr std::uint64_t compounds = 0xa53910e67ca29647;

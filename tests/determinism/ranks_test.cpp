@@ -118,6 +118,43 @@ TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
     }
 }
 
+// Balls that fill a narrow shaft: whether they are a column that could buckle depends on the normals of contacts with
+// the walls, of which each rank has some.
+class FilledShaft : public Scene {
+  public:
+    void build(World& world) override {
+        add_fixed(world, Box{{1, 0.1f, 1}}, {0, -0.1, 0});
+        for (const float side : {-1.0f, 1.0f}) {
+            add_fixed(world, Box{{0.1f, 4, 0.5f}}, {0.35 * side, 4, 0});
+            add_fixed(world, Box{{0.5f, 4, 0.1f}}, {0, 4, 0.35 * side});
+        }
+        for (int i = 0; i < 640; ++i) {
+            BodyDef def;
+            const double aside = i / 16 % 2 * 0.05 - 0.025; // or each would stand on the one below
+            def.position = {0.115 * (i % 4 - 1.5) + aside, 0.06 + 0.11 * (i / 16), 0.115 * (i / 4 % 4 - 1.5) - aside};
+            add(world, Sphere{0.05f}, def);
+        }
+    }
+};
+
+TEST(RanksInAShaft, StateIsTheSameAtEveryStep) {
+    FilledShaft scene;
+    World world(scene.settings());
+    scene.build(world);
+    run_alone(scene, world, 25);
+    const Snapshot start = world.save();
+    constexpr int steps = 12;
+    const Course alone = run_alone(scene, world, steps);
+    EXPECT_LE(world.statistics().max_substeps, 8);
+    for (const int ranks : {2, 3}) {
+        const std::vector<Course> courses = run_on_ranks(scene, start, ranks, steps, 1);
+        for (std::size_t rank = 0; rank < courses.size(); ++rank) {
+            expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
+            EXPECT_GT(courses[rank].exchanges, 100); // it was cut
+        }
+    }
+}
+
 TEST(RanksOfAWorld, RefusesARankThatIsNoneOfThem) {
     World world;
     const auto post = std::make_shared<Post>(2);

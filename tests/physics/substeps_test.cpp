@@ -1,6 +1,8 @@
 // What substeps are for: that structures hold and come to rest, at a bounded cost (docs/decisions/substeps.md).
 #include "support.h"
 
+#include "validation/random_starts.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -152,7 +154,75 @@ TEST(Substeps, HoldStacksOfSmallCubes) {
             run(world, 1.0f / 60, 300);
             EXPECT_GT((world.body(top).position().y + edge / 2) / (5 * edge), 0.98)
                 << "cubes of " << edge << " m, sleep " << may_sleep;
-            EXPECT_LE(world.statistics().max_substeps, 40);
+            EXPECT_LE(world.statistics().max_substeps, 64);
+        }
+}
+
+// A shaft of `across` by `across` bodies of `size`, in layers that lie apart, which fall and fill it.
+class Shaft {
+  public:
+    Shaft(double size, int across, int layers, std::uint32_t seed)
+        : world(with_turned_gravity(RandomStart(seed))), start_(seed), size_(size) {
+        const double wide = 1.15 * across * size, high = 3 * layers * size;
+        const float half = float(wide / 2), thick = float(size), out = float(wide / 2 + 2 * size);
+        add_wall({0, -size, 0}, {out, thick, out});
+        for (const double side : {-1.0, 1.0}) {
+            add_wall({side * (wide / 2 + size), high / 2, 0}, {thick, float(high / 2), out});
+            add_wall({0, high / 2, side * (wide / 2 + size)}, {half, float(high / 2), thick});
+        }
+        for (int i = 0; i < across * across * layers; ++i) {
+            const auto place = [&](int k) { return (k - 0.5 * (across - 1)) * 1.12 * size; };
+            BodyDef def;
+            def.position = start_.place(
+                {place(i % across), (0.6 + 1.1 * (i / across / across)) * size, place(i / across % across)});
+            bodies.push_back(add_body(world, Sphere{float(start_.uniform(0.45, 0.5) * size)}, def, surface(0.5f)));
+        }
+    }
+    // Of the deepest, as a part of the size.
+    double overlap() const {
+        double deepest = 0;
+        for (const Contact& contact : world.contacts())
+            for (const ContactPoint& point : contact.points) deepest = std::max(deepest, -double(point.separation));
+        return deepest / size_;
+    }
+
+    World world;
+    std::vector<BodyId> bodies;
+
+  private:
+    void add_wall(const glm::dvec3& at, const Vec3& half) {
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = start_.place(at);
+        def.rotation = start_.quat();
+        add_body(world, Box{half}, def, surface(0.5f));
+    }
+
+    RandomStart start_;
+    double size_;
+};
+
+// It is held by its walls, and no column that could buckle: that took 24 substeps, and made contacts so stiff that
+// those that had sunk before pressed on the floor with many times the weight of all.
+TEST(Substeps, OfWhatFillsAShaftAreTheUsualOnes) {
+    for (std::uint32_t seed = 0; seed < 3; ++seed) {
+        Shaft shaft(0.1, 4, 50, 700 + seed);
+        int most = 0;
+        for (int i = 0; i < 240; ++i) {
+            shaft.world.step(1.0f / 60);
+            if (i >= 120) most = std::max(most, shaft.world.statistics().max_substeps);
+        }
+        EXPECT_LE(most, 8);
+    }
+}
+
+// Balls of 2 cm used to overlap by up to a third of that.
+TEST(Substeps, KeepSmallGrainsApart) {
+    for (const double size : {0.2, 0.1, 0.05, 0.02, 0.01})
+        for (std::uint32_t seed = 0; seed < 2; ++seed) {
+            Shaft shaft(size, 8, 16, 720 + seed);
+            run(shaft.world, 1.0f / 60, 120);
+            EXPECT_LT(shaft.overlap(), 0.1) << "balls of " << size << " m, seed " << seed;
         }
 }
 
