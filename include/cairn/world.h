@@ -40,7 +40,7 @@ struct WorldDef {
     int substeps = 0;                 ///< Solver substeps of one step, 1 to 256; or 0: as many as make them no
                                       ///< longer than 1/360 s (6 at 60 Hz, 2 at 240 Hz).
     bool adaptive_substeps = true;    ///< Take more in islands that ask for it: with joints (no longer than 1/660 s),
-                                      ///< high mass ratios, tall stacks.
+                                      ///< high mass ratios, tall stacks, bodies less than 10 cm wide.
     Integrator integrator = Integrator::semi_implicit_euler;
     bool enable_sleep = true;          ///< Islands at rest stop costing time.
     float sleep_speed = 0.05f;         ///< m/s; a body slower than this at its surface may sleep. >= 0.

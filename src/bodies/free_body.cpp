@@ -107,7 +107,7 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
     step.move(x, v);
     step.turn(q, w);
     clamped_speeds += step.is_clamped;
-    if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
+    if (!(is_place(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
         ++clamped_speeds; // beyond the range of numbers: it stops where it is
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         motion.turned = {};

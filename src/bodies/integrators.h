@@ -96,6 +96,10 @@ class BodyWeights {
 math::DVec3 acceleration_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings,
                             std::int32_t body, math::DVec3 x);
 
+// Whether that is a place that bounds in single precision can be around. What is to go farther stops where it is.
+constexpr double farthest_place = 1e30; // m
+inline bool is_place(math::DVec3 x) { return math::dot(x, x) <= farthest_place * farthest_place; }
+
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
 float damping_factor(float rate, float h);
 

@@ -37,10 +37,6 @@ template <class T, class F> void exchange_of_owners(std::vector<T>& list, Commun
 math::Vec3 normal_of(const Contacts& contacts, std::uint32_t contact, Communicator* ranks);
 
 // Those of many at once.
-struct ContactNormal {
-    std::uint32_t contact;
-    math::Vec3 normal;
-};
 void find_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator* ranks);
 
 // Gives bodies to other ranks; the records of their contacts go with them. `owners`: of all bodies.

@@ -92,8 +92,8 @@ float pull_by_width(const Extent& extent) {
     return extent.count > 1 && width > 0 ? float(math::length(extent.pull) / (extent.mass * width)) : 0;
 }
 
-Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights) {
-    Column column;
+StandingColumn column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights) {
+    StandingColumn column;
     column.origin = bodies.motion[island.first_body].x;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         if (!(bodies.mass[b].inverse_mass > 0)) continue;
@@ -108,7 +108,7 @@ Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& 
     return column;
 }
 
-void hold_from_side(Column& column, DVec3 at, math::Vec3 normal) {
+void hold_from_side(StandingColumn& column, DVec3 at, math::Vec3 normal) {
     const DVec3 n = math::to_double(normal);
     const double z = std::max(math::dot(column.up, at - column.origin) - column.bottom, 0.0);
     column.sides.squares = column.sides.squares + squared(z * n);
@@ -116,7 +116,7 @@ void hold_from_side(Column& column, DVec3 at, math::Vec3 normal) {
     column.sides.weight += z * z;
 }
 
-float stable_sinking(const Column& column) {
+float stable_sinking(const StandingColumn& column) {
     DSym3 held = column.sides.squares;
     if (column.sides.weight > 0) held = held + scaled(-1 / column.sides.weight, squared(column.sides.normals));
     return sinking_of(column.extent, column.own, column.own, held);

@@ -43,22 +43,10 @@ inline void add_to_extent(Extent& extent, const BodyMass& mass, const BodyMotion
 }
 void add_to_extent(Extent& extent, const Extent& more);
 
-// An island as a column, and what holds it from its sides: sums over contacts with what does not move.
-struct Column {
-    Extent extent;
-    math::DSym3 own; // m^2: second moments of its bodies, in the mean
-    math::DVec3 origin, up;
-    double bottom = 0; // m: from the origin, upward
-    struct {
-        math::DSym3 squares; // of z n
-        math::DVec3 normals; // z^2 n
-        double weight = 0;   // z^2
-    } sides;
-};
-Column column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights);
+StandingColumn column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights);
 // By a contact that is pressed, at the place of its body.
 inline bool may_hold_from_side(const ContactInfo& c) { return !c.b_moves && c.force > 0; }
-void hold_from_side(Column& column, math::DVec3 at, math::Vec3 normal);
+void hold_from_side(StandingColumn& column, math::DVec3 at, math::Vec3 normal);
 
 // 1/s^2: what pulls at several bodies, over their width, the root of its mean square. A single one bears nothing but
 // itself: 0.
@@ -66,7 +54,7 @@ float pull_by_width(const Extent& extent);
 
 // m: how far contacts may sink under what stands, so that it does not buckle, or takes `slow_fall` for a factor of e.
 // Exactly; and what it is at least, however its bodies are turned and held.
-float stable_sinking(const Column& column);
+float stable_sinking(const StandingColumn& column);
 float least_stable_sinking(const Extent& extent);
 inline constexpr float nothing_can_buckle = std::numeric_limits<float>::infinity();
 

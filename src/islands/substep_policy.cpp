@@ -40,11 +40,9 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt) 
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-IslandLoad take_load(Island& island) {
-    const IslandLoad load{island.joint_count > 0, island.weight > 0 ? island.greatest_load / island.weight : 0,
-                          island.greatest_demand, nothing_can_buckle, island.pull_by_width};
-    island.greatest_load = island.greatest_demand = 0;
-    return load;
+IslandLoad load_of(const Island& island) {
+    return {island.joint_count > 0, island.weight > 0 ? island.greatest_load / island.weight : 0,
+            island.greatest_demand, nothing_can_buckle, island.pull_by_width};
 }
 
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt) {

@@ -38,8 +38,10 @@ struct IslandLoad {
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
-// What the contacts of an island carried; it is forgotten, to be measured anew in the solver. Nothing can buckle yet.
-IslandLoad take_load(Island& island);
+// What the contacts of an island carried in the last step. Nothing can buckle yet.
+IslandLoad load_of(const Island& island);
+// To be measured anew in the solver.
+inline void forget_load(Island& island) { island.greatest_load = island.greatest_demand = 0; }
 // Whether its places alone may ask for more substeps than its loads: then its column is looked at.
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt);
 

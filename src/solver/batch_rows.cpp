@@ -202,13 +202,14 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
     const math::DVec3 sum = (dx + math::to_double(v)) + math::to_double(w);
     const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
-    if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
+    const bool is_finite = 0 * ((sum.x + sum.y) + (sum.z + sum_q)) == 0,
+               was_cut = is_finite && cut_way(settings, dt, dx, dq);
+    if (!is_finite || !is_place(motion.x + dx)) {
         motion.v = motion.w = {};
         motion.turned = {};
         spend_answers(bodies, b); // its contacts were moved along with the row
         return 1;
     }
-    const bool was_cut = cut_way(settings, dt, dx, dq);
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
     motion.turned = dq;
@@ -317,8 +318,8 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
     if (scratch.border) leave_out_ghosts(scratch);
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
-    const HalfLimits half{0.5f * settings.max_linear_speed * dt, 0.5f * settings.max_linear_speed,
-                          0.5f * settings.max_angular_speed};
+    const HalfLimits half{std::min(0.5f * settings.max_linear_speed * dt, 0.1f * float(farthest_place)),
+                          0.5f * settings.max_linear_speed, 0.5f * settings.max_angular_speed};
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
         for (int row = begin; row < end; row += 8) {

@@ -93,37 +93,39 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
 // How many substeps each awake island takes: by its loads, and so as not to buckle.
 void choose_substeps(const Bodies& bodies, const Contacts& contacts, Islands& islands, const BodyWeights& weights,
                      const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
-    struct Slender {
-        std::int32_t island;
-        IslandLoad load;
-    };
-    std::vector<Slender> slender; // of most worlds none
-    std::vector<Column> columns;
+    StandingColumns& columns = step.solver.columns;
+    columns.all.clear();
     for (const std::int32_t i : islands.awake) {
         Island& island = islands.all[i];
-        const IslandLoad load = take_load(island);
+        const IslandLoad load = load_of(island);
         island.substeps = wanted_substeps(settings, load, dt);
         if (!may_be_slender(settings, island, load, dt)) continue;
-        slender.push_back({i, load});
-        columns.push_back(column_of(bodies, island, weights));
+        columns.all.push_back(column_of(bodies, island, weights));
+        columns.all.back().island = i;
     }
-    if (slender.empty()) return;
-    std::vector<std::int32_t> number(islands.all.size(), none);
-    for (std::size_t k = 0; k < slender.size(); ++k) number[std::size_t(slender[k].island)] = std::int32_t(k);
-    const auto column_of_contact = [&](std::uint32_t id) {
-        return number[std::size_t(bodies.links[contacts.info[id].body_a].island)];
-    };
-    std::vector<ContactNormal> sides;
-    for (const std::uint32_t id : step.solved)
-        if (may_hold_from_side(contacts.info[id]) && column_of_contact(id) != none) sides.push_back({id, {}});
-    find_normals(contacts, sides, ranks);
-    for (const ContactNormal& side : sides)
-        hold_from_side(columns[std::size_t(column_of_contact(side.contact))],
-                       bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
-    for (std::size_t k = 0; k < slender.size(); ++k) {
-        slender[k].load.stable_sinking = stable_sinking(columns[k]);
-        islands.all[slender[k].island].substeps = wanted_substeps(settings, slender[k].load, dt);
+    if (!columns.all.empty()) { // in most worlds there is none
+        columns.of_island.assign(islands.all.size(), none);
+        for (std::size_t k = 0; k < columns.all.size(); ++k)
+            columns.of_island[std::size_t(columns.all[k].island)] = std::int32_t(k);
+        const auto column_of_contact = [&](std::uint32_t id) {
+            return columns.of_island[std::size_t(bodies.links[contacts.info[id].body_a].island)];
+        };
+        columns.sides.clear();
+        for (const std::uint32_t id : step.solved)
+            if (may_hold_from_side(contacts.info[id]) && column_of_contact(id) != none)
+                columns.sides.push_back({id, {}});
+        find_normals(contacts, columns.sides, ranks);
+        for (const ContactNormal& side : columns.sides)
+            hold_from_side(columns.all[std::size_t(column_of_contact(side.contact))],
+                           bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
     }
+    for (const StandingColumn& column : columns.all) {
+        Island& island = islands.all[column.island];
+        IslandLoad load = load_of(island);
+        load.stable_sinking = stable_sinking(column);
+        island.substeps = wanted_substeps(settings, load, dt);
+    }
+    for (const std::int32_t i : islands.awake) forget_load(islands.all[i]);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
+#include "bodies/integrators.h"
 #include "core/room.h"
 #include "islands/substep_policy.h"
 #include "joints/direct_joints.h"
@@ -322,7 +323,11 @@ void move_kinematics(Bodies& bodies, float dt) {
     for (const std::int32_t b : bodies.kinematics) {
         BodyMotion& motion = bodies.motion[b];
         const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
-        motion.x += double(dt) * math::to_double(motion.v);
+        const math::DVec3 x = motion.x + double(dt) * math::to_double(motion.v);
+        if (is_place(x))
+            motion.x = x;
+        else
+            motion.v = {};
         motion.q = math::normalized(turn * motion.q);
         motion.turned = math::to_float(turn);
     }

@@ -153,8 +153,9 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
         Structure structure(bodies, island, own, work, weights);
         float weight = 0;
         for (const StandingLoads::Body& body : work.bodies) weight += body.weight;
-        Column column = column_of(bodies, island, weights);
-        std::vector<ContactNormal> sides;
+        StandingColumn column = column_of(bodies, island, weights);
+        std::vector<ContactNormal>& sides = scratch.columns.sides;
+        sides.clear();
         for (const StandingContact& c : own)
             if (may_hold_from_side(contacts.info[c.id])) sides.push_back({c.id, {}});
         find_normals(contacts, sides, ranks);

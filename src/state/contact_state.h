@@ -79,6 +79,12 @@ struct PairAnswer {
     std::int32_t body_a = none, body_b = none;
 };
 
+// A contact, and the normal of its record, which few ranks have.
+struct ContactNormal {
+    std::uint32_t contact;
+    math::Vec3 normal;
+};
+
 // All contacts; vectors are by contact.
 struct Contacts {
     ContactRecords records;

@@ -6,6 +6,7 @@
 #include "kernels/solve/solver_data.h"
 #include "math/bounds.h"
 #include "math/vec.h"
+#include "state/contact_state.h"
 #include "state/direct_work.h"
 #include "state/impact_work.h"
 #include "state/rank_work.h"
@@ -95,6 +96,26 @@ struct Extent {
     math::DVec3 sum, moment, pull;
     math::DSym3 squares;
     double least = 0, greatest = 0;
+};
+
+// An island as a column, and what holds it from its sides: sums over contacts with what does not move.
+struct StandingColumn {
+    std::int32_t island = none;
+    Extent extent;
+    math::DSym3 own; // m^2: second moments of its bodies, in the mean
+    math::DVec3 origin, up;
+    double bottom = 0; // m: from the origin, upward
+    struct {
+        math::DSym3 squares; // of z n
+        math::DVec3 normals; // z^2 n
+        double weight = 0;   // z^2
+    } sides;
+};
+// Of islands that may be slender.
+struct StandingColumns {
+    std::vector<StandingColumn> all;
+    std::vector<std::int32_t> of_island; // none: it has none
+    std::vector<ContactNormal> sides;    // contacts that may hold them
 };
 
 // The mass of bodies, kg, their weight, N, the sum of m v and that of m v^2.
@@ -254,6 +275,7 @@ struct SolverScratch {
     std::vector<std::int32_t> contacts_of_island;
     std::vector<std::uint8_t> island_bounces; // 1: one of its contacts does
     std::vector<std::uint8_t> weighed_for;    // by island, bits: see standing_loads.h
+    StandingColumns columns;
     StandingLoads standing;
     std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
     std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key

@@ -306,6 +306,31 @@ TEST(Row25, StepsOfEverySizeInTurn) {
             ASSERT_TRUE(stays_sane(world, 1, dt)) << "dt " << dt;
 }
 
+// A step of 1e38 s took a body to 1e41 m, where no bounds are around it, and its world could not be saved.
+TEST(Row25, WhatFliesInEndlessStepsStaysSomewhere) {
+    WorldDef def;
+    def.gravity = {0.0f, 0.0f, 0.0f};
+    World world(def);
+    const auto fly = [&](const Position& at, BodyType type) {
+        BodyDef body = moving(at, {100.0f, -300.0f, 20.0f}, {1.0f, 2.0f, 3.0f});
+        body.type = type;
+        return add_body(world, body, Box{{0.1f, 0.2f, 0.3f}});
+    };
+    fly({0.0, 0.0, 0.0}, BodyType::dynamic);
+    fly({5.0, 0.0, 0.0}, BodyType::kinematic);
+    const BodyId a = fly({10.0, 0.0, 0.0}, BodyType::dynamic), b = fly({10.0, 1.0, 0.0}, BodyType::dynamic);
+    world.create_joint(world.joint_at(a, b, {10.0, 0.5, 0.0}, {0.0f, 1.0f, 0.0f}, BallJoint{}));
+    fly({20.0, 0.0, 0.0}, BodyType::dynamic), fly({20.0, 0.39, 0.0}, BodyType::dynamic); // which touch
+    for (int i = 0; i < 40; ++i)
+        for (const float dt : {3e38f, 1e30f, 1e27f, frame}) {
+            world.step(dt);
+            for (const BodyId id : world.bodies())
+                ASSERT_LT(glm::length(world.body(id).position()), 1.01e30) << "dt " << dt;
+            World other;
+            ASSERT_NO_THROW(other.restore(world.save())) << "dt " << dt;
+        }
+}
+
 TEST(Row26, GravityOfTenToTheThirty) {
     WorldDef def;
     def.gravity = {0.0f, -1e30f, 0.0f};

@@ -910,7 +910,10 @@ export interface WorldDef {
      * Hz). (0 to 256)
      */
     substeps?: number;
-    /** Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks. */
+    /**
+     * Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks, bodies
+     * less than 10 cm wide.
+     */
     adaptiveSubsteps?: boolean;
     /** How free motion is integrated. */
     integrator?: Integrator;

@@ -36,7 +36,8 @@ typedef struct cairn_world_def {
     /// Solver substeps of one step, 1 to 256; or 0: as many as make them no longer than 1/360 s (6 at 60 Hz, 2 at 240
     /// Hz). (0 to 256)
     int substeps;
-    /// Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks.
+    /// Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks,
+    /// bodies less than 10 cm wide.
     bool adaptive_substeps;
     cairn_integrator integrator; ///< How free motion is integrated.
     bool enable_sleep; ///< Islands at rest stop costing time.

@@ -44,7 +44,9 @@ class WorldDef:
     Hz). (0 to 256)
     """
     adaptive_substeps: bool = True
-    """Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks."""
+    """Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks, bodies
+    less than 10 cm wide.
+    """
     integrator: Integrator | str = Integrator.semi_implicit_euler
     """How free motion is integrated."""
     enable_sleep: bool = True
