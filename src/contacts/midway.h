@@ -4,6 +4,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/flight.h"
+#include "contacts/round_touch.h"
 
 namespace cairn {
 
@@ -22,25 +23,39 @@ inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether bodies that touch may be looked for there: they move, neither turns far until then, and neither passes the
-// other by more than `farthest`, m. Bodies with joints do not move as their velocities say, nor do the surfaces of
-// conveyors. The middle of a step of one substep is its start.
-inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time, float farthest) {
-    constexpr float small = 0.25f; // rad
-    if (!(time > 0) || c.is_trigger || c.is_conveyor) return false;
+// Whether what touches, with that normal, may be looked for there: it moves, tilts little until then, and does not pass
+// the other by more than `farthest`, m. The middle of a step of one substep is its start. Normal 0: of several.
+inline bool may_be_midway(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, math::Vec3 normal,
+                          float time, float farthest) {
+    if (!(time > 0) || c.is_trigger) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
-    for (const std::int32_t b : {c.body_a, c.body_b}) {
-        const math::Vec3 w = bodies.motion[b].w;
-        if (bodies.links[b].joint_count > 0 || time * time * math::dot(w, w) > small * small) return false;
+    const auto is_far = [&](math::Vec3 w) {
+        constexpr float small = 0.25f; // rad
+        return time * time * math::dot(w, w) > small * small;
+    };
+    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
+        const math::Vec3 w = bodies.motion[shapes.links[shape].body].w;
+        if (is_far(w) && is_far(tilting_part(shapes.geometry[shape], shapes.poses[shape], w, normal))) return false;
     }
     const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
     return math::dot(passing, passing) <= farthest * farthest;
 }
 
+// Bodies with joints may be elsewhere by then than their velocities say: what would have another normal there is asked
+// where it is.
+inline bool is_led_by_joints(const Bodies& bodies, const ContactInfo& c) {
+    return bodies.links[c.body_a].joint_count > 0 || bodies.links[c.body_b].joint_count > 0;
+}
+
 // Whether a pair is looked for there: it has met, and does not pass by more than the margin. What slides or rolls on in
 // haste may be over another shape by then.
-inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
-    return c.touching && c.point_count > 0 && may_be_midway(bodies, c, time, c.base_margin);
+inline bool is_looked_for_midway(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id,
+                                 float time) {
+    const ContactInfo& c = contacts.info[id];
+    if (!c.touching || c.point_count == 0) return false;
+    const ContactRecord& r = contacts.records[id];
+    return may_be_midway(bodies, shapes, c, math::to_vec(r.normal), time, c.base_margin) &&
+           (!is_led_by_joints(bodies, c) || has_own_normal(shapes, c, r));
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

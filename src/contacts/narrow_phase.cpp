@@ -99,7 +99,7 @@ class WideTest {
         for (int i = 0; i < count; ++i) {
             if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
-            const bool is_midway = is_looked_for_midway(in.bodies, contacts_.info[id], midway_);
+            const bool is_midway = is_looked_for_midway(in.bodies, in.shapes, contacts_, id, midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
         }
         if (!own_.midway.empty()) test_midway();
@@ -202,7 +202,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
             return;
         }
     }
-    if (is_looked_for_midway(in.bodies, c, midway)) {
+    if (is_looked_for_midway(in.bodies, in.shapes, contacts, id, midway)) {
         const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
                          b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
         Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory);

@@ -13,6 +13,12 @@ namespace {
 
 constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed twice
 
+// Whether a normal is that of an end of a cylinder, which a tapered one has beside its side.
+bool is_end(const ShapePose& pose, math::Vec3 normal) {
+    const math::Vec3 around = math::cross(axis_of(pose, 1), normal);
+    return math::dot(around, around) < squared_rounding;
+}
+
 } // namespace
 
 math::Vec3 axis_of(const ShapePose& pose, int i) {
@@ -49,6 +55,15 @@ TouchingFace touching_face(const Shapes& shapes, const ContactInfo& c, const Man
     if (is_flat(a, pose_a, normal) || by_face(c.flipped)) return TouchingFace::of_a;
     if (is_flat(b, pose_b, normal) || by_face(!c.flipped)) return TouchingFace::of_b;
     return TouchingFace::none;
+}
+
+bool has_own_normal(const Shapes& shapes, const ContactInfo& c, const ContactRecord& r) {
+    const bool on_a = r.radius_a == on_face;
+    if (!on_a && r.radius_b != on_face) return r.radius_a == 0 && r.radius_b == 0;
+    const std::uint32_t shape = on_a ? c.shape_a : c.shape_b;
+    const ShapeType type = shapes.geometry[shape].type;
+    if (type != ShapeType::cylinder) return type != ShapeType::sphere && type != ShapeType::capsule;
+    return is_end(shapes.poses[shape], to_vec(r.normal));
 }
 
 bool leaves_face(const Shapes& shapes, const ContactInfo& c, const ContactRecord& last, const Manifold& m,

@@ -21,6 +21,9 @@ bool has_corners(const Geometry& shape);
 enum class TouchingFace : std::uint8_t { none, of_a, of_b };
 TouchingFace touching_face(const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
                            math::Vec3 normal, const ShapePose& pose_a, const ShapePose& pose_b);
+// Whether the normal of a contact, as its record has it, is that of a face, or of two edges: it turns with the bodies,
+// and not with where they are. The side of what is round is no such face, even if it has several places of touch.
+bool has_own_normal(const Shapes& shapes, const ContactInfo& contact, const ContactRecord& record);
 // Whether what lay on a face when its record was written is beyond the end of that with this manifold.
 bool leaves_face(const Shapes& shapes, const ContactInfo& contact, const ContactRecord& last, const Manifold& manifold,
                  const ShapePose& pose_a, const ShapePose& pose_b);

@@ -52,6 +52,7 @@ Result measure_wheelset();
 // capstan.cpp
 Result measure_capstan();
 Result measure_silo();
+Result measure_rollers();
 
 // impacts.cpp
 Result measure_billiards();

@@ -113,19 +113,22 @@ std::span<const Case> cases() {
          measure_bicycle},
         {34, "wheelset", "Conical wheels on rails",
          "An axle with two conical wheels goes to and fro across its rails, with the wavelength 2 pi sqrt(r b / slope) "
-         "for "
-         "wheels of radius r, rails 2 b apart: rolling without slip (J. Klingel, 1883).",
+         "for wheels of radius r, rails 2 b apart: rolling without slip (J. Klingel, 1883).",
          measure_wheelset},
         {35, "capstan", "A rope around a drum",
          "Friction holds exp(mu times the angle) of the smaller load (L. Euler, 1762; J. A. Eytelwein, 1808): a rope "
-         "of 52 "
-         "links, half around.",
+         "of 52 links, half around.",
          measure_capstan},
         {36, "silo", "Grains in a silo",
          "Walls with friction bear most of what is poured in: the floor bears M (1 - exp(-m / M)) of the mass m, with "
-         "the "
-         "one mass M that fits (H. A. Janssen, 1895). Without friction it bears all.",
+         "the one mass M that fits (H. A. Janssen, 1895). Without friction it bears all.",
          measure_silo},
+        {37, "rollers", "A plank on two rollers that spin toward each other",
+         "Each pulls the plank inward with friction times its load, and the nearer bears more: it swings with w^2 = mu "
+         "g "
+         "/ (a - mu c), rollers 2 a apart, plank 2 c high, whatever their speed (S. Timoshenko, Vibration problems in "
+         "engineering, 1928).",
+         measure_rollers},
         // --- impacts
         {29, "billiards", "A break, impact after impact",
          "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "

@@ -40,8 +40,8 @@ class Silo {
             pour();
             run(world_, float(dt_), steps_in(0.1, dt_));
             if (layer % layers_shown != 0) continue;
-            run(world_, float(dt_), steps_in(0.3, dt_));
-            fills.push_back({poured_, borne()});
+            run(world_, float(dt_), steps_in(0.15, dt_));
+            fills.push_back({poured_, borne(steps_in(0.15, dt_))});
         }
         return fills;
     }
@@ -71,12 +71,16 @@ class Silo {
             poured_ += double(world_.body(grains_.back()).mass());
         }
     }
-    double borne() const {
+    // kg: the mean of some steps.
+    double borne(int steps) {
         double impulse = 0;
-        for (const Contact& contact : world_.contacts())
-            if (contact.body_a == floor_ || contact.body_b == floor_)
-                for (const ContactPoint& point : contact.points) impulse += double(point.normal_impulse);
-        return impulse / (dt_ * gravity);
+        for (int i = 0; i < steps; ++i) {
+            world_.step(float(dt_));
+            for (const Contact& contact : world_.contacts())
+                if (contact.body_a == floor_ || contact.body_b == floor_)
+                    for (const ContactPoint& point : contact.points) impulse += double(point.normal_impulse);
+        }
+        return impulse / (steps * dt_ * gravity);
     }
 
     RandomStart start_;

@@ -90,7 +90,7 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
                         (any_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
                         (any_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
                         (square * square * most > splat(unseen * unseen));
-    block.turns = any(moves);
+    block.turns = std::uint8_t(bits(moves));
     if (!block.turns) return;
     const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled +
                                           splat(0.5f) * times_curvature(turned)),

@@ -188,6 +188,20 @@ CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftnes
     }
 }
 
+// The opening velocities of places of touch that move are those of the middle of the substep. So is the arm of B there;
+// d is of its start in `solve`, of its end in `relax`, and `late` by that, s. A plank that slid over spinning rollers
+// was turned by them.
+template <int N>
+CAIRN_INLINE void add_motion_of_places(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
+                                       const Velocityx8& a, const Velocityx8& b, float late, f32x8* v) {
+    if (!block.turns && !has_rims(block)) return;
+    const mask8 moves = mask_from_bits(block.turns | block.rims_a | block.rims_b);
+    const f32x8 of_arm = select(moves, splat(late) * dot(normal, cross(b.w, b.v - a.v)), zero());
+    for (int i = 0; i < N; ++i) v[i] += of_arm;
+    if (block.turns) add_turning<N>(block, softness, normal, v);
+    if (has_rims(block)) v[0] += dot(slip_of_rims(block, b.w - a.w), normal);
+}
+
 template <int N>
 CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
                               Rows<N>& rows) {
@@ -205,8 +219,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     f32x8 v[N];
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    if (block.turns) add_turning<N>(block, softness, normal, v);
-    if (has_rims(block)) v[0] += dot(slip_of_rims(block, rows.b.w - rows.a.w), normal);
+    add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, -0.5f * softness.h, v);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -326,8 +339,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    if (block.turns) add_turning<N>(block, softness, normal, v);
-    if (has_rims(block)) v[0] += dot(slip_of_rims(block, rows.b.w - rows.a.w), normal);
+    add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, 0.5f * softness.h, v);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);

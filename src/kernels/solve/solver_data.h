@@ -119,7 +119,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t rolls;                     // any rolling resistance
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
-    std::uint8_t turns;                     // any point that moves within the step
+    std::uint8_t turns;                     // lanes, as bits, of which points move within the step
     std::uint8_t rims_a, rims_b;            // lanes, as bits, of which the place on A or on B is followed over a face
     std::uint8_t joined;                    // lanes, as bits: of bodies that joints hold, which bounce in an impact
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
