@@ -23,28 +23,37 @@ inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether what touches, with that normal, may be looked for there: it moves, tilts little until then, and does not pass
-// the other by more than `farthest`, m. The middle of a step of one substep is its start. Normal 0: of several.
-inline bool may_be_midway(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, math::Vec3 normal,
-                          float time, float farthest) {
+// Whether bodies that touch may be looked for there: one moves, and neither passes the other by more than `farthest`,
+// m. The middle of a step of one substep is its start.
+inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time, float farthest) {
     if (!(time > 0) || c.is_trigger) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
-    const auto is_far = [&](math::Vec3 w) {
-        constexpr float small = 0.25f; // rad
-        return time * time * math::dot(w, w) > small * small;
-    };
-    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
-        const math::Vec3 w = bodies.motion[shapes.links[shape].body].w;
-        if (is_far(w) && is_far(tilting_part(shapes.geometry[shape], shapes.poses[shape], w, normal))) return false;
-    }
     const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
     return math::dot(passing, passing) <= farthest * farthest;
 }
-
-// Bodies with joints may be elsewhere by then than their velocities say: what would have another normal there is asked
-// where it is.
-inline bool is_led_by_joints(const Bodies& bodies, const ContactInfo& c) {
-    return bodies.links[c.body_a].joint_count > 0 || bodies.links[c.body_b].joint_count > 0;
+// Whether something turns far until then.
+inline bool turns_until_midway(math::Vec3 w, float time) {
+    constexpr float small = 0.25f; // rad
+    return time * time * math::dot(w, w) > small * small;
+}
+// Whether one of two bodies does, or may be elsewhere by then than its velocities say, as joints lead it. Then only
+// what keeps its normal is asked there.
+inline bool is_led_astray(const Bodies& bodies, const ContactInfo& c, float time) {
+    for (const std::int32_t b : {c.body_a, c.body_b})
+        if (bodies.links[b].joint_count > 0 || turns_until_midway(bodies.motion[b].w, time)) return true;
+    return false;
+}
+// Whether a contact, as it was last found, keeps its normal: that of a face or of two edges, which tilt little.
+inline bool keeps_normal(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const ContactRecord& r,
+                         float time) {
+    if (!has_own_normal(shapes, c, r)) return false;
+    const math::Vec3 normal = math::to_vec(r.normal);
+    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
+        const math::Vec3 w = bodies.motion[shapes.links[shape].body].w;
+        if (turns_until_midway(tilting_part(shapes.geometry[shape], shapes.poses[shape], w, normal), time))
+            return false;
+    }
+    return true;
 }
 
 // Whether a pair is looked for there: it has met, and does not pass by more than the margin. What slides or rolls on in
@@ -52,10 +61,8 @@ inline bool is_led_by_joints(const Bodies& bodies, const ContactInfo& c) {
 inline bool is_looked_for_midway(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id,
                                  float time) {
     const ContactInfo& c = contacts.info[id];
-    if (!c.touching || c.point_count == 0) return false;
-    const ContactRecord& r = contacts.records[id];
-    return may_be_midway(bodies, shapes, c, math::to_vec(r.normal), time, c.base_margin) &&
-           (!is_led_by_joints(bodies, c) || has_own_normal(shapes, c, r));
+    return c.touching && c.point_count > 0 && may_be_midway(bodies, c, time, c.base_margin) &&
+           (!is_led_astray(bodies, c, time) || keeps_normal(bodies, shapes, c, contacts.records[id], time));
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -155,11 +155,12 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     const ContactInfo& group = contacts.info[id];
     const float time = midway_time(in.substeps, dt), margin = contact_margin(in.bodies, narrow, group, dt);
     if (group.point_count == 0 ||
-        !may_be_midway(in.bodies, in.shapes, group, {}, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
+        !may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
         return false;
-    if (is_led_by_joints(in.bodies, group))
+    if (is_led_astray(in.bodies, group, time))
         for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
-            if (contacts.info[p].touching && !has_own_normal(in.shapes, contacts.info[p], contacts.records[p]))
+            if (contacts.info[p].touching &&
+                !keeps_normal(in.bodies, in.shapes, contacts.info[p], contacts.records[p], time))
                 return false;
     const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
                      b_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_b);

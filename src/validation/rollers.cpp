@@ -135,8 +135,8 @@ Result measure_rollers() {
                 plot.curves = {expected, run.place};
             }
             const std::string on = "on " + name_of(carriers) + ": ";
-            result.rows.push_back({on + "period, as a part of that expected", dt, 1, period.value, 0.01});
-            result.rows.push_back({on + "growth of the swing in a period", dt, 0, growth.value, 0.03, Bar::absolute});
+            result.rows.push_back({on + "period, as a part of that expected", dt, 1, period.value, 0.005});
+            result.rows.push_back({on + "growth of the swing in a period", dt, 0, growth.value, 0.02, Bar::absolute});
         }
     }
     result.plots.push_back(plot);

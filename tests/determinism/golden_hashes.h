@@ -7,22 +7,22 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x9ae765d0e33684f8;
-inline constexpr std::uint64_t pyramid = 0xcc44ecc828ffd6f9;
-inline constexpr std::uint64_t dominoes = 0x26f2ed50239c042e;
-inline constexpr std::uint64_t materials = 0x8cd1b6aa273470e8;
-inline constexpr std::uint64_t tumbler = 0x538e8e5698219733;
-inline constexpr std::uint64_t sleep_and_wake = 0x7aef54faa73b4fc1;
-inline constexpr std::uint64_t compounds = 0xa53910e67ca29647;
-inline constexpr std::uint64_t free_tops = 0xbee2e2957f98eefe;
-inline constexpr std::uint64_t explicit_euler = 0x895088332d3afe5e;
-inline constexpr std::uint64_t whirl = 0xe41c42ee053abc06;
-inline constexpr std::uint64_t changes = 0x2ca5861c3932a1b4;
-inline constexpr std::uint64_t all_shapes = 0x93a35c651afbb568;
-inline constexpr std::uint64_t rounded_shapes = 0x523031c019c36b70;
-inline constexpr std::uint64_t surfaces = 0xcbbe18fc5bcfd521;
-inline constexpr std::uint64_t all_joints = 0xd5ab026c103448c2;
-inline constexpr std::uint64_t chains = 0x77c219d77d516f9c;
-inline constexpr std::uint64_t robots = 0xb1fd22b1175b5496;
+inline constexpr std::uint64_t mixed_pile = 0x51c2796acc1831b9;
+inline constexpr std::uint64_t pyramid = 0xaf6f3a5d42a0ca7d;
+inline constexpr std::uint64_t dominoes = 0x2f5ab2b341c981d2;
+inline constexpr std::uint64_t materials = 0x6f32e033f1f3f5d7;
+inline constexpr std::uint64_t tumbler = 0x812c05f50583d211;
+inline constexpr std::uint64_t sleep_and_wake = 0x3c78a647a8119fa5;
+inline constexpr std::uint64_t compounds = 0x1b3783557899a278;
+inline constexpr std::uint64_t free_tops = 0x64091c87f3dd8008;
+inline constexpr std::uint64_t explicit_euler = 0xb394feae8960ce0d;
+inline constexpr std::uint64_t whirl = 0xe925ec450b697355;
+inline constexpr std::uint64_t changes = 0xec7293e81fdfdcb9;
+inline constexpr std::uint64_t all_shapes = 0x735de8b99aa8cb1c;
+inline constexpr std::uint64_t rounded_shapes = 0xcd6feee97441c1e4;
+inline constexpr std::uint64_t surfaces = 0x19efd775f04388fe;
+inline constexpr std::uint64_t all_joints = 0x8e483eb72e2c0f09;
+inline constexpr std::uint64_t chains = 0xf403c3f07faeb2a7;
+inline constexpr std::uint64_t robots = 0x4102e1e4b5c86958;
 
 } // namespace cairn_test::golden
