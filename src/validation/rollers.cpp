@@ -97,7 +97,8 @@ Swing swing(const Stand& stand, double dt, int rounds) {
     std::vector<double> crossings, greatest(std::size_t(rounds), 0);
     const double round = 2 * pi / stand.frequency();
     double x = stand.offset;
-    for (int i = 0; i < steps_in(rounds * round, dt); ++i) {
+    const int steps = steps_in(rounds * round, dt), shown = std::max(1, steps / 150);
+    for (int i = 0; i < steps; ++i) {
         world.step(float(dt));
         const double now = (glm::conjugate(stand.heading) * world.body(plank).position()).x, time = (i + 1) * dt;
         if (x > 0 && now <= 0) crossings.push_back(time + dt * now / (x - now));
@@ -105,7 +106,7 @@ Swing swing(const Stand& stand, double dt, int rounds) {
         if (half_on > 0 && half_on <= greatest.size())
             greatest[half_on - 1] = std::max(greatest[half_on - 1], std::abs(now));
         x = now;
-        run.place.x.push_back(time), run.place.y.push_back(now);
+        if (i % shown == 0) run.place.x.push_back(time), run.place.y.push_back(now);
     }
     if (crossings.size() > 1) run.period = (crossings.back() - crossings.front()) / double(crossings.size() - 1);
     run.growth = std::log(greatest[greatest.size() - 2] / greatest[0]) / double(rounds - 2);
@@ -128,9 +129,9 @@ Result measure_rollers() {
                 growth.add(run.growth);
                 if (i > 0 || carriers != Carriers::rollers || dt != time_steps[0]) continue;
                 Curve expected{"expected (Timoshenko)", {}, {}};
-                for (const double time : run.place.x) {
-                    expected.x.push_back(time);
-                    expected.y.push_back(stand.offset * std::cos(stand.frequency() * time));
+                for (int k = 0; k <= 400; ++k) {
+                    expected.x.push_back(run.place.x.back() * k / 400);
+                    expected.y.push_back(stand.offset * std::cos(stand.frequency() * expected.x.back()));
                 }
                 plot.curves = {expected, run.place};
             }
