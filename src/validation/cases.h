@@ -51,7 +51,11 @@ Result measure_wheelset();
 
 // capstan.cpp
 Result measure_capstan();
+
+// silo.cpp
 Result measure_silo();
+
+// rollers.cpp
 Result measure_rollers();
 
 // impacts.cpp

@@ -125,9 +125,8 @@ std::span<const Case> cases() {
          measure_silo},
         {37, "rollers", "A plank on two rollers that spin toward each other",
          "Each pulls the plank inward with friction times its load, and the nearer bears more: it swings with w^2 = mu "
-         "g "
-         "/ (a - mu c), rollers 2 a apart, plank 2 c high, whatever their speed (S. Timoshenko, Vibration problems in "
-         "engineering, 1928).",
+         "g / (a - mu c), rollers 2 a apart, plank 2 c high, whatever their speed (S. Timoshenko, Vibration problems "
+         "in engineering, 1928).",
          measure_rollers},
         // --- impacts
         {29, "billiards", "A break, impact after impact",

@@ -126,7 +126,7 @@ TEST(RoundTouch, ARopeHoldsTogetherWhereABoxFallsOnIt) {
             world.step(dt);
             for (const JointId joint : joints) gap = std::max(gap, double(world.joint_state(joint).linear_error));
         }
-        EXPECT_LT(gap, 0.1) << i;
+        EXPECT_LT(gap, 0.06) << i;
     }
 }
 
