@@ -183,6 +183,9 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     if (touching == TouchingFace::none) {
         if (m.count > 1) return;
         if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) r.radius_a = rolls_somehow;
+        const RoundPair round = round_pair(a, *at.pose_a, b, *at.pose_b, normal);
+        put(r.more_points[0], round.axis);
+        r.more_points[0][3] = round.about;
         return;
     }
     float &face = on_a ? r.radius_a : r.radius_b, &other = on_a ? r.radius_b : r.radius_a;

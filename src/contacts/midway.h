@@ -57,12 +57,14 @@ inline bool keeps_normal(const Bodies& bodies, const Shapes& shapes, const Conta
 }
 
 // Whether a pair is looked for there: it has met, and does not pass by more than the margin. What slides or rolls on in
-// haste may be over another shape by then.
+// haste may be over another shape by then. Round on round needs no middle: the solver has its normal in each substep.
 inline bool is_looked_for_midway(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id,
                                  float time) {
     const ContactInfo& c = contacts.info[id];
-    return c.touching && c.point_count > 0 && may_be_midway(bodies, c, time, c.base_margin) &&
-           (!is_led_astray(bodies, c, time) || keeps_normal(bodies, shapes, c, contacts.records[id], time));
+    if (!c.touching || c.point_count == 0 || !may_be_midway(bodies, c, time, c.base_margin)) return false;
+    const ContactRecord& last = contacts.records[id];
+    if (c.point_count == 1 && is_round_touch(last)) return false;
+    return !is_led_astray(bodies, c, time) || keeps_normal(bodies, shapes, c, last, time);
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -4,6 +4,7 @@
 #include "bodies/integrators.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cairn {
 
@@ -17,6 +18,19 @@ constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed 
 bool is_end(const ShapePose& pose, math::Vec3 normal) {
     const math::Vec3 around = math::cross(axis_of(pose, 1), normal);
     return math::dot(around, around) < squared_rounding;
+}
+
+// Whether a surface is round about a point where it is met with that normal, or about an axis: 0, its direction;
+// nothing if about neither, or if that is not followed.
+std::optional<math::Vec3> round_about(const Geometry& g, const ShapePose& pose, math::Vec3 outwards) {
+    if (g.type == ShapeType::sphere) return math::Vec3{};
+    const bool is_straight = g.size.x == g.size.z && g.rounding == 0;
+    if (!is_straight || (g.type != ShapeType::capsule && g.type != ShapeType::cylinder)) return {};
+    const math::Vec3 axis = axis_of(pose, 1);
+    const float cosine = math::dot(axis, outwards);
+    if (cosine * cosine < squared_rounding) return axis;
+    if (g.type == ShapeType::capsule) return math::Vec3{};
+    return {};
 }
 
 } // namespace
@@ -87,6 +101,16 @@ math::Vec3 tilting_part(const Geometry& g, const ShapePose& pose, math::Vec3 w, 
     const math::Vec3 t = math::cross(axis_of(pose, 1), n);
     const float square = math::dot(t, t);
     return square > 0 ? (math::dot(w, t) / square) * t : w;
+}
+
+RoundPair round_pair(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
+                     math::Vec3 normal) {
+    const std::optional<math::Vec3> about_a = round_about(a, pose_a, normal), about_b = round_about(b, pose_b, -normal);
+    if (!about_a || !about_b) return {};
+    const bool axis_a = *about_a != math::Vec3{}, axis_b = *about_b != math::Vec3{};
+    if (axis_a && axis_b) return {}; // then the normal is across both axes, and turns with those alone
+    if (axis_a) return {round_about_axis_of_a, *about_a};
+    return {axis_b ? round_about_axis_of_b : round_about_points, *about_b};
 }
 
 void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool touches, const PosedShape& a,

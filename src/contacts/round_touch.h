@@ -36,6 +36,15 @@ bool is_followed(PairKind kind, const Geometry& shape, const Geometry& other, co
 // Of what turns with w: the part that tilts the axis toward the normal, and so brings points nearer.
 math::Vec3 tilting_part(const Geometry& shape, const ShapePose& pose, math::Vec3 w, math::Vec3 normal);
 
+// What two surfaces are round about where they meet with that normal, from A to B: for the solver to follow it, as in
+// ContactRecord. Nothing if one is not round, or not in a way that is followed.
+struct RoundPair {
+    float about = 0;
+    math::Vec3 axis;
+};
+RoundPair round_pair(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
+                     math::Vec3 normal);
+
 // Takes from a manifold of cylinders or capsules the points that do not come to touch in the step, as the bodies tilt
 // about the lowest one by their spins, what pulls at them, and what they meet. So what rolls on a rim has one point.
 // `touches`: whether the pair did before; of those that did not, only what something else carries is looked at.

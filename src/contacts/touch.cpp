@@ -1,4 +1,5 @@
 #include "contacts/touch.h"
+#include "contacts/round_touch.h"
 
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
@@ -7,6 +8,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
+#include "contacts/round_touch.h"
 #include "math/rotation.h"
 #include "state/joint_links.h"
 
@@ -121,14 +123,17 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
     return (1 / math::length(clear)) * clear;
 }
 
-// One point, where the two are nearest.
-Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
-                         const Nearness& found) {
+// One point, where the two are nearest. Of two that are round the solver follows the normal as it is.
+Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a,
+                         const PosedBody& at_b, const Nearness& found) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - at_a.moved);
     const DVec3 velocity_b =
         math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - ((b.x - a.x) + at_b.moved));
-    const DVec3 normal = clear_of_approach(found.normal, velocity_b - velocity_a);
+    const bool is_followed = round_pair(shapes.geometry[c.shape_a], at_a.pose, shapes.geometry[c.shape_b], at_b.pose,
+                                        math::to_float(found.normal))
+                                 .about > 0;
+    const DVec3 normal = is_followed ? found.normal : clear_of_approach(found.normal, velocity_b - velocity_a);
     const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal;
     Manifold m{};
     math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
@@ -164,7 +169,7 @@ class ExpectedWays {
                         nullptr};
         touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
         touch.arm_a = at_a.arm;
-        if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, c_, at_a, at_b, found);
+        if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, in.shapes, c_, at_a, at_b, found);
         return is_now ? Approach::now : Approach::later;
     }
     Manifold manifold_at_touch(const Nearness& found, float margin) const {

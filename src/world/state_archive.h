@@ -69,7 +69,8 @@ inline const ContactRecord& used_record(const ContactInfo& c, const ContactRecor
         room = r;
         std::memset(static_cast<void*>(room.more_points), 0, sizeof room.more_points);
         std::memset(static_cast<void*>(room.more_totals), 0, sizeof room.more_totals);
-        if (r.radius_a == on_face || r.radius_b == on_face) std::copy_n(r.more_points[0], 4, room.more_points[0]);
+        if (r.radius_a == on_face || r.radius_b == on_face || are_round(r))
+            std::copy_n(r.more_points[0], 4, room.more_points[0]);
         return room;
     }
     room.friction = r.friction, room.static_friction = r.static_friction, room.restitution = r.restitution;

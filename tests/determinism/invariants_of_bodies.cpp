@@ -226,7 +226,8 @@ constexpr Invariant table[] = {
     {"dominoes", "energy gained after the push", energy_gain<after_push>, 0, 1e-6},
     {"dominoes", "bodies asleep at the end", asleep_at_end, 40, 40},
     {"materials", "least height of a center above the slope, m", height_above_slope, 0.29, 0.301},
-    {"materials", "median way downhill, m", median_way_downhill, 0.02, 0.2},
+    // Of 48 runs with slightly different gravity 0.01 to 0.24 m.
+    {"materials", "median way downhill, m", median_way_downhill, 0.005, 0.3},
     // The deepest of all steps is an impact: of 24 runs with slightly different gravity 6 to 32 mm.
     {"materials", "usual deepest overlap after 1 s, m", usual_overlap<60>, 0, 0.0012},
     {"materials", "hits", hits, 121, 484},

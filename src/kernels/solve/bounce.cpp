@@ -141,7 +141,7 @@ CAIRN_INLINE Meeting<N> meeting_later(const ContactBlock<N>& block, const Meetin
     Meeting<N> m = now;
     const Vec3x8 passed = splat(h) * (around.other_a.v - around.other_b.v) - (splat(h) * now.correction) * (a.v - b.v);
     m.d = now.d + passed;
-    const Vec3x8 shift = turn_to_impact(block, m.d - load3(block.d_touch), m.normal);
+    const Vec3x8 shift = turn_to_impact(block, m.d - d_of_normal(block), m.normal);
     m.center = now.center + shift;
     const Vec3x8 c = cross(m.d, m.normal), moved = cross(shift, m.normal);
     for (int i = 0; i < N; ++i) {

@@ -1,48 +1,11 @@
 // Building contact blocks from contact records, and writing the impulses back.
-#include "core/cache.h"
-#include "kernels/solve/rims.h"
-
-#include <cstddef>
+#include "kernels/solve/rounds.h"
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
 
 constexpr float unused_separation = 1e9f; // points at least this far apart are not there
-alignas(64) const ContactRecord empty_record = {
-    .normal = {0, 1, 0},
-    .friction = 0,
-    .center_offset = {},
-    .restitution = 0,
-    .first_point = {0, 0, 0, 1e30f},
-    .impulses = {},
-    .friction_impulse = {},
-    .torsion_impulse = 0,
-    .static_friction = 0,
-    .rolling_radius = 0,
-    .torsion_radius = 0,
-    .approach_speed = 0,
-    .total_friction = {},
-    .first_total = 0,
-    .radius_a = 0,
-    .radius_b = 0,
-    .features = 0,
-    .touch_time = 0,
-    .more_points = {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
-    .more_totals = {},
-    .more_padding = 0,
-};
-
-// Where a point is in a record.
-CAIRN_INLINE std::size_t point_offset(int i) {
-    return i == 0 ? offsetof(ContactRecord, first_point)
-                  : offsetof(ContactRecord, more_points) + 16 * std::size_t(i - 1);
-}
-
-struct Inertiax8 {
-    f32x8 inverse_mass;
-    Sym3x8 inverse_inertia;
-};
 
 CAIRN_INLINE bool is_movable(const SolverInertia& i) {
     return i.inverse_mass > 0.0f || i.xx > 0.0f || i.yy > 0.0f || i.zz > 0.0f;
@@ -58,20 +21,6 @@ CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int3
     for (int i = 0; i < 8; ++i) p[i] += 4;
     gather4(p, m.yy, m.yz, m.zz, unused);
     return r;
-}
-
-// The reciprocal of x where x > 0, else 0.
-CAIRN_INLINE f32x8 safe_reciprocal(f32x8 x) {
-    const mask8 positive = x > zero();
-    return select(positive, one() / select(positive, x, one()), zero());
-}
-
-CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t offset, f32x8& x, f32x8& y, f32x8& z,
-                               f32x8& w) {
-    const float* p[8];
-    for (int i = 0; i < 8; ++i)
-        p[i] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(record[i]) + offset);
-    gather4(p, x, y, z, w);
 }
 
 // The matrix K of the points' normal velocities. `j`: arms for A.
@@ -97,20 +46,19 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the
 // points that were loaded, or of all, if none was. What holds one point of two beside the other would hold it at none.
-template <int N, class BeginRims>
+template <int N, class PlaceOf>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   const Before& before, const Inertiax8& a, const Inertiax8& b,
-                                   BeginRims&& begin_rims) {
+                                   const Before& before, const Inertiax8& a, const Inertiax8& b, PlaceOf&& place_of) {
     Vec3x8 r[N], j[N], sum = zero3();
     mask8 used[N];
     f32x8 points = zero(), carried = zero();
     for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
     const mask8 is_free = carried <= zero();
     for (int i = 0; i < N; ++i) {
-        f32x8 s;
-        gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
-        s += before.apart + dot(before.difference, r[i]);
-        r[i] = begin_rims(r[i], s);
+        f32x8 found;
+        gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, found);
+        f32x8 s = found + (before.apart + dot(before.difference, r[i]));
+        r[i] = place_of(r[i], found, s);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used[i] & ((load(block.impulse[i]) > zero()) | is_free), one(), zero());
@@ -138,27 +86,6 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         }
         return center;
     }
-}
-
-// Those of the tangential and torsional rows at the friction center.
-template <int N>
-CAIRN_INLINE void couple_friction(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 center, Vec3x8 center_b, Vec3x8 t1,
-                                  Vec3x8 t2, const Inertiax8& a, const Inertiax8& b) {
-    const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
-    const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
-    const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
-    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
-    const f32x8 k11 = mass_sum + dot(a1, ia_1) + dot(b1, ib_1), k22 = mass_sum + dot(a2, ia_2) + dot(b2, ib_2);
-    const f32x8 k12 = dot(a1, ia_2) + dot(b1, ib_2);
-    const f32x8 inverse_determinant = safe_reciprocal(k11 * k22 - k12 * k12);
-    store(block.tangent_mass[0], inverse_determinant * k22);
-    store(block.tangent_mass[1], -(inverse_determinant * k12));
-    store(block.tangent_mass[2], inverse_determinant * k11);
-
-    const Vec3x8 ia_n = a.inverse_inertia * normal, ib_n = b.inverse_inertia * normal;
-    store(block.torsion_mass, safe_reciprocal(dot(normal, ia_n) + dot(normal, ib_n)));
-    store(block.torsion_coupling[0], dot(a1, ia_n) + dot(b1, ib_n));
-    store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
 }
 
 // Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
@@ -214,16 +141,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
 
     const Vec3x8 center_b = center + d;
     store(block.passing_square, passing_square(a, b, center_b));
-    couple_friction<N>(block, normal, center, center_b, t1, t2, a, b);
-}
-
-// The contacts of one color lie scattered among the records.
-template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
-    constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
-    for (int i = 0; i < 8; ++i) {
-        const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
-        for (std::size_t at = 0; at < used; at += 64) ask_cache(record + at);
-    }
+    store_couplings(block, friction_couplings(normal, center, center_b, t1, t2, a, b));
 }
 
 CAIRN_INLINE mask8 is_isotropic(const Sym3x8& m) {
@@ -283,7 +201,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_a, max(radius_a, zero()));
     store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
-    block.turns = block.rims_a = block.rims_b = 0;
+    block.turns = block.rims_a = block.rims_b = block.rounds = block.axes_a = block.axes_b = block.round_arms =
+        block.rounds_moved = 0;
 
     Before start = {zero3(), zero3(), zero()};
     const bool is_of_later = any(found > zero());
@@ -305,15 +224,30 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.d0, d0);
     store3(block.d, d0);
     store3(block.d_touch, d);
-    const auto rims_of = [&](Vec3x8 r, f32x8& s) {
-        if constexpr (N == 1)
+    RoundTouch rounds;
+    if constexpr (N == 1) {
+        store3(block.rim_lead, zero3());
+        const mask8 both = (radius_a > zero()) & (radius_b > zero());
+        if (any(both)) rounds = begin_rounds(block, record, both, found, at_a, at_b, d, normal);
+        store3(block.normal, normal);
+    }
+    const auto place_of = [&](Vec3x8 r, f32x8 s_found, f32x8& s) {
+        if constexpr (N == 1) {
             if (any_face)
-                return begin_rims(block, RimLanes(face_b, face_a, normal), rim_axis, rim_radius, normal, r, d, until,
-                                  at_a, at_b, h, s);
+                r = begin_rims(block, RimLanes(face_b, face_a, normal), rim_axis, rim_radius, normal, r, d, until, at_a,
+                               at_b, h, s);
+            if (has_rounds(block)) {
+                const mask8 lanes = mask_from_bits(block.rounds);
+                s = select(lanes, s_found + rounds.grown, s);
+                r = select(lanes, rounds.arm_a, r);
+            }
+        }
         return r;
     };
-    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, rims_of);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, place_of);
     prepare_friction<N>(block, record, normal, d, center, a, b);
+    if constexpr (N == 1)
+        if (has_rounds(block)) begin_round_places(block, d, at_a, at_b, h);
     if (!may_turn) return;
     const mask8 is_edge = N == 1 ? (radius_a == zero()) & (radius_b == zero()) : mask_from_bits(0);
     Vec3x8 taper = zero3();
@@ -359,7 +293,7 @@ template <int N> void renew_masses(void* blocks, int count, const SolverInertia*
         mask8 used[N];
         for (int i = 0; i < N; ++i) j[i] = arm_of(block, normal, i), used[i] = load(block.effective_mass[i]) > zero();
         couple_points<N>(block, j, used, cross(d, normal), a, b);
-        couple_friction<N>(block, normal, center, center + d, t1, second_tangent(block, normal), a, b);
+        store_couplings(block, friction_couplings(normal, center, center + d, t1, second_tangent(block, normal), a, b));
     }
 }
 template void renew_masses<1>(void*, int, const SolverInertia*);
@@ -428,6 +362,8 @@ CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* po
         const mask8 moves = (load(block.separation0[i]) < splat(unused_separation)) & is_finite(moved, now);
         r = select(moves, moved, r), s = select(moves, now, s);
         scatter4(point, r.x, r.y, r.z, s);
+        if constexpr (N == 1)
+            if (has_rounds(block)) store_rounds(block, pose, moves, record);
     }
     Vec3x8 d = load3(block.d0);
     d = d + select(is_finite(m.passed, zero()), m.passed, zero3());

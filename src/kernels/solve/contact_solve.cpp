@@ -23,7 +23,8 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
     const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
     const f32x8 limit = load(block.passing_square);
     Vec3x8 d = load3(block.d0) + passed, change = d - old;
-    const mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * limit);
+    mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * limit);
+    if (has_rounds(block)) moves = and_not(moves, mask_from_bits(block.rounds));
     if (!any(moves)) return;
     // Only as far as the couplings K, which are those of the touch, still fit.
     const Vec3x8 beyond = d - fitting;
@@ -56,8 +57,15 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
 // would lose its weight; R (delta.n) per sphere takes that out again.
 template <int N>
 CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal,
-                                      float inverse_elapsed, f32x8* s) {
+                                      float inverse_elapsed, f32x8* s, RoundTouch& round) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
+    f32x8 on_rounds = zero();
+    if constexpr (N == 1)
+        if (has_rounds(block)) {
+            round = round_touch_at(block, a, b, a.dx - b.dx, normal);
+            s[0] = on_rounds = load(block.separation0[0]) + round.grown;
+            if (is_all_round(block)) return store(block.separation[0], s[0]);
+        }
     const f32x8 bend = one() - splat(2 * inverse_elapsed) * load(block.found);
     const Vec3x8 delta_a = turned_back_difference(a.dq, normal, bend),
                  delta_b = turned_back_difference(b.dq, normal, bend);
@@ -83,6 +91,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
             height = load(block.height[i]);
         s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
         if (has_rims(block)) s[i] = select(mask_from_bits(block.rims_a | block.rims_b), on_rims, s[i]);
+        if (has_rounds(block)) s[i] = select(mask_from_bits(block.rounds), on_rounds, s[i]);
         store(block.separation[i], s[i]);
     }
     refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });
@@ -128,6 +137,17 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     }
 }
 
+// What impulses that are carried over are short of, as their places have run, and normals have turned.
+CAIRN_INLINE void push_on(const ContactBlock<1>& block, Velocityx8& a, Velocityx8& b) {
+    const mask8 rounds = mask_from_bits(block.rounds_moved), places = mask_from_bits(block.rims_a | block.rims_b);
+    if (has_rims(block) || block.rounds_moved)
+        a.w = a.w - select(places | rounds, turned_a(block, load3(block.rim_moment)), zero3());
+    if (!block.rounds_moved) return;
+    const Vec3x8 push = select(rounds, load3(block.turning), zero3());
+    a.v = a.v - load(block.mass_a) * push;
+    b.v = b.v + load(block.mass_b) * push;
+}
+
 // The normal rows of a block at work. A soft row with compliance asks for
 //   impulse_i' = impulse_i - m_i scale_i (v_i + bias_i) - (1 - scale_i) impulse_i = scale_i wanted_i,
 //   wanted_i = impulse_i - m_i (v_i + bias_i),
@@ -137,6 +157,7 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
 template <int N> struct Rows {
     Velocityx8 a, b;
     f32x8 wanted[N], impulse[N], old[N], scale[N];
+    RoundTouch round; // in relax, where the block has any: how those touch now
 };
 
 // Lanes that bear nothing, and still will not: the bodies are left as they are. In a heap that is half of all contacts.
@@ -202,6 +223,23 @@ CAIRN_INLINE void add_motion_of_places(const ContactBlock<N>& block, const Conta
     if (has_rims(block)) v[0] += dot(slip_of_rims(block, b.w - a.w), normal);
 }
 
+// How fast the points part in the mean of a substep; `late` as above, and the first separation; in relax, how round
+// surfaces touch now.
+template <int N>
+CAIRN_INLINE void opening_velocities(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
+                                     const Rows<N>& rows, float late, f32x8 separation, const RoundTouch* now,
+                                     f32x8* v) {
+    if (!is_all_round(block)) {
+        normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+        add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, late, v);
+    }
+    if constexpr (N == 1)
+        if (has_rounds(block)) {
+            const f32x8 opening = round_velocity(block, rows.a, rows.b, separation, now, softness.h);
+            v[0] = is_all_round(block) ? opening : select(mask_from_bits(block.rounds), opening, v[0]);
+        }
+}
+
 template <int N>
 CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
                               Rows<N>& rows) {
@@ -209,7 +247,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     rows.b = gather_velocity(velocity, block.b);
     if (block.moved) rows.b.w = rows.b.w + turned_b(block, load3(block.moved_moment));
     if constexpr (N == 1)
-        if (block.moved && has_rims(block)) rows.a.w = rows.a.w - turned_a(block, load3(block.rim_moment));
+        if (block.moved) push_on(block, rows.a, rows.b);
     const mask8 immovable = load(block.mass_b) == zero();
     const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
     const f32x8 push_rate = select(immovable, splat(fixed.push_rate), splat(other.push_rate));
@@ -218,8 +256,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     const f32x8 inverse_h = splat(softness.inverse_h);
     f32x8 v[N];
     const Vec3x8 normal = load3(block.normal);
-    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, -0.5f * softness.h, v);
+    opening_velocities<N>(block, softness, normal, rows, -0.5f * softness.h, load(block.separation[0]), nullptr, v);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -335,11 +372,10 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     const Vec3x8 normal = load3(block.normal);
     f32x8 s[N], v[N];
     const f32x8 inverse_h = splat(softness.inverse_h);
-    refresh_separations<N>(block, bodies.pose, normal, softness.inverse_elapsed, s);
+    refresh_separations<N>(block, bodies.pose, normal, softness.inverse_elapsed, s, rows.round);
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
-    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, 0.5f * softness.h, v);
+    opening_velocities<N>(block, softness, normal, rows, 0.5f * softness.h, s[0], &rows.round, v);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
@@ -397,6 +433,8 @@ CAIRN_INLINE void follow_rims(ContactBlock<N>& block, const SolverBodies& bodies
         if (has_rims(block))
             advance_rims(block, gather_pose(bodies.pose, block.a), gather_pose(bodies.pose, block.b), rows.a, rows.b,
                          load3(block.normal), softness.h);
+    if constexpr (N == 1)
+        if (has_rounds(block)) advance_rounds(block, rows.round, rows.a, rows.b, softness.h);
 }
 
 template <int N, int M, bool Watched>

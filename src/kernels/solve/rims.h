@@ -59,13 +59,13 @@ CAIRN_INLINE RimCenter rim_center(const RimLanes& lanes, const Velocityx8& a, co
     return {lanes.rolling(arm, arm - d), (ahead - now) - lanes.rolling(zero3(), passed)};
 }
 CAIRN_INLINE void store_lead(ContactBlock<1>& block, const RimLanes& lanes, Vec3x8 lead) {
-    store3(block.rim_lead, select(lanes.any, lead, zero3()));
+    store3(block.rim_lead, select(lanes.any, lead, load3(block.rim_lead)));
 }
 
 // What the velocities at the place of touch in the middle of the substep are more than at its start.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_rims(const ContactBlock<N>& block, Vec3x8 turning) {
     if constexpr (N == 1)
-        if (has_rims(block)) return cross(turning, load3(block.rim_lead));
+        if (has_rims(block) || has_rounds(block)) return cross(turning, load3(block.rim_lead));
     return zero3();
 }
 
@@ -89,10 +89,10 @@ CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Ve
     block.rims_a = std::uint8_t(bits(and_not(lanes.any & is_seen, lanes.on_b)));
     if (!has_rims(block)) return center;
     const RimLanes followed(block, normal);
-    store3(block.rim_axis, axis0);
-    store3(block.rim_middle, middle0);
-    store(block.rim_radius, radius);
-    store3(block.face_arm, lanes.other(center, center + d));
+    store3(block.rim_axis, select(followed.any, axis0, load3(block.rim_axis)));
+    store3(block.rim_middle, select(followed.any, middle0, load3(block.rim_middle)));
+    store(block.rim_radius, select(followed.any, radius, load(block.rim_radius)));
+    store3(block.face_arm, select(followed.any, lanes.other(center, center + d), load3(block.face_arm)));
     store3(block.rim_moment, zero3());
     store_lead(block, followed, first.lead);
     const Vec3x8 arm0 = rim_point(lanes.outward, axis0, middle0 + beyond, radius);

@@ -168,7 +168,8 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
 // substep takes as much from them as it gives. Kept where they are in the middle of the step, the arms of Euler's disk
 // take a third of its energy in a second.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<N>& block, float middle) {
-    return (splat(middle) - load(block.found)) * load3(block.turning);
+    const mask8 turns = mask_from_bits(block.turns);
+    return (splat(middle) - load(block.found)) * select(turns, load3(block.turning), zero3());
 }
 
 // Inverse inertia times a vector, of A and of B.
@@ -200,6 +201,15 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
     b.v = b.v + (load(block.mass_b) * sum) * normal;
     a.w = a.w - turned_a(block, torque);
     b.w = b.w + turned_b(block, torque + sum * c);
+}
+
+CAIRN_INLINE bool has_rounds(const ContactBlock<1>& block) { return block.rounds != 0; }
+CAIRN_INLINE bool has_rounds(const ContactBlock<4>&) { return false; }
+template <int N> CAIRN_INLINE bool is_all_round(const ContactBlock<N>& block) { return block.rounds == 0xff; }
+// d where the normal is of.
+template <int N> CAIRN_INLINE Vec3x8 d_of_normal(const ContactBlock<N>& block) {
+    const Vec3x8 d = load3(block.d_touch);
+    return has_rounds(block) ? select(mask_from_bits(block.rounds), load3(block.d), d) : d;
 }
 
 // The impulse along the tangents that stops a slip, at `center`, in the impact of a whole contact: that of the load.

@@ -78,6 +78,12 @@ struct alignas(64) ContactRecord {
 // way that nobody knows, as A's radius. Several points move if what is round touches a face.
 inline constexpr float rolls_somehow = -1, on_face = -2;
 
+// Of two round surfaces that touch by one point, in place of the separation of the second: what they are round about,
+// for the solver to follow the normal; and in its place the axis, if that is one. Of others 0.
+inline constexpr float round_about_points = 1, round_about_axis_of_a = 2, round_about_axis_of_b = 3;
+inline bool are_round(const ContactRecord& r) { return r.radius_a > 0 && r.radius_b > 0; }
+inline bool is_round_touch(const ContactRecord& r) { return are_round(r) && r.more_points[0][3] > 0; }
+
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct PointRows {
     static constexpr int share_count = N * (N - 1);
@@ -99,6 +105,9 @@ template <> struct PointRows<1> {
     // that the contact is of; how far the point runs in half a substep; the moment on A of the impulses carried over,
     // as it has run.
     float rim_axis[3][8], rim_middle[3][8], rim_radius[8], face_arm[3][8], rim_lead[3][8], rim_moment[3][8];
+    // Of two round surfaces, see rounds.h, in the same places: the axis of that which is round about one, the arms of
+    // both centers at the start of the step, how far those are apart where the surfaces touch, how far the point runs,
+    // and the moment.
     float separation0[1][8], total_impulse[1][8];
     float effective_mass[1][8], impulse[1][8], separation[1][8];
 };
@@ -121,16 +130,21 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t round;                     // any round surface
     std::uint8_t turns;                     // lanes, as bits, of which points move within the step
     std::uint8_t rims_a, rims_b;            // lanes, as bits, of which the place on A or on B is followed over a face
+    std::uint8_t rounds, axes_a, axes_b;    // likewise: of which both are round; of which A or B is so about an axis
+    std::uint8_t round_arms;                // of those: of which a center of curvature is not that of mass
+    std::uint8_t rounds_moved;              // likewise: which have a push in `turning`
     std::uint8_t joined;                    // lanes, as bits: of bodies that joints hold, which bounce in an impact
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
-    float d_touch[3][8];            // where the couplings are of: at the moment that the contact is of
+    float d_touch[3][8];            // where the couplings are of: at the moment that the contact is of; of round on
+                                    // round, the axis now
     float found[8];                 // s from the start of the step: that moment
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
     float passing_square[8];        // of how far d may be from there
-    float turning[3][8];            // m/s^2: see slip_of_turning; where the block turns
+    float turning[3][8];            // m/s^2: see slip_of_turning, of lanes that turn; of round on round, see
+                                    // rounds_moved, what the impulses carried over push more on B
     float sliding[8];               // m/s^2: likewise, how fast the points part as they slide over a face that turns
     float tangent[3][8];            // the second tangent is this x normal
     float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22

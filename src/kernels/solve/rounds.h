@@ -1,0 +1,264 @@
+// What touches something round by a round surface: balls, and balls on what is round about an axis. The normal is the
+// line between their centers, of an axis its nearest point, and turns as they pass each other. With the normal of the
+// start of a step, and one place of touch for both, a push turned one of them: balls without friction spun.
+#pragma once
+
+#include "kernels/solve/couplings.h"
+#include "kernels/solve/records.h"
+#include "kernels/solve/rims.h"
+
+namespace cairn::CAIRN_ISA {
+
+// Centers of curvature, as arms, and the axis of that of the two which is round about one, zero for balls.
+struct RoundCenters {
+    Vec3x8 a, b, axis;
+};
+// What has changed since those: how far A has passed B, how far the centers have turned, and where the axis is.
+struct RoundChange {
+    Vec3x8 passed, a, b, axis;
+};
+// The arms of the place of touch for A and for B, the normal, the axis, how far the centers are apart, and by how much
+// farther than before: by differences, so that nothing cancels.
+struct RoundTouch {
+    Vec3x8 arm_a, arm_b, normal, axis;
+    f32x8 distance, grown;
+};
+
+CAIRN_INLINE bool has_axes(const ContactBlock<1>& block) { return block.axes_a | block.axes_b; }
+CAIRN_INLINE RoundCenters first_centers(const ContactBlock<1>& block) {
+    return {load3(block.rim_middle), load3(block.face_arm), load3(block.rim_axis)};
+}
+
+// `d`: the way from B to A, before; `distance`: of the centers, before. The arms stay those of before, as does the
+// inertia by which bodies act.
+CAIRN_INLINE RoundTouch round_touch(const ContactBlock<1>& block, const RoundCenters& before, Vec3x8 d, f32x8 distance,
+                                    const RoundChange& change, Vec3x8 otherwise) {
+    const Vec3x8 moved = (change.passed + change.a) - change.b, was = (d + before.a) - before.b;
+    Vec3x8 apart = was + moved, shift = zero3();
+    f32x8 growth = dot(moved, was + apart);
+    if (has_axes(block)) {
+        const f32x8 along = dot(apart, change.axis), was_along = dot(was, before.axis);
+        growth -= along * along - was_along * was_along;
+        apart = apart - along * change.axis, shift = along * before.axis;
+    }
+    const f32x8 square = dot(apart, apart);
+    const mask8 is_apart = square > splat(1e-20f);
+    RoundTouch r;
+    r.distance = sqrt(select(is_apart, square, splat(1e-20f)));
+    r.grown = growth / (r.distance + distance);
+    r.normal = select(is_apart, (splat(-1) / r.distance) * apart, otherwise);
+    r.axis = change.axis;
+    r.arm_a = before.a + load(block.radius_a) * r.normal, r.arm_b = before.b - load(block.radius_b) * r.normal;
+    if (has_axes(block)) {
+        const mask8 on_b = mask_from_bits(block.axes_b);
+        r.arm_a = r.arm_a - select(on_b, zero3(), shift), r.arm_b = r.arm_b + select(on_b, shift, zero3());
+    }
+    return r;
+}
+// R(q) c - c.
+CAIRN_INLINE Vec3x8 turned_difference(Quatx8 q, Vec3x8 c) {
+    const Vec3x8 t = splat(2.0f) * cross(q.v, c);
+    return q.w * t + cross(q.v, t);
+}
+CAIRN_INLINE RoundTouch round_touch_at(const ContactBlock<1>& block, const Posex8& a, const Posex8& b, Vec3x8 passed,
+                                       Vec3x8 otherwise) {
+    const RoundCenters start = first_centers(block);
+    RoundChange change = {passed, zero3(), zero3(), zero3()};
+    if (block.round_arms) change.a = turned_difference(a.dq, start.a), change.b = turned_difference(b.dq, start.b);
+    if (has_axes(block)) change.axis = rotate(select(mask_from_bits(block.axes_b), b.dq, a.dq), start.axis);
+    const f32x8 distance = load(block.rim_radius) + load(block.separation0[0]);
+    return round_touch(block, start, load3(block.d0), distance, change, otherwise);
+}
+
+// How the centers, of an axis that point of it, move against each other: in the mean of a substep, from its start; and
+// how fast the place runs along the axis, which is one of unit length at the end as well: else it would run without
+// end.
+struct RoundMotion {
+    Vec3x8 from_a, velocity, axis;
+    f32x8 along;
+};
+CAIRN_INLINE RoundMotion round_motion(const ContactBlock<1>& block, Vec3x8 between, const Velocityx8& a,
+                                      const Velocityx8& b, float h) {
+    RoundMotion r = {zero3(), b.v - a.v, zero3(), zero()};
+    if (block.round_arms) {
+        const mask8 far = mask_from_bits(block.round_arms);
+        const Vec3x8 normal = load3(block.normal), center = load3(block.center), half_a = splat(0.5f * h) * a.w,
+                     half_b = splat(0.5f * h) * b.w;
+        const Vec3x8 arm_a = select(far, center - load(block.radius_a) * normal, zero3()),
+                     arm_b = select(far, (center + load3(block.d)) + load(block.radius_b) * normal, zero3());
+        r.from_a = cross(half_a, arm_a);
+        r.velocity = (b.v + cross(b.w, arm_b + cross(half_b, arm_b))) - (a.v + cross(a.w, arm_a + r.from_a));
+    }
+    if (has_axes(block)) {
+        r.axis = load3(block.d_touch);
+        const Vec3x8 turning = cross(select(mask_from_bits(block.axes_b), b.w, a.w), r.axis);
+        const Vec3x8 turned = splat(h) * turning;
+        r.along = (dot(r.velocity, r.axis + turned) + dot(between, turning)) / sqrt(one() + dot(turned, turned));
+    }
+    return r;
+}
+
+// How fast the centers part in the mean of a substep, from where they are that far apart: |D + u h| - |D| over h, from
+// what is left of it if nothing cancels. Along the normal of its start alone, what passes would be turned away late.
+CAIRN_INLINE f32x8 round_opening(const ContactBlock<1>& block, Vec3x8 between, f32x8 distance, const Velocityx8& a,
+                                 const Velocityx8& b, float h) {
+    const RoundMotion m = round_motion(block, between, a, b, h);
+    const f32x8 growth =
+        splat(2) * dot(between, m.velocity) + splat(h) * (dot(m.velocity, m.velocity) - m.along * m.along);
+    const f32x8 later = sqrt(max(distance * distance + splat(h) * growth, zero()));
+    return growth / max(later + distance, splat(1e-10f));
+}
+// Where the surfaces touch or overlap, what counts is the substep in which the bodies have moved by these velocities;
+// where `now` is given and there is a gap, the next.
+CAIRN_INLINE f32x8 round_velocity(const ContactBlock<1>& block, const Velocityx8& a, const Velocityx8& b, f32x8 s,
+                                  const RoundTouch* now, float h) {
+    const Vec3x8 normal = load3(block.normal);
+    const f32x8 distance = load(block.rim_radius) + s;
+    const Vec3x8 direction = now ? select(s > zero(), now->normal, normal) : normal;
+    return round_opening(block, distance * direction, distance, a, b, h);
+}
+
+// How far the place runs over A up to the middle of the substep.
+CAIRN_INLINE Vec3x8 round_lead(const ContactBlock<1>& block, f32x8 distance, const Velocityx8& a, const Velocityx8& b,
+                               float h) {
+    const Vec3x8 normal = load3(block.normal);
+    const RoundMotion m = round_motion(block, distance * normal, a, b, h);
+    Vec3x8 across = m.velocity - dot(m.velocity, normal) * normal, lead = m.from_a;
+    if (has_axes(block)) {
+        const Vec3x8 along = m.along * m.axis;
+        across = across - along;
+        lead = lead + splat(0.5f * h) * select(mask_from_bits(block.axes_b), zero3(), along);
+    }
+    return lead + (splat(0.5f * h) * load(block.radius_a) / max(distance, splat(1e-10f))) * across;
+}
+
+// At the start of a step, of lanes of which a contact was found at the time `found`: the normal, the centers and d as
+// they were then become what they are now. Returns how they touch.
+CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord* const* record, mask8 both,
+                                     f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8& d, Vec3x8& normal) {
+    Vec3x8 axis, center;
+    f32x8 kind, separation;
+    RoundTouch touch;
+    gather_field(record, point_offset(1), axis.x, axis.y, axis.z, kind);
+    const mask8 lanes = both & (kind > zero());
+    block.rounds = std::uint8_t(bits(lanes));
+    if (!block.rounds) return touch;
+    gather_field(record, point_offset(0), center.x, center.y, center.z, separation);
+    block.axes_a = std::uint8_t(bits(lanes & (kind == splat(round_about_axis_of_a))));
+    block.axes_b = std::uint8_t(bits(lanes & (kind == splat(round_about_axis_of_b))));
+    axis = select(lanes & (kind > splat(round_about_points)), axis, zero3());
+    const f32x8 ra = load(block.radius_a), rb = load(block.radius_b), reach = ra + rb;
+    RoundCenters c = {center - ra * normal, (center + d) + rb * normal, axis};
+    constexpr float rounding = 1e-6f;
+    const f32x8 least = splat(rounding) * reach;
+    const mask8 far = (dot(c.a, c.a) + dot(c.b, c.b) > least * least) | (dot(axis, axis) > zero());
+    block.round_arms = std::uint8_t(bits(lanes & far));
+    c.a = select(far, c.a, zero3()), c.b = select(far, c.b, zero3());
+    f32x8 grown = zero();
+    if (any(found > zero())) {
+        const Vec3x8 turn_a = -(found * a.w), turn_b = -(found * b.w);
+        const RoundChange back = {-(found * (a.v - b.v)), turned_difference(turn_a, c.a),
+                                  turned_difference(turn_b, c.b),
+                                  turned(select(mask_from_bits(block.axes_b), turn_b, turn_a), axis)};
+        grown = round_touch(block, c, d, reach, back, normal).grown;
+        c = {c.a + back.a, c.b + back.b, back.axis};
+    }
+    touch = round_touch(block, c, load3(block.d0), reach + grown, {zero3(), zero3(), zero3(), c.axis}, normal);
+    touch.grown = grown;
+    store3(block.rim_axis, c.axis);
+    store3(block.rim_middle, c.a);
+    store3(block.face_arm, c.b);
+    store(block.rim_radius, reach - separation);
+    normal = select(lanes, touch.normal, normal);
+    d = select(lanes, touch.arm_b - touch.arm_a, d);
+    return touch;
+}
+CAIRN_INLINE void store_round_lead(ContactBlock<1>& block, mask8 lanes, f32x8 distance, const Velocityx8& a,
+                                   const Velocityx8& b, float h) {
+    store3(block.rim_lead, select(lanes, round_lead(block, distance, a, b, h), load3(block.rim_lead)));
+}
+
+// Once the points are known: d of the start of the step.
+CAIRN_INLINE void begin_round_places(ContactBlock<1>& block, Vec3x8 d, const Velocityx8& a, const Velocityx8& b,
+                                     float h) {
+    const mask8 lanes = mask_from_bits(block.rounds);
+    store3(block.d, select(lanes, d, load3(block.d)));
+    store3(block.d_touch, select(lanes, load3(block.rim_axis), load3(block.d_touch)));
+    store_round_lead(block, lanes, load(block.rim_radius) + load(block.separation0[0]), a, b, h);
+}
+
+// Couplings with the arms of now. A row whose arm has grown along a thin rod would overshoot by more than what it is to
+// correct.
+CAIRN_INLINE void renew_couplings(ContactBlock<1>& block, mask8 lanes) {
+    const Inertiax8 a = {load(block.mass_a), kept_inertia(block.isotropic, block.inertia_a)},
+                    b = {load(block.mass_b), kept_inertia(block.isotropic, block.inertia_b)};
+    const Vec3x8 normal = load3(block.normal), arm_a = load3(block.center), arm_b = arm_a + load3(block.d);
+    const f32x8 mass = safe_reciprocal(normal_coupling(cross(arm_a, normal), cross(arm_b, normal), a, b));
+    store(block.effective_mass[0], select(lanes, mass, load(block.effective_mass[0])));
+    store_couplings(
+        block, lanes,
+        friction_couplings(normal, arm_a, arm_b, load3(block.tangent), second_tangent(block, normal), a, b));
+}
+
+// After a substep: normal, tangent, friction center and d go to where they are now. What is carried into the next was
+// pushed along the old ones: what is missing since is left for the next `solve`.
+CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, const Velocityx8& a,
+                                 const Velocityx8& b, float h) {
+    constexpr float unseen_share = 1e-6f; // of how far the centers are apart
+    const Vec3x8 normal = load3(block.normal), center = load3(block.center), d = load3(block.d);
+    const Vec3x8 run_a = now.arm_a - center, run_b = now.arm_b - (center + d);
+    const f32x8 least = splat(unseen_share) * now.distance;
+    const mask8 moves = mask_from_bits(block.rounds) & (dot(run_a, run_a) + dot(run_b, run_b) > least * least);
+    block.rounds_moved = 0;
+    if (!any(moves)) return;
+    const Vec3x8 t1 = load3(block.tangent), tilted = now.normal - normal;
+    const Vec3x8 next_d = now.arm_b - now.arm_a;
+    Vec3x8 next_t1 = t1 - dot(t1, now.normal) * now.normal;
+    next_t1 = (one() / sqrt(dot(next_t1, next_t1))) * next_t1;
+    const f32x8 load_n = load(block.impulse[0]), p1 = load(block.tangent_impulse[0]),
+                p2 = load(block.tangent_impulse[1]);
+    const mask8 carries = moves & ((load_n > zero()) | (p1 * p1 + p2 * p2 > zero()));
+    if (any(carries)) {
+        const Vec3x8 before = load_n * normal + p1 * t1 + p2 * cross(t1, normal),
+                     after = load_n * now.normal + p1 * next_t1 + p2 * cross(next_t1, now.normal);
+        const Vec3x8 couple = load(block.torsion_impulse) * tilted;
+        const Vec3x8 moment_a = (cross(now.arm_a, after) - cross(center, before)) + couple,
+                     moment_b = (cross(now.arm_b, after) - cross(center + d, before)) + couple;
+        const Vec3x8 moment = select(carries, moment_b, zero3());
+        store3(block.rim_moment, select(carries, moment_a, load3(block.rim_moment)));
+        store3(block.turning, select(carries, after - before, load3(block.turning)));
+        store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
+        block.rounds_moved = std::uint8_t(bits(carries));
+        block.moved = 1;
+    }
+    store3(block.normal, select(moves, now.normal, normal));
+    store3(block.tangent, select(moves, next_t1, t1));
+    store3(block.center, select(moves, now.arm_a, center));
+    store3(block.d, select(moves, next_d, d));
+    if (block.round_arms) renew_couplings(block, moves & mask_from_bits(block.round_arms));
+    if (has_axes(block)) store3(block.d_touch, select(moves, now.axis, load3(block.d_touch)));
+    store_round_lead(block, moves, now.distance, a, b, h);
+}
+
+// At the end of a step: the records of what touches by the only point, as it does now.
+CAIRN_INLINE void store_rounds(const ContactBlock<1>& block, const SolverPose* pose, mask8 among,
+                               ContactRecord* const* record) {
+    const f32x8 ra = load(block.radius_a), rb = load(block.radius_b), separation = load(block.separation[0]);
+    const Vec3x8 n = load3(block.normal);
+    const f32x8 wider = splat(0.5f) * ((load(block.rim_radius) + separation) - (ra + rb)), now_a = ra + wider,
+                now_b = rb + wider;
+    const Vec3x8 place = rotate(gather_pose(pose, block.a).dq, load3(block.center) - ra * n) + now_a * n;
+    alignas(32) float normal[3][8], point[3][8], axis[3][8], radius_a[8], radius_b[8];
+    store3(normal, n), store3(point, place), store3(axis, load3(block.d_touch));
+    store(radius_a, now_a), store(radius_b, now_b);
+    const int axes = block.axes_a | block.axes_b, lanes = block.rounds & int(bits(among));
+    for (int i = 0; i < 8; ++i) {
+        if ((lanes >> i & 1) == 0) continue;
+        ContactRecord& r = *record[i];
+        r.radius_a = radius_a[i], r.radius_b = radius_b[i];
+        for (int k = 0; k < 3; ++k) r.normal[k] = normal[k][i], r.first_point[k] = point[k][i];
+        for (int k = 0; k < 3 && (axes >> i & 1) != 0; ++k) r.more_points[0][k] = axis[k][i];
+    }
+}
+
+} // namespace cairn::CAIRN_ISA
