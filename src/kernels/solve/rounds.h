@@ -200,6 +200,13 @@ CAIRN_INLINE void renew_couplings(ContactBlock<1>& block, mask8 lanes) {
         friction_couplings(normal, arm_a, arm_b, load3(block.tangent), second_tangent(block, normal), a, b));
 }
 
+// Of the two tangents of another normal, the first that is not nearly along this one, made one of its.
+CAIRN_INLINE Vec3x8 tangent_near(Vec3x8 t1, Vec3x8 t2, Vec3x8 normal) {
+    const f32x8 along = dot(t1, normal);
+    const Vec3x8 t = select(abs(along) < splat(0.9f), t1, t2), across = t - dot(t, normal) * normal;
+    return (one() / sqrt(dot(across, across))) * across;
+}
+
 // After a substep: normal, tangent, friction center and d go to where they are now. What is carried into the next was
 // pushed along the old ones: what is missing since is left for the next `solve`.
 CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, const Velocityx8& a,
@@ -213,8 +220,7 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, 
     if (!any(moves)) return;
     const Vec3x8 t1 = load3(block.tangent), tilted = now.normal - normal;
     const Vec3x8 next_d = now.arm_b - now.arm_a;
-    Vec3x8 next_t1 = t1 - dot(t1, now.normal) * now.normal;
-    next_t1 = (one() / sqrt(dot(next_t1, next_t1))) * next_t1;
+    const Vec3x8 next_t1 = tangent_near(t1, cross(t1, normal), now.normal);
     const f32x8 load_n = load(block.impulse[0]), p1 = load(block.tangent_impulse[0]),
                 p2 = load(block.tangent_impulse[1]);
     const mask8 carries = moves & ((load_n > zero()) | (p1 * p1 + p2 * p2 > zero()));
