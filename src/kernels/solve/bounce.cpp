@@ -120,7 +120,12 @@ CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& 
 template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block, Vec3x8 passed, Vec3x8& normal) {
     const f32x8 box_share = select(load(block.mass_b) == zero(), zero(), splat(0.5f));
     if constexpr (N == 1) {
-        const f32x8 radius_a = load(block.radius_a), radius_b = load(block.radius_b);
+        f32x8 radius_a = load(block.radius_a), radius_b = load(block.radius_b);
+        if (has_rounds(block)) {
+            const mask8 rounds = mask_from_bits(block.rounds);
+            const f32x8 farther = select(rounds, half_gap(block, load(block.separation[0])), zero());
+            radius_a += farther, radius_b += farther;
+        }
         const mask8 round_a = radius_a > zero(), round_b = radius_b > zero(), both = round_a & round_b;
         const Vec3x8 centers = (radius_a + radius_b) * normal - passed;
         const f32x8 square = dot(centers, centers);

@@ -229,6 +229,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         store3(block.rim_lead, zero3());
         const mask8 both = (radius_a > zero()) & (radius_b > zero());
         if (any(both)) rounds = begin_rounds(block, record, both, found, at_a, at_b, d, normal);
+        d = select(mask_from_bits(block.rounds), d0, d);
         store3(block.normal, normal);
     }
     const auto place_of = [&](Vec3x8 r, f32x8 s_found, f32x8& s) {
@@ -239,7 +240,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
             if (has_rounds(block)) {
                 const mask8 lanes = mask_from_bits(block.rounds);
                 s = select(lanes, s_found + rounds.grown, s);
-                r = select(lanes, rounds.arm_a, r);
+                r = select(lanes, rounds.arm, r);
             }
         }
         return r;
@@ -247,7 +248,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, place_of);
     prepare_friction<N>(block, record, normal, d, center, a, b);
     if constexpr (N == 1)
-        if (has_rounds(block)) begin_round_places(block, d, at_a, at_b, h);
+        if (has_rounds(block)) begin_round_axes(block);
     if (!may_turn) return;
     const mask8 is_edge = N == 1 ? (radius_a == zero()) & (radius_b == zero()) : mask_from_bits(0);
     Vec3x8 taper = zero3();

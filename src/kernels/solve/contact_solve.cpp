@@ -376,6 +376,8 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
     opening_velocities<N>(block, softness, normal, rows, 0.5f * softness.h, s[0], &rows.round, v);
+    if constexpr (N == 1)
+        if (has_rounds(block)) advance_rounds(block, rows.round);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
@@ -433,8 +435,6 @@ CAIRN_INLINE void follow_rims(ContactBlock<N>& block, const SolverBodies& bodies
         if (has_rims(block))
             advance_rims(block, gather_pose(bodies.pose, block.a), gather_pose(bodies.pose, block.b), rows.a, rows.b,
                          load3(block.normal), softness.h);
-    if constexpr (N == 1)
-        if (has_rounds(block)) advance_rounds(block, rows.round, rows.a, rows.b, softness.h);
 }
 
 template <int N, int M, bool Watched>

@@ -80,12 +80,6 @@ CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, cons
     return r;
 }
 
-// s: by how much d is later than the middle of the substep; that of round surfaces is of its start.
-template <int N> CAIRN_INLINE f32x8 lateness(const ContactBlock<N>& block, float h) {
-    if (!has_rounds(block)) return splat(0.5f * h);
-    return select(mask_from_bits(block.rounds), splat(-0.5f * h), splat(0.5f * h));
-}
-
 // Friction at the load: the mean of the points, weighted by their impulses. Two tangential rows and the torsional row
 // share one ellipsoidal limit, the limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and
 // Cutkosky (1996): with r the radius of the load, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the
@@ -97,7 +91,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
                                  const ContactSoftness& softness, Velocityx8& a, Velocityx8& b) {
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w, dv = b.v - a.v;
-    Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + lateness(block, softness.h) * dv);
+    Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + splat(0.5f * softness.h) * dv);
     if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
     if (has_rims(block) || has_rounds(block)) velocity = velocity + slip_of_rims(block, dw);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};

@@ -130,7 +130,7 @@ CAIRN_INLINE void advance_rims(ContactBlock<1>& block, const Posex8& at_a, const
                      load(block.tangent_impulse[1]) * second_tangent(block, normal);
     const Vec3x8 moment = cross(next - center, p);
     store3(block.center, next);
-    store3(block.rim_moment, moment);
+    store3(block.rim_moment, select(lanes.any, moment, load3(block.rim_moment)));
     store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
     block.moved = 1;
 }

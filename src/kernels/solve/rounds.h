@@ -17,10 +17,10 @@ struct RoundCenters {
 struct RoundChange {
     Vec3x8 passed, a, b, axis;
 };
-// The arms of the place of touch for A and for B, the normal, the axis, how far the centers are apart, and by how much
-// farther than before: by differences, so that nothing cancels.
+// A's arm of the place of touch, which is midway between the surfaces; the way from B to A; the normal, the axis, how
+// far the centers are apart, and by how much farther than before: by differences, so that nothing cancels.
 struct RoundTouch {
-    Vec3x8 arm_a, arm_b, normal, axis;
+    Vec3x8 arm, d, normal, axis;
     f32x8 distance, grown;
 };
 
@@ -29,8 +29,8 @@ CAIRN_INLINE RoundCenters first_centers(const ContactBlock<1>& block) {
     return {load3(block.rim_middle), load3(block.face_arm), load3(block.rim_axis)};
 }
 
-// `d`: the way from B to A, before; `distance`: of the centers, before. The arms stay those of before, as does the
-// inertia by which bodies act.
+// `d`: the way from B to A, before; `distance`: of the centers, before. A's arm stays that of before, as does the
+// inertia by which bodies act; B's is from there, so that both are pushed at one place and angular momentum is kept.
 CAIRN_INLINE RoundTouch round_touch(const ContactBlock<1>& block, const RoundCenters& before, Vec3x8 d, f32x8 distance,
                                     const RoundChange& change, Vec3x8 otherwise) {
     const Vec3x8 moved = (change.passed + change.a) - change.b, was = (d + before.a) - before.b;
@@ -48,11 +48,10 @@ CAIRN_INLINE RoundTouch round_touch(const ContactBlock<1>& block, const RoundCen
     r.grown = growth / (r.distance + distance);
     r.normal = select(is_apart, (splat(-1) / r.distance) * apart, otherwise);
     r.axis = change.axis;
-    r.arm_a = before.a + load(block.radius_a) * r.normal, r.arm_b = before.b - load(block.radius_b) * r.normal;
-    if (has_axes(block)) {
-        const mask8 on_b = mask_from_bits(block.axes_b);
-        r.arm_a = r.arm_a - select(on_b, zero3(), shift), r.arm_b = r.arm_b + select(on_b, shift, zero3());
-    }
+    r.d = d + change.passed;
+    const f32x8 ra = load(block.radius_a), half_gap = splat(0.5f) * (r.distance - (ra + load(block.radius_b)));
+    r.arm = before.a + (ra + half_gap) * r.normal;
+    if (has_axes(block)) r.arm = r.arm - select(mask_from_bits(block.axes_b), zero3(), shift);
     return r;
 }
 // R(q) c - c.
@@ -74,20 +73,22 @@ CAIRN_INLINE RoundTouch round_touch_at(const ContactBlock<1>& block, const Posex
 // how fast the place runs along the axis, which is one of unit length at the end as well: else it would run without
 // end.
 struct RoundMotion {
-    Vec3x8 from_a, velocity, axis;
+    Vec3x8 velocity, axis;
     f32x8 along;
 };
-CAIRN_INLINE RoundMotion round_motion(const ContactBlock<1>& block, Vec3x8 between, const Velocityx8& a,
+CAIRN_INLINE RoundMotion round_motion(const ContactBlock<1>& block, Vec3x8 between, f32x8 distance, const Velocityx8& a,
                                       const Velocityx8& b, float h) {
-    RoundMotion r = {zero3(), b.v - a.v, zero3(), zero()};
+    RoundMotion r = {b.v - a.v, zero3(), zero()};
     if (block.round_arms) {
         const mask8 far = mask_from_bits(block.round_arms);
         const Vec3x8 normal = load3(block.normal), center = load3(block.center), half_a = splat(0.5f * h) * a.w,
                      half_b = splat(0.5f * h) * b.w;
-        const Vec3x8 arm_a = select(far, center - load(block.radius_a) * normal, zero3()),
-                     arm_b = select(far, (center + load3(block.d)) + load(block.radius_b) * normal, zero3());
-        r.from_a = cross(half_a, arm_a);
-        r.velocity = (b.v + cross(b.w, arm_b + cross(half_b, arm_b))) - (a.v + cross(a.w, arm_a + r.from_a));
+        const f32x8 ra = load(block.radius_a), rb = load(block.radius_b),
+                    half_gap = splat(0.5f) * (distance - (ra + rb));
+        const Vec3x8 arm_a = select(far, center - (ra + half_gap) * normal, zero3()),
+                     arm_b = select(far, (center + load3(block.d)) + (rb + half_gap) * normal, zero3());
+        r.velocity =
+            (b.v + cross(b.w, arm_b + cross(half_b, arm_b))) - (a.v + cross(a.w, arm_a + cross(half_a, arm_a)));
     }
     if (has_axes(block)) {
         r.axis = load3(block.d_touch);
@@ -102,7 +103,7 @@ CAIRN_INLINE RoundMotion round_motion(const ContactBlock<1>& block, Vec3x8 betwe
 // what is left of it if nothing cancels. Along the normal of its start alone, what passes would be turned away late.
 CAIRN_INLINE f32x8 round_opening(const ContactBlock<1>& block, Vec3x8 between, f32x8 distance, const Velocityx8& a,
                                  const Velocityx8& b, float h) {
-    const RoundMotion m = round_motion(block, between, a, b, h);
+    const RoundMotion m = round_motion(block, between, distance, a, b, h);
     const f32x8 growth =
         splat(2) * dot(between, m.velocity) + splat(h) * (dot(m.velocity, m.velocity) - m.along * m.along);
     const f32x8 later = sqrt(max(distance * distance + splat(h) * growth, zero()));
@@ -118,24 +119,10 @@ CAIRN_INLINE f32x8 round_velocity(const ContactBlock<1>& block, const Velocityx8
     return round_opening(block, distance * direction, distance, a, b, h);
 }
 
-// How far the place runs over A up to the middle of the substep.
-CAIRN_INLINE Vec3x8 round_lead(const ContactBlock<1>& block, f32x8 distance, const Velocityx8& a, const Velocityx8& b,
-                               float h) {
-    const Vec3x8 normal = load3(block.normal);
-    const RoundMotion m = round_motion(block, distance * normal, a, b, h);
-    Vec3x8 across = m.velocity - dot(m.velocity, normal) * normal, lead = m.from_a;
-    if (has_axes(block)) {
-        const Vec3x8 along = m.along * m.axis;
-        across = across - along;
-        lead = lead + splat(0.5f * h) * select(mask_from_bits(block.axes_b), zero3(), along);
-    }
-    return lead + (splat(0.5f * h) * load(block.radius_a) / max(distance, splat(1e-10f))) * across;
-}
-
-// At the start of a step, of lanes of which a contact was found at the time `found`: the normal, the centers and d as
-// they were then become what they are now. Returns how they touch.
+// At the start of a step, of lanes of which a contact was found at the time `found`: the normal and the centers as they
+// were then become what they are now. Returns how they touch.
 CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord* const* record, mask8 both,
-                                     f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8& d, Vec3x8& normal) {
+                                     f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 d, Vec3x8& normal) {
     Vec3x8 axis, center;
     f32x8 kind, separation;
     RoundTouch touch;
@@ -170,21 +157,12 @@ CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord
     store3(block.face_arm, c.b);
     store(block.rim_radius, reach - separation);
     normal = select(lanes, touch.normal, normal);
-    d = select(lanes, touch.arm_b - touch.arm_a, d);
     return touch;
 }
-CAIRN_INLINE void store_round_lead(ContactBlock<1>& block, mask8 lanes, f32x8 distance, const Velocityx8& a,
-                                   const Velocityx8& b, float h) {
-    store3(block.rim_lead, select(lanes, round_lead(block, distance, a, b, h), load3(block.rim_lead)));
-}
-
-// Once the points are known: d of the start of the step.
-CAIRN_INLINE void begin_round_places(ContactBlock<1>& block, Vec3x8 d, const Velocityx8& a, const Velocityx8& b,
-                                     float h) {
+// Once the points are known.
+CAIRN_INLINE void begin_round_axes(ContactBlock<1>& block) {
     const mask8 lanes = mask_from_bits(block.rounds);
-    store3(block.d, select(lanes, d, load3(block.d)));
     store3(block.d_touch, select(lanes, load3(block.rim_axis), load3(block.d_touch)));
-    store_round_lead(block, lanes, load(block.rim_radius) + load(block.separation0[0]), a, b, h);
 }
 
 // Couplings with the arms of now. A row whose arm has grown along a thin rod would overshoot by more than what it is to
@@ -207,19 +185,20 @@ CAIRN_INLINE Vec3x8 tangent_near(Vec3x8 t1, Vec3x8 t2, Vec3x8 normal) {
     return (one() / sqrt(dot(across, across))) * across;
 }
 
-// After a substep: normal, tangent, friction center and d go to where they are now. What is carried into the next was
-// pushed along the old ones: what is missing since is left for the next `solve`.
-CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, const Velocityx8& a,
-                                 const Velocityx8& b, float h) {
+// After a substep: normal, tangent, friction center and d go to where they are now. What is carried over was pushed
+// along the old ones: what is missing since is left for the next `solve`. The slip of friction is that of the middle of
+// the substep, halfway back.
+CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) {
     constexpr float unseen_share = 1e-6f; // of how far the centers are apart
     const Vec3x8 normal = load3(block.normal), center = load3(block.center), d = load3(block.d);
-    const Vec3x8 run_a = now.arm_a - center, run_b = now.arm_b - (center + d);
+    const Vec3x8 run = now.arm - center, passed = now.d - d;
     const f32x8 least = splat(unseen_share) * now.distance;
-    const mask8 moves = mask_from_bits(block.rounds) & (dot(run_a, run_a) + dot(run_b, run_b) > least * least);
+    const mask8 moves = mask_from_bits(block.rounds) & (dot(run, run) + dot(passed, passed) > least * least);
     block.rounds_moved = 0;
+    const Vec3x8 lead = select(moves, splat(-0.5f) * run, zero3());
+    store3(block.rim_lead, select(mask_from_bits(block.rounds), lead, load3(block.rim_lead)));
     if (!any(moves)) return;
     const Vec3x8 t1 = load3(block.tangent), tilted = now.normal - normal;
-    const Vec3x8 next_d = now.arm_b - now.arm_a;
     const Vec3x8 next_t1 = tangent_near(t1, cross(t1, normal), now.normal);
     const f32x8 load_n = load(block.impulse[0]), p1 = load(block.tangent_impulse[0]),
                 p2 = load(block.tangent_impulse[1]);
@@ -228,8 +207,8 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, 
         const Vec3x8 before = load_n * normal + p1 * t1 + p2 * cross(t1, normal),
                      after = load_n * now.normal + p1 * next_t1 + p2 * cross(next_t1, now.normal);
         const Vec3x8 couple = load(block.torsion_impulse) * tilted;
-        const Vec3x8 moment_a = (cross(now.arm_a, after) - cross(center, before)) + couple,
-                     moment_b = (cross(now.arm_b, after) - cross(center + d, before)) + couple;
+        const Vec3x8 moment_a = (cross(now.arm, after) - cross(center, before)) + couple,
+                     moment_b = (cross(now.arm + now.d, after) - cross(center + d, before)) + couple;
         const Vec3x8 moment = select(carries, moment_b, zero3());
         store3(block.rim_moment, select(carries, moment_a, load3(block.rim_moment)));
         store3(block.turning, select(carries, after - before, load3(block.turning)));
@@ -239,11 +218,10 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now, 
     }
     store3(block.normal, select(moves, now.normal, normal));
     store3(block.tangent, select(moves, next_t1, t1));
-    store3(block.center, select(moves, now.arm_a, center));
-    store3(block.d, select(moves, next_d, d));
+    store3(block.center, select(moves, now.arm, center));
+    store3(block.d, select(moves, now.d, d));
     if (block.round_arms) renew_couplings(block, moves & mask_from_bits(block.round_arms));
     if (has_axes(block)) store3(block.d_touch, select(moves, now.axis, load3(block.d_touch)));
-    store_round_lead(block, moves, now.distance, a, b, h);
 }
 
 // At the end of a step: the records of what touches by the only point, as it does now.
@@ -251,9 +229,9 @@ CAIRN_INLINE void store_rounds(const ContactBlock<1>& block, const SolverPose* p
                                ContactRecord* const* record) {
     const f32x8 ra = load(block.radius_a), rb = load(block.radius_b), separation = load(block.separation[0]);
     const Vec3x8 n = load3(block.normal);
-    const f32x8 wider = splat(0.5f) * ((load(block.rim_radius) + separation) - (ra + rb)), now_a = ra + wider,
-                now_b = rb + wider;
-    const Vec3x8 place = rotate(gather_pose(pose, block.a).dq, load3(block.center) - ra * n) + now_a * n;
+    const f32x8 wider = half_gap(block, separation), now_a = ra + wider, now_b = rb + wider;
+    const Vec3x8 center_a = load3(block.center) - now_a * n;
+    const Vec3x8 place = rotate(gather_pose(pose, block.a).dq, center_a) + now_a * n;
     alignas(32) float normal[3][8], point[3][8], axis[3][8], radius_a[8], radius_b[8];
     store3(normal, n), store3(point, place), store3(axis, load3(block.d_touch));
     store(radius_a, now_a), store(radius_b, now_b);

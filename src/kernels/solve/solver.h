@@ -206,6 +206,12 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
 CAIRN_INLINE bool has_rounds(const ContactBlock<1>& block) { return block.rounds != 0; }
 CAIRN_INLINE bool has_rounds(const ContactBlock<4>&) { return false; }
 template <int N> CAIRN_INLINE bool is_all_round(const ContactBlock<N>& block) { return block.rounds == 0xff; }
+// By how much farther than their radii both centers are from the place of round surfaces, as far as these are apart
+// now.
+CAIRN_INLINE f32x8 half_gap(const ContactBlock<1>& block, f32x8 separation) {
+    const f32x8 apart = load(block.rim_radius) + separation;
+    return splat(0.5f) * (apart - (load(block.radius_a) + load(block.radius_b)));
+}
 // d where the normal is of.
 template <int N> CAIRN_INLINE Vec3x8 d_of_normal(const ContactBlock<N>& block) {
     const Vec3x8 d = load3(block.d_touch);
