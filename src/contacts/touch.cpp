@@ -1,5 +1,4 @@
 #include "contacts/touch.h"
-#include "contacts/round_touch.h"
 
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"

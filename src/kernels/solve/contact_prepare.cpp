@@ -247,8 +247,6 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     };
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b, place_of);
     prepare_friction<N>(block, record, normal, d, center, a, b);
-    if constexpr (N == 1)
-        if (has_rounds(block)) begin_round_axes(block);
     if (!may_turn) return;
     const mask8 is_edge = N == 1 ? (radius_a == zero()) & (radius_b == zero()) : mask_from_bits(0);
     Vec3x8 taper = zero3();

@@ -153,16 +153,12 @@ CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord
     touch = round_touch(block, c, load3(block.d0), reach + grown, {zero3(), zero3(), zero3(), c.axis}, normal);
     touch.grown = grown;
     store3(block.rim_axis, c.axis);
+    store3(block.d_touch, select(lanes, c.axis, load3(block.d_touch)));
     store3(block.rim_middle, c.a);
     store3(block.face_arm, c.b);
     store(block.rim_radius, reach - separation);
     normal = select(lanes, touch.normal, normal);
     return touch;
-}
-// Once the points are known.
-CAIRN_INLINE void begin_round_axes(ContactBlock<1>& block) {
-    const mask8 lanes = mask_from_bits(block.rounds);
-    store3(block.d_touch, select(lanes, load3(block.rim_axis), load3(block.d_touch)));
 }
 
 // Couplings with the arms of now. A row whose arm has grown along a thin rod would overshoot by more than what it is to
