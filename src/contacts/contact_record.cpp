@@ -128,23 +128,6 @@ float sine_with_axis(const ShapePose& pose, math::Vec3 normal) {
     return std::max(math::length(math::cross(axis_of(pose, 1), normal)), 0.1f);
 }
 
-// A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
-// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius of
-// curvature. Rounded shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a
-// face lies flat.
-float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation) {
-    if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
-    const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
-    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
-    const float mean = 0.5f * (g.size.x + g.size.z);
-    if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
-    const float slope = narrowing_of(g), slant = std::sqrt(1 + slope * slope);
-    const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
-    constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
-    return std::fabs(along) < steepest ? mean / sine_with_axis(pose, outwards) + g.rounding + 0.5f * separation
-                                       : around;
-}
-
 // What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
 // axis and radius. What is rounded does with a sphere about that. Returns the radius of the sphere, up to midway.
 float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation, float* rim) {
@@ -201,6 +184,19 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
 }
 
 } // namespace
+
+float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation) {
+    if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
+    const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
+    const float mean = 0.5f * (g.size.x + g.size.z);
+    if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
+    const float slope = narrowing_of(g), slant = std::sqrt(1 + slope * slope);
+    const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
+    constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
+    return std::fabs(along) < steepest ? mean / sine_with_axis(pose, outwards) + g.rounding + 0.5f * separation
+                                       : around;
+}
 
 void forget_impulses(ContactRecord& r, int count) {
     for (int i = 0; i < 4; ++i) r.impulses[i] = 0;

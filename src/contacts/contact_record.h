@@ -14,6 +14,11 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(const Shapes& shapes, ContactInfo& contact, ContactRecord& record, const Manifold& manifold,
                   const Moment& moment);
+// A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
+// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius of
+// curvature. Rounded shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a
+// face lies flat.
+float contact_radius(const Geometry& shape, const ShapePose& pose, math::Vec3 outwards, float separation);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.

@@ -4,6 +4,7 @@
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "collision/core_sweep.h"
+#include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
@@ -122,6 +123,16 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
     return (1 / math::length(clear)) * clear;
 }
 
+// How far the place of touch of what is round goes as its normal turns, so that what pushes it goes through its center;
+// of two that are round, that of both together.
+double place_on_round(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
+                      const Nearness& found) {
+    const math::Vec3 normal = math::to_float(found.normal);
+    const float apart = float(found.distance);
+    return double(contact_radius(shapes.geometry[c.shape_a], at_a.pose, normal, apart)) -
+           double(contact_radius(shapes.geometry[c.shape_b], at_b.pose, -normal, apart));
+}
+
 // One point, where the two are nearest. Of two that are round the solver follows the normal as it is.
 Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a,
                          const PosedBody& at_b, const Nearness& found) {
@@ -133,7 +144,8 @@ Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const Conta
                                         math::to_float(found.normal))
                                  .about > 0;
     const DVec3 normal = is_followed ? found.normal : clear_of_approach(found.normal, velocity_b - velocity_a);
-    const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal;
+    const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal +
+                         place_on_round(shapes, c, at_a, at_b, found) * (normal - found.normal);
     Manifold m{};
     math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
     m.count = 1;
