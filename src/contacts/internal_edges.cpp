@@ -209,8 +209,7 @@ void drop_own_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narr
 
 // A surface that pushes a shape out to its front, as the middle of the shape is behind the surface.
 struct Lift {
-    math::DVec3 normal,
-        foot; // the normal from the shape to the surface; the middle of the shape projected onto the surface
+    math::DVec3 normal, foot; // from the shape to the surface; the middle projected onto the surface
 };
 std::optional<Lift> lift_of(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t c) {
     const ContactInfo& info = contacts.info[c];
