@@ -41,8 +41,8 @@ struct Mover {
     bool has_stopped() const { return until < 1; }
 };
 
-// The shapes of a mover and of another body. `first`, `second`: indices of movers; `second` none: the other body is
-// none.
+// The shapes of a mover and of another body. `first`, `second`: indices of movers; `second`: none if the other body
+// is no mover.
 struct SweptPair {
     std::int32_t first, second;
     std::uint32_t shape, other;
