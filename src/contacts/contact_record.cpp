@@ -28,7 +28,7 @@ void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
 
 float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
 
-// What warm starting needs of a contact's last step. The arms of unused points are far away.
+// The data of a contact's last step that warm starting needs. The arms of unused points are far away.
 struct OldPoints {
     int count;
     math::Vec3 normal, friction;

@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-// What is to be done with a pair, and what its test found, besides the contact record.
+// The action for a pair, or the result of its test, besides the contact record.
 enum Outcome : std::uint8_t {
     apart,          // separated as before; or not tested, with no need to solve it
     ended,          // separated now, was near

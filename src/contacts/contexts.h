@@ -8,8 +8,8 @@
 
 namespace cairn {
 
-// What pair tests read besides the contact at hand. It does not change before all tests are done, so threads that test
-// other pairs can share it.
+// The input of pair tests besides the contact at hand. It does not change before all tests are done, so threads that
+// test other pairs can share it.
 struct NarrowInput {
     const WorldDef& settings;
     const Bodies& bodies;
@@ -20,8 +20,8 @@ struct NarrowInput {
     int substeps; // of the step, for islands that need no more
 };
 
-// What changes once the tests have determined which contacts begin, continue and end: island lists, graph colors,
-// sleep, events, and the list of contacts to solve. One thread does so, contact by contact.
+// The data that change once the tests have determined which contacts begin, continue and end: island lists, graph
+// colors, sleep, events, and the list of contacts to solve. One thread changes them, contact by contact.
 struct FollowUpContext {
     const WorldDef& settings;
     const ForceFields& fields;

@@ -29,7 +29,7 @@ namespace cairn {
 inline constexpr float min_substeps_per_period = 6, max_substeps_per_period = 8;
 inline constexpr float stiff_factor = 2; // for the frequency of contacts with immovable bodies, and of joints
 
-// What the number of substeps depends on.
+// The quantities that the number of substeps depends on.
 struct IslandLoad {
     bool has_joints;
     float share;             // of the island's weight, on its most loaded contact
@@ -39,7 +39,7 @@ struct IslandLoad {
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
-// What the contacts of an island carried in the last step; stable_sinking is left at `nothing_can_buckle`.
+// The loads that the contacts of an island carried in the last step; stable_sinking is left at `nothing_can_buckle`.
 IslandLoad load_of(const Island& island);
 // Resets the loads, before the solver measures them again.
 inline void forget_load(Island& island) { island.greatest_load = island.greatest_demand = 0; }

@@ -17,8 +17,7 @@ struct Obstacle {
     Convex convex; // of a plane: only `center` and `axes.c1`
     DBounds bounds;
     math::DVec3 carry; // m: its displacement in the step, at the place of the character
-    math::DVec3 ride;  // m: the displacement of a character that stands on it: `carry`, but for other characters, as
-                       // these count as at rest
+    math::DVec3 ride;  // m: what stands on it moves by that: `carry`, except on characters, which count as at rest
     math::DVec3 belt;  // m: the displacement of its surface relative to itself, where it is tangential
     std::int32_t body = -1;
     std::uint32_t shape = 0;

@@ -73,7 +73,7 @@ inline std::uint16_t surface_material_of(const Manifold& patch) {
     return static_cast<std::uint16_t>(patch.features[0] >> surface_material_bit);
 }
 
-// What the last test of a pair found out: the sum of its bodies' travels until which it stays separated; for a pair
+// The result of a pair's last test: the sum of its bodies' travels until which the pair stays separated; for a pair
 // that has points or may get them at any time, that sum at the time of the test.
 struct PairAnswer {
     Travel until = 0;

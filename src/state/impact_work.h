@@ -85,7 +85,7 @@ struct ImpactWork {
         std::size_t begin, end; // in `rows`
         bool is_settled;
         bool goes_on; // one of its bodies is driven into a body that took no part
-        // Of its bouncing contacts: impulse, N s; sum of impulse x time of arrival (AimedSpeeds::meets).
+        // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (AimedSpeeds::meets).
         double impulse = 0, moment = 0;
     };
     std::vector<Group> groups;

@@ -86,8 +86,8 @@ struct Joints {
     SlotPool<JointId> slots;
     std::vector<JointInfo> info;
     std::vector<JointAxes> axes;
-    // Counts changes of joints, and of the masses of jointed bodies. What steps derive from joints is valid for one
-    // value of it. Snapshots do not contain it.
+    // Counts changes of joints, and of the masses of jointed bodies. Data that steps derive from joints are valid for
+    // one value of it. Snapshots do not contain it.
     std::uint64_t changes = 0;
 };
 

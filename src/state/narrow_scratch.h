@@ -40,7 +40,7 @@ inline bool comes_before(const FreshPatch& a, const FreshPatch& b) {
     return a.place != b.place ? a.place < b.place : a.order < b.order;
 }
 
-// What follow_up needs from the record of a contact that begins.
+// The data that follow_up needs from the record of a contact that begins.
 struct BegunContact {
     math::Vec3 normal;
     bool passes_by; // given the motion of its bodies, it will not touch within the step
@@ -54,7 +54,7 @@ struct Uncolored {
     std::uint32_t contact;
 };
 
-// What events need from the record of a contact that begins to touch.
+// The data that events need from the record of a contact that begins to touch.
 struct TouchPoint {
     std::uint32_t contact;
     float approach_speed;
@@ -135,7 +135,7 @@ struct NarrowScratch {
     std::vector<BegunContact> begun;   // contacts that begin on other ranks, in the order of follow_up
     std::size_t next_begun = 0;        // the first one that has not been followed up
     std::vector<TouchPoint> touches;   // of contacts that begin to touch
-    // Of the shapes of moving bodies in the middle of the step, by shape (contacts/midway.h).
+    // Poses and arms of the shapes of moving bodies in the middle of the step, by shape (contacts/midway.h).
     std::vector<ShapePose> midway_poses;
     std::vector<math::Vec3> midway_arms; // from the body's center of mass to the shape's origin
     // Free flight (contacts/flight.cpp).

@@ -127,7 +127,7 @@ struct MotionSum {
     Extent extent;
 };
 
-// What a thread gathers while it moves bodies.
+// The lists that a thread gathers while it moves bodies.
 struct FinalizeScratch {
     std::vector<NewBounds> escaped;    // shapes that have left their fat boxes
     std::vector<std::int32_t> fast;    // bodies whose cores may have passed others (impacts/resolve_impacts.h)
@@ -192,7 +192,7 @@ struct JointLayout {
     std::vector<std::uint8_t> parts; // for runs that do not fill their last blocks: a bit mask of their lanes there
 };
 
-// What the free motion of a solver body requires, besides falling.
+// Properties of a solver body that its free motion depends on, besides falling.
 enum RowTrait : std::uint8_t {
     is_dynamic_row = 1,
     falls_plainly = 2, // moved by gravity alone, with gravity_scale 1

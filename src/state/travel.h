@@ -1,5 +1,5 @@
-// The travel of bodies. What is found out about bodies is valid until they have traveled a certain distance, so no
-// event must invalidate it.
+// The travel of bodies: a result about bodies is valid until they have traveled a certain distance, so no event must
+// invalidate it.
 #pragma once
 
 #include "math/vec.h"
