@@ -208,7 +208,7 @@ struct BatchScratch {
     std::vector<std::uint64_t> row_marks;                   // sort keys of rows
     std::vector<std::uint8_t> row_traits;                   // RowTrait
     std::vector<std::int32_t> members;                      // bodies of the islands
-    std::vector<std::int32_t> touching_bodies, free_bodies; // of the members: with and without contacts
+    std::vector<std::int32_t> touching_bodies, free_bodies; // of the members: with and without contacts or joints
     std::vector<MotionSum> sums;
     std::vector<ListPart> parts; // of lists that threads write together
     std::vector<ConveyorRow> conveyor_rows;
@@ -261,8 +261,8 @@ struct BatchScratch {
     }
 };
 
-// Returns the row of a body. Rows are assigned in the order in which contacts and joints first name their bodies, so
-// that neighboring contacts have neighboring rows.
+// Returns the row of a body. Dynamic bodies with contacts or joints have one, by their indices (number_rows in
+// solver/batch_rows.cpp); other bodies get one when a contact or joint first names them.
 inline std::int32_t row_of_body(BatchScratch& scratch, std::int32_t body) {
     std::int32_t& row = scratch.row_of_body[body];
     if (row < 0) {
