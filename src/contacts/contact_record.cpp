@@ -1,4 +1,3 @@
-// The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
 #include "contacts/contact_record.h"
 
 #include "contacts/contact_update.h"
@@ -18,7 +17,7 @@ namespace {
 
 constexpr float unused = 1e30f;
 
-// Four floats side by side: a point and its separation.
+// Four floats side by side: a contact point and its separation.
 using Float4 = float __attribute__((vector_size(16)));
 Float4 load4(const float* p) {
     Float4 v;
@@ -29,7 +28,7 @@ void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
 
 float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
 
-// What is kept of a contact's last step to warm start the next. Beyond the last point, arms are far away.
+// The data of a contact's last step that warm starting needs. The arms of unused points are far away.
 struct OldPoints {
     int count;
     math::Vec3 normal, friction;
@@ -37,9 +36,9 @@ struct OldPoints {
     float impulse[4], torsion;
 };
 
-// Gives the new points the impulses of the old ones at the same places in A's frame. What the old points without a
-// successor carried is shared among the new ones without a predecessor: otherwise a contact that changes from four
-// points to one lets its load drop for a substep, and a heap never comes to rest.
+// Gives new contact points the impulses of the old points at the same places in A's frame. The impulses of old points
+// without a successor are shared among the new points without a predecessor: otherwise the load of a contact that
+// changes from four points to one drops for a substep, and a heap never comes to rest.
 void match_points(const OldPoints& old, float tolerance, int count, ContactRecord& r) {
     const float limit = tolerance * tolerance;
     unsigned taken = 0, unmatched = 0;
@@ -49,7 +48,7 @@ void match_points(const OldPoints& old, float tolerance, int count, ContactRecor
         float square[4];
         store4(square, dx * dx + dy * dy + dz * dz);
         int match = -1;
-        // Mostly the order stays as well.
+        // Usually the order of the points stays as well.
         if (i < old.count && !(taken & (1u << i)) && square[i] < 0.0625f * limit) {
             match = i;
         } else {
@@ -90,7 +89,7 @@ OldPoints old_points(const ContactRecord& r, int count) {
     const Float4 far_away{unused, unused, unused, unused};
     Float4 p[4];
     for (int k = 0; k < 4; ++k) p[k] = k < count ? load4(point_of(r, k)) : far_away, old.impulse[k] = r.impulses[k];
-    // Turned on their side: from four points to four coordinates each of x, y and z.
+    // Transpose: from four points to four values each of x, y and z.
     const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5),
                  z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
     const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5),
@@ -101,8 +100,8 @@ OldPoints old_points(const ContactRecord& r, int count) {
     return old;
 }
 
-// Whether each point is where the old one of the same number is: then all impulses stay as they are. That is the common
-// case, and this its short way.
+// Whether each point is at the old place of the point with its number: then all impulses stay as they are. This is a
+// shortcut for the common case.
 bool points_stay(const ContactRecord& r, const Float4* points, int count, float tolerance) {
     const float limit = 0.0625f * tolerance * tolerance;
     float greatest = 0;
@@ -119,21 +118,23 @@ std::uint32_t packed_features(const Manifold& m) {
     return packed;
 }
 
-// Of a tapered cylinder: by how much its radius shrinks, over a length along its axis.
+// The slope of a tapered cylinder: the decrease of its radius per length along its axis.
 float narrowing_of(const Geometry& g) { return (g.size.x - g.size.z) / (2 * g.size.y); }
 
-// Of the normal and the axis. What touches by a circle of radius R about the axis rolls with the radius R over this
-// (Meusnier): a cone on its side, and a wheel on its rim. What stands on its end does not roll: finite there.
+// The sine of the angle between the normal and the axis. A surface that touches at a circle of radius R about the axis
+// rolls with the radius R / sine (Meusnier): a cone on its side, or a wheel on its rim. A shape that stands on its end
+// does not roll: the lower bound keeps the radius finite there.
 float sine_with_axis(const ShapePose& pose, math::Vec3 normal) {
     return std::max(math::length(math::cross(axis_of(pose, 1), normal)), 0.1f);
 }
 
-// What touches a face by one point does so by a corner, which is a rim without a radius, or by the rim of an end: its
-// axis and radius. What is rounded does with a sphere about that. Returns the radius of the sphere, up to midway.
+// Writes the axis and the radius of the rim by which a shape touches a face in a single point: the rim of an end, or a
+// corner, which is a rim of radius 0. Rounded shapes touch by a sphere about that point of the rim. Returns the radius
+// of this sphere, up to the middle between the surfaces.
 float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, float separation, float* rim) {
     const float cosine = math::dot(axis_of(pose, 1), outwards);
     const float sine = g.type == ShapeType::cylinder ? std::sqrt(std::max(1 - cosine * cosine, 0.0f)) : 1.0f;
-    const bool is_top = 2 * g.size.y * cosine + (g.size.z - g.size.x) * sine > 0; // the end that reaches farther out
+    const bool is_top = 2 * g.size.y * cosine + (g.size.z - g.size.x) * sine > 0; // the end farther along the normal
     const float radius = is_top ? g.size.z : g.size.x;
     std::fill_n(rim, 4, 0.0f);
     if (g.type == ShapeType::cylinder) put(rim, axis_of(pose, 1)), rim[3] = radius;
@@ -142,8 +143,8 @@ float find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, fl
     return contact_radius(g, pose, outwards, separation);
 }
 
-// Of a cone that touches along its side with two points: the direction of that, times how its radius of curvature grows
-// along it.
+// For a cone that touches along its side with two points: the direction from the first to the second, scaled by the
+// growth of the radius of curvature per length along it.
 math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecord& r) {
     if (g.type != ShapeType::cylinder || g.size.x == g.size.z) return {};
     const math::Vec3 way = to_vec(point_of(r, 1)) - to_vec(point_of(r, 0));
@@ -153,8 +154,8 @@ math::Vec3 taper_of(const Geometry& g, const ShapePose& pose, const ContactRecor
     return (growth / square) * way;
 }
 
-// How the surfaces are round where they touch (what is met as a plane is not), and how the points move over them: the
-// only one, or those of what is round on a face.
+// Determines how the surfaces are round where they touch (a side that is treated as a plane counts as flat), and how
+// contact points move over them: a single point, or those of a round shape on a face.
 void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
                     ContactRecord& r) {
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
@@ -174,8 +175,8 @@ void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& 
     float &face = on_a ? r.radius_a : r.radius_b, &other = on_a ? r.radius_b : r.radius_a;
     const Geometry& g = on_a ? b : a;
     if (m.count > 1) {
-        if (!(other > 0)) return; // faces on each other
-        face = on_face;           // along a line, or with rounded corners
+        if (!(other > 0)) return; // two faces
+        face = on_face;           // a line, or a face with rounded corners
         if (m.count == 2) put(r.more_points[2], taper_of(g, on_a ? *at.pose_b : *at.pose_a, r));
         return;
     }
@@ -193,7 +194,9 @@ float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 outwar
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
     const float slope = narrowing_of(g), slant = std::sqrt(1 + slope * slope);
     const float along = math::dot(outwards, axis_of(pose, 1)) - slope / slant;
-    constexpr float steepest = 0.7f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
+    // Cosine of the angle between the normal and the axis, less that of the side's normal: beyond it, a cylinder stands
+    // on its rim rather than rolls.
+    constexpr float steepest = 0.7f;
     return std::fabs(along) < steepest ? mean / sine_with_axis(pose, outwards) + g.rounding + 0.5f * separation
                                        : around;
 }

@@ -23,14 +23,14 @@ using math::to_vec;
 namespace {
 
 constexpr float unused = 1e30f;
-constexpr int reports_per_chunk = 512; // for threads
+constexpr int reports_per_chunk = 512; // items per chunk of a parallel loop
 
-// Of the relative speed: what hits others in the step may come to move in any direction. Without it, boxes in a closed
-// box gain 6 % of energy instead of 4 % (validation, closed_pile).
+// Share of the relative speed that is added to the approach speed, as bodies that are hit within the step may continue
+// in any direction. Without it, boxes in a closed box gain 6 % of energy instead of 4 % (validation, closed_pile).
 constexpr float redirected = 0.5f;
 
-// The greatest speed at which points approach along the normal n from a to b. arm_of(i): from the center of a to a
-// point; d: from that of b to that of a.
+// The greatest speed at which points approach along the normal n from a to b. arm_of(i): from the center of mass of a
+// to point i; d: from the center of mass of b to that of a.
 template <class F>
 float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, math::Vec3 d, int count, F&& arm_of) {
     float speed = std::numeric_limits<float>::lowest();
@@ -78,7 +78,7 @@ void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const F
     c.substep_time = 0;
 }
 
-// Planes have no end.
+// Whether the distance that a test of this kind finds is kept. Distances from planes, which are infinite, are not.
 bool has_distance(PairKind kind) {
     switch (kind) {
     case PairKind::sphere_sphere:
@@ -97,7 +97,6 @@ bool has_distance(PairKind kind) {
 
 } // namespace
 
-// Of the points of a record.
 float approach_speed(const Bodies& bodies, const ContactInfo& c, const ContactRecord& r) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     const float speed = greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
@@ -120,7 +119,7 @@ BegunContact how_it_begins(const Contacts& contacts, std::uint32_t id, float dt)
 
 namespace {
 
-// Of one that another rank owns, as that has told.
+// How a contact begins; if another rank owns its record, as that rank has reported.
 BegunContact start_of(const FollowUpContext& s, std::uint32_t id, float dt) {
     if (s.contacts.records.has(id)) return how_it_begins(s.contacts, id, dt);
     return s.narrow.begun[s.narrow.next_begun++];
@@ -146,7 +145,7 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
         ContactInfo& c = s.contacts.info[id];
         const BegunContact start = outcome == begun ? start_of(s, id, dt) : BegunContact{};
         const bool asleep = is_asleep(s.bodies, s.islands, c);
-        // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
+        // A body that passes by does not wake a sleeping one: only a body that will touch it within the step does.
         if (outcome == begun && asleep && start.passes_by) {
             c.point_count = 0;
             drop_answer(s.bodies, s.contacts, id);
@@ -188,7 +187,7 @@ void color_begun(Bodies& bodies, Contacts& contacts, NarrowScratch& narrow) {
     begun.clear();
 }
 
-// Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
+// The solver would have nothing to do for such contacts, which are up to half of all while a heap lands.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
     if (m.count == 0) return true;
     if (c.is_trigger) return false;
@@ -197,7 +196,7 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const BodyMotion &a = bodies.motion[first], &b = bodies.motion[second];
     const float speed = std::max(approach_of(bodies, shapes, c, m), 0.0f);
-    // What a rotation adds to the way of a point beyond its speed.
+    // How far the path of a point may bend because of rotation, beyond its present speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
         const float turn = looked_ahead(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
@@ -215,7 +214,7 @@ std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32
 }
 
 std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t id, const Manifold& m) {
-    // Along which they are apart; wide kernels do not say.
+    // The normal along which the shapes are separated; wide kernels do not give it.
     const ContactInfo& c = contacts.info[id];
     if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(contacts.records[id].normal, to_vec(m.normal));
     return take_distance(bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
@@ -223,8 +222,8 @@ std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t 
 
 namespace {
 
-// When the solver, which goes by the velocities of the start, has the two where they touch: along the normal that is
-// exact, with what gravity adds.
+// The moment of a touch for the solver, which extrapolates with the velocities of the start of the step: the time at
+// which these give the displacement along the normal that the shapes have at their touch, gravity included.
 Moment moment_of(const Bodies& bodies, const ContactInfo& c, const Touch& touch, const Manifold& m) {
     const math::DVec3 n = math::to_double(to_vec(m.normal));
     const double speed = math::dot(n, math::to_double(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v));
@@ -276,13 +275,13 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
         const std::int32_t island = bodies.links[c.body_a].island;
         if (island != none) islands.all[island].lost_contact |= c.b_moves;
     }
-    if (c.touching) end_touch(bodies, shapes, contacts, events, c); // also what an impact began (impacts/)
+    if (c.touching) end_touch(bodies, shapes, contacts, events, c); // also a touch that an impact began (impacts/)
 }
 
 namespace {
 
-// The contact began to touch. `separation`: at the beginning of the step. `told`: what its owner says of its record;
-// null: it is here.
+// A contact has begun to touch. `separation`: at the start of the step. `told`: what the owner of its record reports;
+// null: the record is here.
 void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, StepEvents& events,
                  const WorldDef& settings, std::uint32_t id, float separation, const TouchPoint* told, float dt) {
     ContactInfo& c = contacts.info[id];
@@ -307,7 +306,7 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
                            c.surface_material});
 }
 
-// Whether the step has made a contact begin or cease to touch.
+// Whether a contact has begun or ceased to touch in this step.
 bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
@@ -332,7 +331,8 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
     set_size_anew(changes, solved.size());
     const float gain = load_gain(dt);
     thread_pool.for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
-        // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
+        // Writes of bytes may alias anything, so without local copies the compiler would reload the pointers after
+        // each.
         ContactInfo* const info = contacts.info.data();
         Island* const all = islands.all.data();
         const ContactReport* const reports = solver.reports.data();
@@ -346,7 +346,8 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
                 ask_cache(&reports[next]);
             }
             const ContactReport& report = reports[list[k].id];
-            // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
+            // Non-finite impulses (of bodies that were stopped for exceeding the number range) must not warm start the
+            // next step.
             const bool is_finite = std::isfinite(report.impulse);
             ContactInfo& c = info[list[k].id];
             if (!is_finite && contacts.records.has(list[k].id))

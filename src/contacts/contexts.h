@@ -1,4 +1,4 @@
-// What the functions of the narrow phase read, and what they change.
+// The data that functions of the narrow phase read, and the data that they change.
 #pragma once
 
 #include "state/state.h"
@@ -8,8 +8,8 @@
 
 namespace cairn {
 
-// What tests of pairs read beside the contact at hand. Threads that test other pairs read the same: nothing of it
-// changes before all are done.
+// The input of pair tests besides the contact at hand. It does not change before all tests are done, so threads that
+// test other pairs can share it.
 struct NarrowInput {
     const WorldDef& settings;
     const Bodies& bodies;
@@ -17,11 +17,11 @@ struct NarrowInput {
     const Islands& islands;
     const Joints& joints;
     const ForceFields& fields;
-    int substeps; // of the step, where no island asks for more
+    int substeps; // of the step, for islands that need no more
 };
 
-// What changes once the tests have said which contacts begin, go on and end: lists of islands, colors, sleep, events,
-// and what is to be solved. One thread does so, contact by contact.
+// The data that change once the tests have determined which contacts begin, continue and end: island lists, graph
+// colors, sleep, events, and the list of contacts to solve. One thread changes them, contact by contact.
 struct FollowUpContext {
     const WorldDef& settings;
     const ForceFields& fields;
@@ -32,7 +32,7 @@ struct FollowUpContext {
     StepEvents& events;
     NarrowScratch& narrow;
     std::vector<std::uint32_t>& solved;
-    Communicator* ranks; // that step this world together; null: none but this one
+    Communicator* ranks; // the ranks that step this world together; null: this process alone
 };
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Tests of pairs that no wide kernel does: one at a time, in double, about the center of A.
+// Tests of pairs that have no wide kernel: one at a time, in double precision, relative to the center of A.
 #include "contacts/convex_tests.h"
 
 #include "collision/convex_contact.h"
@@ -25,7 +25,7 @@ DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
     return (to_double(to_vec(b.high)) - to_double(to_vec(a.high))) +
            (to_double(to_vec(b.low)) - to_double(to_vec(a.low)));
 }
-// The same for shapes that are pushed out any way: never zero.
+// The same for shapes that are to be pushed apart even if their centers coincide: never zero.
 DVec3 offset_between_middles(const ShapePose& a, const ShapePose& b) {
     const DVec3 offset = offset_between(a, b);
     if (!(offset == DVec3{})) return offset;
@@ -40,8 +40,9 @@ Convex convex_of(const PosedShape& shape, const DVec3& center) {
     return make_convex(shape.geometry, shape.data, center, rotation_of(shape.pose));
 }
 
-// Sheets are seen from the side where the shape is: the center of mass of the body at an infinite plane, which nothing
-// can reach around; the middle of the shape at a rectangle, which a part of the body may well be on the other side of.
+// The side from which a double-sided surface is touched is where the shape is: for an infinite plane, the side of the
+// body's center of mass, as nothing can reach around the plane; for a rectangle, the side of the shape's middle, as
+// parts of the body may well be on the other side.
 DVec3 facing_normal(const PosedShape& a, const PosedShape& plane, DVec3 offset) {
     const DVec3 up = math::to_matrix(rotation_of(plane.pose)).c1;
     const bool is_behind = plane.geometry.is_double_sided && math::dot(up, -to_double(a.arm) - offset) < 0;
@@ -56,8 +57,9 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
     return is_behind ? reversed(polygon) : polygon;
 }
 
-// Whether `a` meets a round side as a plane, with the contact then. Where they are farther apart than the margin, its
-// first point tells how far `a` is from the plane: from what is round it is as far, at least.
+// Tests `a` against a round side that counts as a plane; returns whether it does. If they are separated by more than
+// the margin, the separation of the first point is the distance from the plane, a lower bound of that from the round
+// side.
 bool collide_flat_side(const PosedShape& a, const PosedShape& round, const Convex& first, const Convex& side,
                        double margin, Manifold& out) {
     if (!may_be_flat(round.geometry, a.geometry, smallest_extent(a.geometry, a.data))) return false;

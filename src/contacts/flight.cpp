@@ -16,23 +16,24 @@ namespace cairn {
 
 namespace {
 
-constexpr int flights_per_chunk = 16; // for threads
+constexpr int flights_per_chunk = 16; // items per chunk of a parallel loop
 
+// Whether a body is not held by joints or sleep.
 bool may_fly(const Bodies& bodies, const Islands& islands, std::int32_t b) {
     return !bodies.is_dynamic(b) || (bodies.links[b].joint_count == 0 && is_on_its_own(bodies, islands, b));
 }
 
-// How far forces bring the two together in the step, along the normal.
+// How far forces move the two bodies toward each other in the step along the normal, m.
 float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const math::DVec3 a = acceleration_at(in.bodies, in.fields, in.settings, first, in.bodies.motion[first].x) -
                           acceleration_at(in.bodies, in.fields, in.settings, second, in.bodies.motion[second].x);
-    const float share = 0.5f * (1 + 1.0f / float(in.substeps)); // as in substeps
+    const float share = 0.5f * (1 + 1.0f / float(in.substeps)); // forces act in substeps
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
-// Of a shape that meets another: where, how it moves there, and how its surface turns there: a spin about its axis of
-// symmetry changes nothing.
+// The motion of a shape's surface at the contact point. A rotation about its axis of symmetry does not move the
+// surface.
 struct Surface {
     math::Vec3 v, turn, arm; // m/s of the center of mass, rad/s, m from the center of mass
     math::Vec3 turning() const { return math::cross(turn, arm); }
@@ -49,9 +50,9 @@ Surface surface_of(const Bodies& bodies, const Shapes& shapes, std::uint32_t sha
     return {motion.v, turn, arm};
 }
 
-// How far a contact that stays as it is in the step is off at its end, as the surface `under` turns its normal: by half
-// of the turn times the way that what is on it goes along it, and, as what goes straight on at the surface's speed gets
-// behind it, by a third of the square of the turn times the way of the surface.
+// How far a contact that is kept unchanged is off at the end of the step, m, as the surface `under` rotates its normal:
+// half of the angle times the displacement of the other body along the surface, plus a third of the square of the angle
+// times the displacement of the surface, since a body that moves straight on at the surface's velocity falls behind it.
 float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float dt) {
     const float turn = dt * math::length(math::cross(under.turn, normal));
     const math::Vec3 way = on.v + on.turning() - under.v - under.turning();
@@ -63,8 +64,9 @@ bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
     return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));
 }
 
-// Whether the solver follows the place where a shape touches another, for all of the step: it is round about an axis,
-// and hardly tilts. What turns it about that axis or about the normal changes nothing. `lag`: of a surface that turns.
+// Whether the solver tracks the contact point of a shape through all of the step: the shape is round about an axis, and
+// hardly tilts. Rotation about that axis or about the normal changes nothing. `lag`: the error for an angular velocity,
+// m.
 template <class Lag>
 bool solver_follows(const Bodies& bodies, const Shapes& shapes, PairKind kind, std::uint32_t shape, std::uint32_t other,
                     bool other_is_second, const Manifold& m, float most, float dt, Lag&& lag) {
@@ -79,10 +81,10 @@ bool solver_follows(const Bodies& bodies, const Shapes& shapes, PairKind kind, s
     return lag(tilting_part(shapes.geometry[shape], shapes.poses[shape], later, n)) <= most;
 }
 
-// Whether one of two shapes turns so far that their contact cannot stay as it is in a step: by itself, however deep
-// they are in each other; under the other, if they overlap by less than a core: else the solver pushes them apart, and
-// flight would keep them as they are. Not where the solver follows the place of touch, unless they are so deep in each
-// other that they would be thrown out.
+// Whether one of two shapes rotates so far that their contact cannot stay as it is in a step: because its own spin
+// changes (gyration), however deep the shapes overlap; or relative to the other, if they overlap by less than the core
+// depth: otherwise the solver pushes them apart, while free flight would keep them as they are. This does not hold
+// where the solver tracks the contact point, unless the overlap is so deep that it would throw the shapes apart.
 bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
                 float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
@@ -102,7 +104,7 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     return turns(first, second, a, b) || turns(second, first, b, a);
 }
 
-// Rows in the solver that a pair has had so far.
+// The number of contacts of a pair that are counted at its bodies so far.
 int rows_of(const Contacts& contacts, std::uint32_t id) {
     int rows = 0;
     for_each_patch(contacts, id, [&](std::uint32_t contact) { rows += contacts.info[contact].point_count > 0; });
@@ -140,8 +142,9 @@ class FlightList {
                   [](const FlightPair& a, const FlightPair& b) { return a.place < b.place; });
     }
 
-    // A body that has contacts beside those that may be in flight is held by them. What gyrates is not, whatever holds
-    // the other: the solver would have it wrong.
+    // Decides which pairs are in free flight. A body with contacts besides those that may be in free flight is
+    // constrained by them. Pairs of a gyrating body are in free flight even if the other body is constrained: the
+    // solver would get them wrong.
     void decide() {
         std::vector<std::int32_t>& rows = s.narrow.flight_rows;
         rows.resize(s.bodies.links.size(), 0);
@@ -186,7 +189,7 @@ class FlightList {
                 const FlightPair& f = flights_[std::size_t(k)];
                 if (f.is_free) continue;
                 const std::uint32_t id = contact_of(f);
-                if (!s.contacts.records.has(id)) continue; // its owner tells
+                if (!s.contacts.records.has(id)) continue; // its owner reports it
                 const Manifold* const first = s.narrow.flights.hits.data() + f.first_hit;
                 if (is_group(s.contacts.info[id]))
                     test_held_group(in, s.contacts, s.narrow, f.place, s.narrow.at_work[thread], dt_);
@@ -236,15 +239,16 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
-    // What is this near counts as touching: what presses it on brings it no nearer.
+    // Separations below this tolerance count as touching: what presses the shapes together brings them no nearer.
     const auto is_off = [&] { return least > float(touch_tolerance(half_width_between(in.shapes, c))); };
     if (std::fabs(way) > c.base_margin && (std::fabs(speed * dt) > c.base_margin || is_off())) return true;
     const bool bounces = c.bounces && speed > in.settings.restitution_speed;
-    // What slides on before it touches may be past the other by then: a contact, whose plane has no end, would stop it.
+    // A shape that slides before it touches may be past the other by then: the plane of a contact, which has no end,
+    // would stop it.
     const math::Vec3 n = math::to_vec(m.normal), v = in.bodies.motion[c.body_b].v - in.bodies.motion[c.body_a].v;
     const bool slides = dt * math::length(v - math::dot(v, n) * n) > c.base_margin && is_off();
-    // What bounced in the step before counts as touching, but is apart by now. (On what does not move by forces it
-    // comes to rest by the solver.)
+    // A pair that bounced in the step before counts as touching, but is separated by now. (On bodies that no force
+    // moves, the solver brings bouncing bodies to rest.)
     const bool has_bounced = c.b_moves && c.bounces && is_off();
     return ((least > way && is_off()) || bounces || slides) && (has_bounced || !touches(contacts, c));
 }

@@ -1,29 +1,30 @@
-// Pairs that are about to meet, or part, in free flight: the solver is not needed there, as no contact and no joint
-// holds either of the two. They meet where and when their real motions say (impacts/resolve_impacts.h).
+// Pairs that are about to meet, or to separate, in free flight. The solver is not needed for them, as no contact and no
+// joint constrains either body. They meet at the place and time that their exact motions give
+// (impacts/resolve_impacts.h).
 #pragma once
 
 #include "contacts/contexts.h"
 
 namespace cairn {
 
-// Whether the shapes are apart, and no joint or sleep keeps their bodies from flying: by more than the margin of the
-// contact, or so that they close or open more than that in the step, or they do not touch, and in the step would not or
-// would bounce; or whether one turns so far that their contact cannot stay as it is in the step. What settles down on
-// something is the solver's.
-// Whether another contact holds one of the bodies shows when all pairs are known.
+// Whether a pair may be left to free flight, provided that no other contact constrains its bodies, which is known only
+// after all pairs have been tested. Neither joints nor sleep may hold the bodies, and one of these must hold: the
+// shapes are separated by more than the margin of the contact; or the distance changes by more than the margin within
+// the step; or the shapes do not touch yet, and in this step would not touch or would bounce; or a body rotates so far
+// that the contact cannot stay as it is in the step. A body that comes to rest on another is left to the solver.
 bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& contact,
                         const Manifold& manifold, float dt);
 
-// All pairs of the step have been tested: of those that may meet in flight, the ones whose bodies nothing holds are
-// listed in NarrowScratch::in_flight, and are no contacts; the others are contacts like any.
+// After all pairs of the step have been tested: pairs that may meet in free flight and whose bodies nothing constrains
+// are listed in NarrowScratch::in_flight and are no contacts; the others become ordinary contacts.
 void settle_flights(const NarrowInput& in, const FollowUpContext& context, ThreadPool& thread_pool, float dt);
 
-// Whether a contact of the two can be off by more than its margin at the end of the step, as they turn, wherever it is
-// and however its normal lies: few turn so fast.
+// Whether rotation can make the contact of two bodies wrong by more than its margin at the end of the step, wherever
+// the contact is and whatever its normal. Few bodies rotate so fast.
 bool may_turn_away(const Bodies& bodies, const ContactInfo& contact, float dt);
 
-// Whether a pair has met already, at the point that its test gives first, and will be there after the step: no touch of
-// it is to come, it does not stay apart, and it does not meet in flight, as it does not turn away.
+// Whether a pair overlaps already at the first point of its manifold, and still will after the step: it needs no search
+// for a touch, does not stay separated, and does not meet in free flight, as it does not turn away.
 inline bool stays_in_contact(const Bodies& bodies, const ContactInfo& c, const Manifold& m, float dt) {
     return m.count > 0 && m.points[0][3] <= 0 && !c.is_trigger && !may_turn_away(bodies, c, dt);
 }

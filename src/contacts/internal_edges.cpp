@@ -1,11 +1,13 @@
-// Seams between surfaces that lie side by side: two boxes that make a floor, two tiles of terrain. What slides over one
-// meets the edge of the next before its face, and would bump into it although nothing stands out. A contact with
-// something immovable is left out where a deeper one of the same body has a plane that
-// - all the points of the contact lie in, or nothing of the body is below, and
-// - the other thing does not rise above.
-// And what rolls along the seam itself touches both: where one of them carries the whole line, the other is left out.
-// Each counts its friction in the middle of its part, and would turn it aside.
-// Thin walls are made of two surfaces as well, back to back: what is in front of one is behind the other.
+// Internal edges are edges between surfaces that lie side by side: two boxes that make a floor, or two tiles of
+// terrain. A body that slides over one surface meets the edge of the next before its face, and would bump into it
+// although nothing sticks out. A contact with an immovable body is dropped if a deeper contact of the same body has a
+// plane
+// - that contains all points of the contact, or that no part of the body is below, and
+// - above which the other shape does not rise.
+// A body that rolls along such an edge touches both surfaces: if one of them carries the whole line, the contact with
+// the other is dropped. Each contact applies friction in the middle of its part of the line, and would turn the body
+// aside.
+// Thin walls are made of two surfaces back to back: a body in front of one is behind the other.
 #include "contacts/internal_edges.h"
 
 #include "bodies/bodies.h"
@@ -29,17 +31,17 @@ using math::to_vec;
 
 namespace {
 
-// How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
-// are off, but no more than the body may move until its points are found anew.
+// Tolerance for a point in a plane, as a share of the sizes of both shapes: as far as contact points on the rim of a
+// face are off. It is bounded by how far the body may move until its points are found anew.
 constexpr float flatness = 2e-4f;
 
-constexpr int contacts_per_chunk = 1024; // for threads
+constexpr int contacts_per_chunk = 1024; // items per chunk of a parallel loop
 
-// Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
+// Whether two unit vectors differ so little that planes of the size of a shape differ by at most the same tolerance.
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
 
-// A shape, but an infinite plane, about the center of mass of a body that touches it, as what is farthest along
-// directions; meshes and height fields by their bounds.
+// The extent of a shape (other than an infinite plane) relative to the center of mass of a body that touches it, by
+// support points; meshes and height fields count as their bounding boxes.
 struct Extent {
     Convex solid;
 
@@ -67,12 +69,12 @@ struct Extent {
         solid.center = center + solid.axes * math::to_double(0.5f * (lo + hi));
         solid.size = math::to_double(0.5f * (hi - lo));
     }
-    // How far it reaches along n, from a point.
+    // The distance by which the shape extends from a point along n, m.
     double reach(math::DVec3 n, math::DVec3 from) const { return math::dot(n, support(solid, n) - from); }
 };
 
-// Where the other surface is, relative to the body's center of mass. It does not move, but the body does up to the
-// touch.
+// Where point i is on the other surface, relative to the body's center of mass at the start of the step. The surface is
+// at rest, but the body moves until they touch.
 math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact, int i) {
     const ContactRecord& r = contacts.records[contact];
     const math::Vec3 point = to_vec(point_of(r, i));
@@ -80,15 +82,15 @@ math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::ui
     return point + way + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
-// The numbers of a contact in the tree of planes, and of one with two points in the tree of lines: the normal, then the
-// height of the plane above the center of mass, the depth and the place in the order of depths; or the bounds of the
-// line.
+// Indices of a contact's keys in the tree of planes and, if it has two points, in the tree of lines. Planes: the
+// normal, then the plane's height above the center of mass, the depth, and the place in the order of depths. Lines: the
+// normal, then the bounds of the line.
 enum PlaneKey : std::size_t { plane_offset = 3, plane_depth, plane_rank };
 enum LineKey : std::size_t { line_lo = 3, line_hi = 6 };
 
 double square(double x) { return x * x; }
 
-// How far a unit vector with components in these bounds is from n at least, and at most, squared.
+// The least and the greatest distance, squared, between n and unit vectors whose components are within bounds.
 template <class Bounds> double least_difference(const Bounds& b, math::Vec3 n) {
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -106,7 +108,7 @@ template <class Bounds> double greatest_difference(const Bounds& b, math::Vec3 n
     return sum;
 }
 
-// A contact that may be an internal edge, held against the planes of deeper ones.
+// Tests whether a contact is with an internal edge, by the planes of deeper contacts.
 class EdgeTest {
   public:
     EdgeTest(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t contact)
@@ -117,7 +119,7 @@ class EdgeTest {
         for (int i = 0; i < info_.point_count; ++i) points_[i] = other_surface(bodies, contacts, contact, i);
     }
 
-    // Whether it is an edge in the plane of the other contact.
+    // Whether the contact is with an edge in the plane of the other contact.
     bool lies_in(std::uint32_t deeper, float depth) {
         if (!may_be_seam(deeper)) return false;
         const math::Vec3 up = -to_vec(contacts_.records[deeper].normal),
@@ -125,19 +127,20 @@ class EdgeTest {
         const bool is_in_plane = has_points_in(deeper, depth);
         const math::DVec3 n = math::to_double(up), from = math::to_double(origin);
         if (other().reach(n, from) > double(tolerance_)) return false;
-        // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the
-        // body is above it, what is below can only be met in it.
+        // Separated sharp edges meet as rounded ones would, at a point somewhere off the plane. But if all of the body
+        // is above the plane, it can meet a shape below the plane only in the plane.
         return is_in_plane || own().reach(-n, from) <= double(depth + tolerance_);
     }
 
-    // Whether all of its points are in the plane of the other contact, but for what that is sunk in. If the other thing
-    // rises above that plane, it is a wall or a ramp that begins there.
+    // Whether all points of the contact are in the plane of the other contact, up to the penetration. If the other
+    // shape rises above that plane, it is a wall or a ramp that begins there.
     bool stands_on(std::uint32_t deeper, float depth) const {
         return may_be_seam(deeper) && has_points_in(deeper, depth);
     }
     float tolerance() const { return tolerance_; }
 
-    // False where it lies in none of the planes with such keys. `may_rise`: the other thing above them.
+    // Returns false if the contact lies in none of the planes with such keys. `may_rise`: the other shape may rise
+    // above them.
     bool may_lie_in(const KeyTree<6>::Bounds& planes, bool may_rise = false) {
         if (shapes_.geometry[info_.shape_b].type == ShapeType::plane) return false;
         if (greatest_difference(planes, -to_vec(record_.normal)) < square(double(flatness) - rounding)) return false;
@@ -146,7 +149,7 @@ class EdgeTest {
             up[int(i)] = 0.5 * (planes.lo[i] + planes.hi[i]);
             spread[int(i)] = 0.5 * (planes.hi[i] - planes.lo[i]);
         }
-        // How far a point is above all of them, and below all of them.
+        // Lower and upper bounds of the height of a point above any of the planes.
         const auto slack = [&](math::DVec3 p) {
             return double(tolerance_) + rounding * (double(radius_) + math::length(p));
         };
@@ -181,7 +184,7 @@ class EdgeTest {
         });
     }
 
-    // Made when they are needed, as they seldom are.
+    // Created on demand, as extents are seldom needed.
     const Extent& extent(std::optional<Extent>& extent, std::uint32_t shape) {
         if (!extent) extent.emplace(bodies_, shapes_, shape, info_.body_a);
         return *extent;
@@ -204,9 +207,9 @@ void drop_own_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narr
     narrow.dropped.push_back(c);
 }
 
-// A surface that lifts a shape, as the middle of that is behind it.
+// A surface that pushes a shape out to its front, as the middle of the shape is behind the surface.
 struct Lift {
-    math::DVec3 normal, foot; // from the shape to the surface; the place on that below the middle
+    math::DVec3 normal, foot; // from the shape to the surface; the middle projected onto the surface
 };
 std::optional<Lift> lift_of(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t c) {
     const ContactInfo& info = contacts.info[c];
@@ -219,9 +222,9 @@ std::optional<Lift> lift_of(const Bodies& bodies, const Shapes& shapes, const Co
     if (!(depth > 0)) return {};
     return Lift{n, middle - depth * n};
 }
-// A shape on a floor, the back of which is a ceiling, is behind that as well, and may reach through it by as much as it
-// is sunk in. The ceiling does not lift it if the floor lies between: as drop_far_sides in
-// collision/surface_contact.cpp within a mesh.
+// A shape on a floor whose back side is a ceiling is behind the ceiling as well, and may reach through it by its
+// penetration of the floor. The ceiling does not push the shape if the floor lies between them: as drop_far_sides in
+// collision/surface_contact.cpp does within a mesh.
 void drop_far_sides(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
                     const std::vector<std::uint32_t>& ids) {
     for (const std::uint32_t c : ids) {
@@ -239,7 +242,7 @@ void drop_far_sides(const Bodies& bodies, const Shapes& shapes, Contacts& contac
     }
 }
 
-// Whether the points of `c` lie on the line that another contact with the same normal carries.
+// Whether all points of `c` lie on the line between the two points of another contact with the same normal.
 bool is_covered(const Bodies& bodies, const Contacts& contacts, std::uint32_t line, std::uint32_t c) {
     const ContactInfo &info = contacts.info[c], &over = contacts.info[line];
     const ContactRecord &r = contacts.records[c], &whole = contacts.records[line];
@@ -272,7 +275,7 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
     }
     const double radius = double(bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius);
     tree.build(keys, {radius, radius, radius, 1, 1, 1, 1, 1, 1});
-    std::uint32_t next = 0; // of `lines`
+    std::uint32_t next = 0; // index into `lines`
     for (const std::uint32_t c : ids) {
         const ContactRecord& r = contacts.records[c];
         const int count = contacts.info[c].point_count;
@@ -297,14 +300,14 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
     }
 }
 
-// At the start of the step.
+// The penetration of a contact at the start of the step, m.
 float depth_of(const Contacts& contacts, std::uint32_t contact) {
     const ContactInfo& c = contacts.info[contact];
     const ContactRecord& r = contacts.records[contact];
     return -min_separation(c, r) - (c.touching ? 0 : r.touch_time * r.approach_speed);
 }
 
-// The planes of contacts, the deepest first.
+// Builds the tree of the planes of contacts, which are given deepest first.
 void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow,
                       const std::vector<DepthOfContact>& planes) {
     std::vector<KeyTree<6>::Keys>& keys = narrow.plane_keys;
@@ -315,15 +318,15 @@ void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScra
             math::dot(math::to_double(up), math::to_double(other_surface(bodies, contacts, planes[i].contact, 0)));
         keys.push_back({up.x, up.y, up.z, offset, planes[i].depth, double(i)});
     }
-    // Planes that are as good as the same are split by their order: the order of depths bounds the search, too.
+    // Planes that are nearly the same are split by their order, as the search is bounded by the order of depths, too.
     const double radius = double(bodies.links[std::size_t(contacts.info[planes[0].contact].body_a)].radius);
     const double by_rank = double(flatness) * radius / double(planes.size());
     narrow.plane_tree.build(keys, {radius, radius, radius, 1, 1, by_rank});
 }
 
-// What lies on the ground is sunk into it by some micrometers. A ramp that begins there would be met by its edge, from
-// the side, and stop it. So it is asked how the two meet with the body lifted out of the ground: by the ramp itself, or
-// not in this step, which is false.
+// A body on the ground penetrates it by some micrometers, and would meet the edge of a ramp that begins there from the
+// side, and stop. So this finds how the body and the other shape meet with the body lifted out of the ground: the
+// contact is updated accordingly, or, if they do not meet in this step, the result is false.
 bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
                 const DepthOfContact& ground, float tolerance, float dt) {
     const ContactInfo& c = contacts.info[id];
@@ -343,7 +346,7 @@ bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     return true;
 }
 
-// Drops internal edges among the contacts of one body with what does not move by forces.
+// Drops the internal edges among the contacts of one body with bodies that do not move by forces.
 void drop_internal_edges_of_body(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
                                  const std::vector<std::uint32_t>& ids, float dt) {
     const Bodies& bodies = in.bodies;
@@ -395,7 +398,7 @@ void drop_internal_edges_of_body(const NarrowInput& in, Contacts& contacts, Narr
         if (ground != k && !meets_from(in, contacts, narrow, planes[k].contact, planes[ground], edge.tolerance(), dt))
             drop(k);
     }
-    // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
+    // Just beyond an edge, the contact with the side may be the deeper one because of rounding errors or a slight tilt.
     const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
     for (std::uint32_t k = 0; k + 1 < count; ++k) {
         const auto is_as_deep = [&](float depth) { return depth + slack > planes[k].depth; };
@@ -412,8 +415,8 @@ void drop_internal_edges_of_body(const NarrowInput& in, Contacts& contacts, Narr
 
 } // namespace
 
-// The next step finds it as if for the first time: its face is not preferred once the body is over it, and as it is not
-// solved, its points are not moved along.
+// The next step tests the contact as if for the first time: the face is not preferred once the body is over it, and, as
+// the solver skips the contact, its points are not moved along.
 void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
     narrow.is_internal_edge[c] = 1;
     narrow.any_internal_edges = true;
@@ -466,8 +469,8 @@ void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratc
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
         std::int32_t& last = last_of_body[std::size_t(contacts.info[fixed[k].contact].body_a)];
-        if (last == none) continue;                                                // its body is done
-        if (fixed[last].on_several && contacts.records.has(fixed[last].contact)) { // which its body's others go with
+        if (last == none) continue;                                                // the contacts of this body are done
+        if (fixed[last].on_several && contacts.records.has(fixed[last].contact)) { // records of a body are on one rank
             narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);
             drop_internal_edges_of_body(in, contacts, narrow, narrow.of_body, dt);

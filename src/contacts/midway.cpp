@@ -5,10 +5,10 @@ namespace cairn {
 
 namespace {
 
-constexpr int bodies_per_chunk = 256; // for threads
+constexpr int bodies_per_chunk = 256; // items per chunk of a parallel loop
 
-// Of a rotation by less than a radian, as what turns farther is not looked for in the middle of the step: the sine and
-// the cosine of half of it.
+// The quaternion of a rotation by less than a radian, by series of the sine and the cosine of half of the angle: bodies
+// that rotate farther are not tested in the middle of the step.
 math::Quat turn_by(math::Vec3 rotation) {
     const math::Vec3 half = 0.5f * rotation;
     const float x2 = math::dot(half, half);
@@ -27,7 +27,8 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const std::int32_t b = narrow.moving[std::size_t(k)];
-            if (bodies.links[b].contact_count == 0 || !moves_until_midway(bodies, b)) continue; // nothing it has met
+            if (bodies.links[b].contact_count == 0 || !moves_until_midway(bodies, b))
+                continue; // no contacts, or at rest
             const BodyMotion& m = bodies.motion[b];
             const math::Quat turn = turn_by(time * m.w);
             const math::Vec3 way = time * m.v;

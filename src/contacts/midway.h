@@ -1,4 +1,4 @@
-// Contacts of what touches already: in the middle of the step.
+// Contacts of shapes that already touch are found at the poses that are expected in the middle of the step.
 #pragma once
 
 #include "contacts/contact_update.h"
@@ -8,42 +8,43 @@
 
 namespace cairn {
 
-// s from the start of the step: the mean of the times at which its substeps begin. A contact acts in each of them as it
-// is found once. What rocks moves its place of touch all the time: found at the start, it is late by this, and feeds
-// the motion (tests/physics/rocking_test.cpp).
+// The time, s from the start of the step, at which contacts are found: the mean of the times at which the substeps
+// begin. A contact is found once and acts in each substep. The contact points of a rocking body move all the time: if
+// they are found at the start of the step, they lag by this time and feed energy into the motion
+// (tests/physics/rocking_test.cpp).
 inline float midway_time(int substeps, float dt) { return dt * float(substeps - 1) / float(2 * substeps); }
 
-// What will have moved by less than a micrometer is where it is.
+// Whether a body moves by more than a micrometer until then.
 inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
-    constexpr double still = 2e-6; // m, in the whole step
+    constexpr double still = 2e-6; // m, in the whole step: a body that moves by less counts as being at rest
     return moves(bodies, body) && bodies.ahead[body] - bodies.travel[body] > budget_of(still);
 }
 
-// Poses all shapes of the bodies that move and have met something.
+// Computes the poses in the middle of the step, for all shapes of the moving bodies that have contacts.
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether bodies that touch may be looked for there: one moves, and neither passes the other by more than `farthest`,
-// m. The middle of a step of one substep is its start.
+// Whether the contact of two bodies may be found in the middle of the step: one of them moves, and their relative
+// displacement until then is at most `farthest`, m. With one substep, the middle of the step is its start.
 inline bool may_be_midway(const Bodies& bodies, const ContactInfo& c, float time, float farthest) {
     if (!(time > 0) || c.is_trigger) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
     return math::dot(passing, passing) <= farthest * farthest;
 }
-// Whether something turns far until then.
+// Whether a body rotates by a large angle until the middle of the step.
 inline bool turns_until_midway(math::Vec3 w, float time) {
-    constexpr float small = 0.25f; // rad
+    constexpr float small = 0.25f; // rad, until the middle of the step: rotations up to this keep a contact's normal
     return time * time * math::dot(w, w) > small * small;
 }
-// Whether one of two bodies does, or may be elsewhere by then than its velocities say, as joints lead it. Then only
-// what keeps its normal is asked there.
+// Whether one of the bodies rotates that far, or may not be where its velocities predict because it has joints. Then
+// only contacts that keep their normals are found in the middle of the step.
 inline bool is_led_astray(const Bodies& bodies, const ContactInfo& c, float time) {
     for (const std::int32_t b : {c.body_a, c.body_b})
         if (bodies.links[b].joint_count > 0 || turns_until_midway(bodies.motion[b].w, time)) return true;
     return false;
 }
-// Whether a contact, as it was last found, keeps its normal: that of a face or of two edges, which tilt little.
+// Whether a contact keeps its normal: it was last that of a face or of two edges, and these tilt little.
 inline bool keeps_normal(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const ContactRecord& r,
                          float time) {
     if (!has_own_normal(shapes, c, r)) return false;
@@ -56,8 +57,9 @@ inline bool keeps_normal(const Bodies& bodies, const Shapes& shapes, const Conta
     return true;
 }
 
-// Whether a pair is looked for there: it has met, and does not pass by more than the margin. What slides or rolls on in
-// haste may be over another shape by then. Round on round needs no middle: the solver has its normal in each substep.
+// Whether a pair is tested in the middle of the step: it touches, and its relative displacement until then is within
+// the margin. A shape that slides or rolls fast may be over another shape by then. Pairs of round surfaces need no such
+// test: the solver updates their normal in each substep.
 inline bool is_looked_for_midway(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id,
                                  float time) {
     const ContactInfo& c = contacts.info[id];

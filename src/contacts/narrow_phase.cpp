@@ -28,10 +28,10 @@ using math::to_vec;
 
 namespace {
 
-constexpr int pairs_per_chunk = 512; // for threads
+constexpr int pairs_per_chunk = 512; // items per chunk of a parallel loop
 constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
 
-// A pair that does not overlap yet: what may meet in flight is settled later.
+// Takes the result of a pair that does not overlap yet; pairs that may meet in free flight are settled later.
 [[gnu::noinline]] std::uint8_t take_gap(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow,
                                         std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = narrow.candidates[place];
@@ -42,7 +42,7 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
     return may_fly_by;
 }
 
-// What a test at the start of the step has found is settled at once, but for what may meet in flight.
+// Takes the result of a test at the start of the step. It is final unless the pair may meet in free flight.
 std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
                              std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
     const ContactInfo& c = contacts.info[id];
@@ -51,14 +51,14 @@ std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const Na
     return take_points(in.bodies, in.shapes, contacts, in.islands, id, m, moment_of_start(in.bodies, in.shapes, c));
 }
 
-// Whether points approach so fast that they are asked where they meet: up to the middle of the step they come so much
-// nearer that nothing could be said of them, or they are to bounce.
+// Whether points approach so fast that their time of impact is needed: until the middle of the step they come nearer by
+// more than the margin, or they are to bounce.
 bool meets_before(const NarrowInput& in, const ContactInfo& c, float approach, float time) {
     return approach * time > c.base_margin || (c.bounces && approach > in.settings.restitution_speed);
 }
 
-// Whether a test in the middle of the step has found that the two stay in contact, which is settled then. Where the
-// normal is another one than that of the last step, they may be beyond each other.
+// Whether a test in the middle of the step shows that the shapes stay in contact; if so, its result is final. If the
+// normal has turned by more than 90 degrees since the last step, the shapes may have passed through each other.
 bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
                       std::uint32_t place, const Manifold& m, float margin, float time, float dt) {
     const ContactInfo& c = contacts.info[id];
@@ -70,7 +70,7 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
                         midway_pose(in.bodies, in.shapes, narrow, c.shape_b)))
             return false;
     } else if (least_separation(m) > c.base_margin + (1 - time / dt) * (margin - c.base_margin)) {
-        return false; // at the start it may be farther than what is asked for
+        return false; // at the start of the step the separation may exceed the margin
     }
     if (meets_before(in, c, (margin - c.base_margin) / dt, time) &&
         meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time))
@@ -85,7 +85,7 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
     return true;
 }
 
-// Pairs of one kind, at the start of the step or in its middle.
+// Tests pairs of one kind by its wide kernel, at the start of the step or in its middle.
 class WideTest {
   public:
     WideTest(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, NarrowBatch& own,
@@ -93,7 +93,7 @@ class WideTest {
         : in(in), contacts_(contacts), narrow_(narrow), own_(own), kind_(kind), dt_(dt),
           midway_(midway_time(in.substeps, dt)) {}
 
-    // Up to PairBatch::capacity of them, by their places among all.
+    // Tests up to PairBatch::capacity pairs, given by their places among the candidates.
     void run(const std::uint32_t* places, int count) {
         own_.at_start.clear(), own_.midway.clear();
         for (int i = 0; i < count; ++i) {
@@ -131,7 +131,7 @@ class WideTest {
             for (const std::uint32_t shape : {c.shape_a, c.shape_b}) ask_cache(&in.shapes.geometry[shape]);
     }
 
-    // What has parted by then is tested at the start.
+    // Pairs that have separated by the middle of the step are tested at its start instead.
     void test_midway() {
         const int count = int(own_.midway.size());
         PairBatch& batch = own_.pairs;
@@ -185,7 +185,7 @@ class WideTest {
     const float dt_, midway_;
 };
 
-// A pair that no wide kernel tests. `guess`: the normal of the last step.
+// Tests a pair that has no wide kernel, starting from the normal of the last step.
 void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, std::uint32_t place,
                  NarrowBatch& own, float dt) {
     const std::uint32_t id = narrow.candidates[place];
@@ -216,14 +216,14 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
         drop_what_stays_apart(in, c, c.touching != 0, a, b, dt, m);
         narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
     }
-    if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
+    if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // kept for separated pairs, too
 }
 
 void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, int begin,
                        int end, NarrowBatch& own, float dt) {
     const std::vector<std::uint32_t>& places = narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
-    const int count = int(places.size()); // the next chunk begins at once
+    const int count = int(places.size()); // not `end`: the chunk that begins there is tested next
     const auto contact_at = [&](int i) { return narrow.candidates[places[i]]; };
     for (int i = begin; i < end; ++i) {
         if (i + 2 * ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
@@ -232,7 +232,7 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
     }
 }
 
-// A pair with points whose bodies have moved little since it was tested: the solver has moved its points along.
+// Keeps the contact of a pair whose bodies have moved little since its test: the solver has moved its points along.
 std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     for_each_patch(contacts, id, [&](std::uint32_t contact) {
         ContactInfo& c = contacts.info[contact];
@@ -246,12 +246,13 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
 std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     const bool rests = !c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b);
-    if (rests && bodies.is_dynamic(c.body_a)) // else a trigger and something kinematic
+    if (rests && bodies.is_dynamic(c.body_a)) // otherwise it is a trigger and a kinematic body
         return c.point_count > 0 ? skipped : apart;
     if (!is_placed(bodies, c)) {
         const bool has_points = c.point_count > 0;
-        // What has no points is tested: they may come near each other on the way, the more so the larger they are. So
-        // is what has one point or is round: places move over both surfaces as they roll and rock.
+        // Pairs without points are tested, as points may come near each other on the way, the more so the larger the
+        // shapes are. So are pairs with one point or with round shapes: their points move over both surfaces as they
+        // roll and rock.
         if (has_points && !c.is_round && (is_group(c) || c.point_count > 1) && is_near(bodies, contacts, id))
             return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
@@ -260,13 +261,14 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
     return c.point_count > 0 ? goes_on : apart;
 }
 
-// Likewise, if the other shape holds only what comes from one side.
+// The same for a one-way shape: A passes through it while it has no points and is not beyond it.
 [[gnu::noinline]] std::uint8_t before_one_way_test(const Shapes& shapes, const ContactInfo& c, std::uint8_t outcome) {
     if (c.point_count > 0 || !goes_through(shapes, c)) return outcome;
     return c.touching ? ended : apart;
 }
 
-// What stays apart, as most do, shows without the contact. Without a branch: none could guess.
+// Lists the pairs that may not stay separated. Most do, which Contacts::answers tells without reading the contact. The
+// loop is branch-free, as the branch would be unpredictable.
 void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool) {
     const std::uint32_t* const candidates = narrow.candidates.data();
     const PairAnswer* const pairs = contacts.answers.data();
@@ -288,7 +290,7 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
                   });
 }
 
-// Sorts the open pairs that are to be tested into the lists of their kinds: `counts` are those of each chunk.
+// Sorts the open pairs that are to be tested into the lists of their kinds. `counts`: pairs by kind in each chunk.
 std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts, ThreadPool& thread_pool) {
     KindCounts all{};
     for (KindCounts& chunk : counts)
@@ -326,7 +328,8 @@ std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& con
     narrow.kinds_in_chunk.assign(std::size_t(open / pairs_per_chunk + 1), {});
     std::atomic<bool> any_groups = false;
     thread_pool.for_chunks(open, pairs_per_chunk, [&](int begin, int end, int) {
-        // Outcomes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
+        // Writes of bytes may alias anything, so without local copies the compiler would reload the pointers after
+        // each.
         const std::uint32_t *const places = narrow.open.data(), *const candidates = narrow.candidates.data();
         const ContactInfo* const info = contacts.info.data();
         std::uint8_t* const outcomes = narrow.outcomes.data();
@@ -369,7 +372,8 @@ void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, 
     collect_fresh_patches(narrow);
 }
 
-// What the tests have found: what goes on, as most does, then all else, in the order of the pairs.
+// Applies the outcomes of all tests: first of contacts that merely continue, which are the most, then of all others, in
+// the order of the pairs.
 void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) {
     NarrowScratch& narrow = s.narrow;
     const std::vector<std::uint32_t>& open = narrow.open;
@@ -434,7 +438,7 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
     };
-    // Islands that were woken just now: nothing in them has moved, their records still hold.
+    // Islands that have just been woken: nothing in them has moved, so their records are still valid.
     for (const std::int32_t key : islands.waking)
         broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
             if (contacts.info[id].point_count > 0) push_solved(id);

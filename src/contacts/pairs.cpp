@@ -1,4 +1,3 @@
-// Contacts of pairs whose bounds begin or cease to overlap.
 #include "contacts/pairs.h"
 
 #include "bodies/motion_budget.h"
@@ -22,7 +21,7 @@ float largest_extent(const Geometry& g) {
                                                                                   : g.bounding_radius;
 }
 
-// By PairKind.
+// The two shape types of a wide kernel, and its member of the kernel table; indexed by PairKind.
 struct WideTest {
     ShapeType first, second;
     CollideKernel KernelTable::*kernel;
@@ -45,7 +44,7 @@ float combine_values(float a, float b, CombineRule rule) {
     return 0;
 }
 
-// What a contact has of the sizes of its shapes.
+// Sets what a contact derives from the sizes of its shapes.
 void size_contact(const Shapes& shapes, ContactInfo& c) {
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
     c.base_margin =
@@ -68,7 +67,7 @@ struct Sink final : PairSink {
         : bodies(bodies), shapes(shapes), contacts(contacts), islands(islands), joints(joints), events(events) {}
 
     bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
-        if (a > b) std::swap(a, b); // which is first in the tree depends on all the world
+        if (a > b) std::swap(a, b); // which is first in the tree depends on all bodies of the world
         const std::int32_t body_a = shapes.links[a].body, body_b = shapes.links[b].body;
         if (body_a == body_b) return false;
         const bool a_moves = bodies.is_dynamic(body_a), b_moves = bodies.is_dynamic(body_b);
@@ -76,7 +75,7 @@ struct Sink final : PairSink {
         if (traits_a.is_trigger && traits_b.is_trigger) return false;
         const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !a_moves && !b_moves) return false;
-        // Two that cannot be moved by any force would be pushed in vain.
+        // A contact between two bodies that no force can move would have no effect.
         auto movable = [&](std::int32_t body) {
             const BodyMass& m = bodies.mass[body];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
@@ -87,7 +86,8 @@ struct Sink final : PairSink {
         bool swapped = false;
         const std::optional<PairKind> kind = pair_kind(shapes.geometry[a], shapes.geometry[b], swapped);
         if (!kind) return false;
-        // A is the dynamic one. Where neither is, for a trigger: what is no surface; else the kinematic one.
+        // A is the dynamic body. If neither is (with a trigger), A is the shape that is no surface, or else the
+        // kinematic body.
         const auto goes_behind = [&](std::uint32_t shape, std::int32_t body) {
             return 2 * int(is_surface(shapes.geometry[shape].type)) +
                    int(bodies.settings[body].type == BodyType::static_);
@@ -102,10 +102,10 @@ struct Sink final : PairSink {
         return true;
     }
 
-    // Of two dynamic ones, whether A is the shape `a`. While the bodies pass each other, the place of touch stays with
-    // A (solver.md, Arms that follow the bodies): it does with what is round and slides over a face. Where both are
-    // round it stays with neither: then what turns most easily is A, which is the one that no couple acts on.
-    // `otherwise`: where neither is true.
+    // For two dynamic bodies: whether A is the shape `a`. While the bodies pass each other, the contact point stays
+    // with A (solver.md, Arms that follow the bodies), as it does with a round shape that slides over a face. If both
+    // shapes are round, it stays with neither: then A is the body with the smallest moment of inertia, as no couple
+    // acts on A. `otherwise`: the result if neither rule decides.
     bool goes_first(std::uint32_t a, std::uint32_t b, bool otherwise) const {
         const auto is_round = [&](std::uint32_t shape) {
             const Geometry& g = shapes.geometry[shape];
@@ -156,7 +156,7 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
     if (swapped) std::swap(a, b);
     if (is_surface(a) && is_surface(b)) return std::nullopt;
     if (b >= ShapeType::mesh) return PairKind::group;
-    if (is_surface(a)) { // planes come before the newer convex shapes
+    if (is_surface(a)) { // plane types precede the newer convex types in the enum
         swapped = !swapped;
         std::swap(a, b);
     }
@@ -255,7 +255,7 @@ void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& i
     flush_sleep(bodies, shapes, islands, broad_phase);
     Sink sink(bodies, shapes, contacts, islands, joints, events);
     broad_phase.update(sink, thread_pool);
-    if (!bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
+    if (!bodies.dead.empty()) // dead slots will be reused, and a new body must not be listed twice
         std::erase_if(bodies.pushed, [&](std::int32_t b) { return !bodies.slots.is_live(std::uint32_t(b)); });
     for (const std::uint32_t i : shapes.dead) shapes.slots.recycle(i);
     for (const std::uint32_t i : bodies.dead) bodies.slots.recycle(i);

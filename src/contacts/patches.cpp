@@ -1,4 +1,3 @@
-// Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
 #include "contacts/patches.h"
 
 #include "bodies/motion_budget.h"
@@ -24,12 +23,12 @@ using math::to_vec;
 
 namespace {
 
-constexpr float same_patch = 0.9f;      // cosine: normals that turn by less from one step to the next are one patch
-constexpr float looked_ahead_steps = 3; // for what is apart
+constexpr float same_patch = 0.9f;      // cosine: one patch may turn by up to this angle per step
+constexpr float looked_ahead_steps = 3; // steps, for separated pairs
 constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 
-// The patch of the group whose last normal was nearest to that of the manifold, among those of the same material that
-// have not yet been found.
+// The patch of a mesh contact whose last normal was nearest to that of the manifold, among the patches with the same
+// material that no other manifold has matched yet.
 std::int32_t matching_patch(const Contacts& contacts, const NarrowScratch& narrow, const ContactInfo& group,
                             const Manifold& m) {
     std::int32_t best = none;
@@ -43,14 +42,15 @@ std::int32_t matching_patch(const Contacts& contacts, const NarrowScratch& narro
     return best;
 }
 
-// How far to look for triangles. What is apart is left alone as long as nothing in that reach can be met: it is looked
-// for as far as the bodies come in some steps, which costs less than looking in each.
+// How far to search for triangles, m. A separated pair is not tested as long as its bodies travel no farther than that:
+// searching as far as they come in several steps costs less than searching in each step.
 float reach_of(const ContactInfo& group, float margin) {
     if (group.point_count > 0) return margin;
     return margin + looked_ahead_steps * std::max(margin - group.base_margin, 0.0f);
 }
 
-// Finds the patches of a group at the start of the step; how far they are apart at least if there are none.
+// Finds the patches of a mesh contact at the start of the step; returns a lower bound of the distance if there are
+// none.
 float find_at_start(const NarrowInput& in, const Contacts& contacts, const NarrowScratch& narrow,
                     const ContactInfo& group, float dt, NarrowBatch& own) {
     const float margin = contact_margin(in.bodies, narrow, group, dt);
@@ -61,14 +61,14 @@ float find_at_start(const NarrowInput& in, const Contacts& contacts, const Narro
     return distance;
 }
 
-// The triangles that a patch is of.
+// Lists the triangles of a patch.
 void list_triangles(const SurfaceScratch& surface, std::size_t patch, std::vector<std::uint32_t>& triangles) {
     triangles.clear();
     for (const std::uint32_t k : surface.order)
         if (surface.hits[k].patch == patch) triangles.push_back(surface.hits[k].triangle);
 }
 
-// Of the patches at a touch, the deepest with one of these triangles.
+// The deepest patch at a touch that has one of these triangles.
 const Manifold* deepest_of(const SurfaceScratch& surface, const std::vector<Manifold>& hits,
                            const std::vector<std::uint32_t>& triangles) {
     for (const std::uint32_t k : surface.order) {
@@ -79,8 +79,8 @@ const Manifold* deepest_of(const SurfaceScratch& surface, const std::vector<Mani
     return nullptr;
 }
 
-// Of a patch that moves far, in place of what was found of it at the start of the step: that of the touch of its
-// triangles, or of where they are nearest. Those of others, which may touch already, are asked for themselves.
+// For a patch that moves far: replaces its manifold at the start of the step by the one where its triangles touch or
+// are nearest. Other triangles, which may touch already, are handled with their own patches.
 Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t patch, float margin, float dt,
                     NarrowBatch& own, Manifold& hit, Touch& touch) {
     list_triangles(own.surface, patch, own.triangles);
@@ -96,7 +96,7 @@ Approach look_ahead(const NarrowInput& in, const ContactInfo& group, std::size_t
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                  margin, own.surface_at_touch, own.hits_at_touch);
     const Manifold* const found = deepest_of(own.surface_at_touch, own.hits_at_touch, own.triangles);
-    if (!found) return Approach::passes; // the edge between it and a deeper one
+    if (!found) return Approach::passes; // its triangles are edges of a deeper patch
     hit = *found;
     return approach;
 }
@@ -117,7 +117,7 @@ std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32
     return id;
 }
 
-// What has been found of a group at that place among the candidates, `own.hits`, becomes patches.
+// Turns the manifolds `own.hits` of the mesh contact at that place among the candidates into patches.
 void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt) {
     const std::uint32_t id = narrow.candidates[place];
@@ -147,9 +147,9 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     if (order == 0 && group.related == none) narrow.outcomes[place] = take_distance(in.bodies, contacts, id, 0);
 }
 
-// Whether it goes on as at the start until it is in the middle of the step, where it touches what it touches now and
-// nothing else: its patches are settled then. It passes by not more than half of its smallest half width, so that it is
-// in what it meets until then, but not beyond.
+// Whether a pair continues until the middle of the step with the same patches: there it touches what it touches now,
+// and nothing else; if so, its patches are updated from there. The relative displacement until then is at most half of
+// the smallest half width of A, so that A may be in a shape that it meets until then, but not beyond it.
 bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
                         NarrowBatch& own, float dt) {
     const ContactInfo& group = contacts.info[id];
@@ -215,7 +215,7 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     take_group(in, contacts, narrow, place, own, dt);
 }
 
-// On a rank that does not own it, what the owner has told is all there is.
+// Writes a new patch. A rank that does not own it knows only what the owner has reported.
 std::uint8_t take_fresh_patch(const FollowUpContext& s, std::uint32_t patch, const FreshPatch& fresh) {
     if (s.contacts.records.has(patch))
         return take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
@@ -289,7 +289,7 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
         const std::uint32_t patch = create_patch(s.shapes, s.contacts, id, surface_material_of(fresh.manifold));
         follow_up(s, patch, take_fresh_patch(s, patch, fresh), dt);
         if (s.contacts.info[patch].point_count > 0) continue;
-        end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
+        end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // not begun, as its body sleeps
         drop_answer(s.bodies, s.contacts, id);
     }
     s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;

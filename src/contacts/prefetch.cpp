@@ -18,7 +18,7 @@ void prefetch_pair(const Bodies& bodies, const Shapes& shapes, const Contacts& c
         ask_cache(&bodies.motion[body].v);
         ask_cache(&bodies.links[body].radius);
     }
-    prefetch_record(contacts, id); // all of it: another thread may be about to say how many points there are
+    prefetch_record(contacts, id); // the whole record: another thread may be about to change the number of points
 }
 
 void prefetch_patch(const Contacts& contacts, std::uint32_t id, int n, bool with_record) {

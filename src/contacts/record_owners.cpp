@@ -7,10 +7,10 @@ namespace cairn {
 
 namespace {
 
-// Contacts whose records come from, or go to, each rank.
+// Contacts whose records are sent to, or received from, each rank.
 using Lists = std::vector<std::vector<std::uint32_t>>;
 
-// Those that this rank sends and receives, in the order of the contacts: all find the same.
+// Lists the records that this rank sends and receives, ordered by contact, so that sender and receiver agree.
 void list_moves(const Contacts& contacts, const std::vector<std::int32_t>& owners, int rank, Lists& sent,
                 Lists& received) {
     for (std::uint32_t id = 0; id < contacts.info.size(); ++id) {

@@ -1,5 +1,5 @@
-// Contact records on several ranks: each has those of its own bodies (state/contact_records.h). All of this is done by
-// all ranks together.
+// Contact records on several ranks: each rank has those of its own bodies (state/contact_records.h). All ranks call
+// these functions together.
 #pragma once
 
 #include "state/state.h"
@@ -11,13 +11,13 @@
 
 namespace cairn {
 
-// The owner of a contact: of its body A.
+// The owner of a contact: that of its body A.
 inline std::int32_t owner_of(const Contacts& contacts, std::uint32_t contact) {
     return contacts.owners[contacts.info[contact].body_a];
 }
 
-// Fills in a list that all ranks have with the same elements: each of them is told by its owner. `begin(element)`
-// writes what this rank knows of it, and returns its owner; every_rank: all know it.
+// Completes a list that has the same elements on all ranks: the owner of each element broadcasts it. `begin(element)`
+// writes what this rank knows of the element, and returns its owner; every_rank: all ranks know it.
 template <class T, class F> void exchange_of_owners(std::vector<T>& list, Communicator& ranks, F&& begin) {
     std::vector<std::vector<std::size_t>> places(std::size_t(ranks.size())); // in the list, by owner
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -33,18 +33,18 @@ template <class T, class F> void exchange_of_owners(std::vector<T>& list, Commun
     }
 }
 
-// The normal of its record, for all ranks; null: this process alone.
+// The normal in a contact's record, on all ranks; `ranks` null: this process alone.
 math::Vec3 normal_of(const Contacts& contacts, std::uint32_t contact, Communicator* ranks);
 
-// Those of many at once.
+// The normals of many contacts at once.
 void find_normals(const Contacts& contacts, std::vector<ContactNormal>& list, Communicator* ranks);
 
-// Gives bodies to other ranks; the records of their contacts go with them. `owners`: of all bodies.
+// Gives bodies to other ranks, and sends along the records of their contacts. `owners`: of all bodies.
 void change_owners(Contacts& contacts, const std::vector<std::int32_t>& owners, Communicator& ranks);
 
-// All ranks get all records, for a snapshot or to be asked about. They keep them until the next step.
+// Gives all ranks all records, for a snapshot or for queries. They keep these until the next step.
 void gather_records(Contacts& contacts, Communicator& ranks);
-// Before a step: each keeps its own alone again.
+// Before a step: each rank keeps the records of its own bodies alone.
 void leave_records_to_owners(Contacts& contacts);
 
 } // namespace cairn

@@ -12,16 +12,16 @@ using math::to_vec;
 
 namespace {
 
-constexpr float squared_rounding = 1e-10f; // of a unit vector that is computed twice
+constexpr float squared_rounding = 1e-10f; // of the difference of a unit vector that is computed twice, squared
 
-// Whether a normal is that of an end of a cylinder, which a tapered one has beside its side.
+// Whether a normal is that of a flat end of a cylinder, rather than that of its side, tapered or not.
 bool is_end(const ShapePose& pose, math::Vec3 normal) {
     const math::Vec3 around = math::cross(axis_of(pose, 1), normal);
     return math::dot(around, around) < squared_rounding;
 }
 
-// Whether a surface is round about a point where it is met with that normal, or about an axis: 0, its direction;
-// nothing if about neither, or if that is not followed.
+// The axis that a surface is round about where it is touched with that normal, or 0 if it is round about a point;
+// nothing if it is neither, or if the solver does not track it.
 std::optional<math::Vec3> round_about(const Geometry& g, const ShapePose& pose, math::Vec3 outwards) {
     if (g.type == ShapeType::sphere) return math::Vec3{};
     const bool is_straight = g.size.x == g.size.z && g.rounding == 0;
@@ -63,7 +63,7 @@ bool has_corners(const Geometry& g) {
 TouchingFace touching_face(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal,
                            const ShapePose& pose_a, const ShapePose& pose_b) {
     const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
-    // Hulls on hulls keep their places, as boxes on boxes do, which are never asked.
+    // Points of hulls on hulls stay in place, as those of boxes on boxes do, which never get here.
     const bool is_smooth = !has_corners(a) || !has_corners(b);
     const auto by_face = [&](bool second) { return is_smooth && touches_by_face(c.kind, m, second); };
     if (is_flat(a, pose_a, normal) || by_face(c.flipped)) return TouchingFace::of_a;
@@ -108,7 +108,7 @@ RoundPair round_pair(const Geometry& a, const ShapePose& pose_a, const Geometry&
     const std::optional<math::Vec3> about_a = round_about(a, pose_a, normal), about_b = round_about(b, pose_b, -normal);
     if (!about_a || !about_b) return {};
     const bool axis_a = *about_a != math::Vec3{}, axis_b = *about_b != math::Vec3{};
-    if (axis_a && axis_b) return {}; // then the normal is across both axes, and turns with those alone
+    if (axis_a && axis_b) return {}; // the normal is perpendicular to both axes and rotates with these alone
     if (axis_a) return {round_about_axis_of_a, *about_a};
     return {axis_b ? round_about_axis_of_b : round_about_points, *about_b};
 }
@@ -119,7 +119,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool tou
         return g.type == ShapeType::cylinder || g.type == ShapeType::capsule;
     };
     if (m.count < 2 || (!is_round(a.geometry) && !is_round(b.geometry))) return;
-    // How something lies that falls, and has not met this yet, is not known.
+    // The pose in which a falling body that touches nothing else will land is not known.
     if (!touches && in.bodies.links[c.body_a].contact_count <= (c.point_count > 0 ? 1 : 0)) return;
     const BodyMotion &motion_a = in.bodies.motion[c.body_a], &motion_b = in.bodies.motion[c.body_b];
     const math::Vec3 n = to_vec(m.normal),
@@ -136,7 +136,8 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool tou
     const math::Vec3 arm_a = a.arm + bearing, arm_b = arm_a + math::to_float(motion_a.x - motion_b.x);
     const float approach =
         math::dot(n, (motion_a.v + math::cross(w_a, arm_a)) - (motion_b.v + math::cross(w_b, arm_b)));
-    // What meets something by one end comes down with the other faster than it meets it: a rod at 1.5 times that.
+    // A body that meets another by one end rotates so that its other end comes down faster than the approach: for a
+    // rod, 1.5 times as fast.
     const float tipping = touches ? 0.0f : 2 * dt * std::max(approach, 0.0f), least = m.points[lowest][3];
     for (int i = 0; i < m.count; ++i) {
         const math::Vec3 beside = to_vec(m.points[i]) - bearing;

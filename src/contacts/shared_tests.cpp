@@ -14,7 +14,7 @@ namespace cairn {
 
 namespace {
 
-// Bytes of one rank for all.
+// The bytes that one rank broadcasts to all.
 class Stream {
   public:
     template <class T> void put(const T& value) {
@@ -41,13 +41,13 @@ class Stream {
     std::size_t next_ = 0;
 };
 
-// The first byte of what is told of a contact; of most it is the only one. An Outcome, how many points it has, and
-// whether it was tested where its bodies are, and is not known to stay apart.
+// Layout of the first byte sent for a contact, usually the only one: bits of its Outcome. The number of points follows,
+// and a flag: the pair was tested at the present poses, and may touch from now on.
 constexpr std::uint8_t outcome_bits = 15, points_shift = 4, is_open = 128;
 static_assert(to_test <= outcome_bits);
 
-// What a test has found, from the rank that made it to the others. Both go through pairs, patches and members in the
-// same order.
+// Sends test results from the rank that made them to the others. TestTeller and TestHearer visit pairs, patches and
+// members in the same order.
 class TestTeller {
   public:
     TestTeller(const NarrowInput& in, const FollowUpContext& context, Stream& stream, float dt)
@@ -71,7 +71,7 @@ class TestTeller {
         if (!is_of_now) stream_.put(c.placed_at), stream_.put(until);
         if (outcome == begun) stream_.put(how_it_begins(s.contacts, id, dt_));
     }
-    // Patches that the group gets when all is followed up: as if they had their contacts already.
+    // Sends the new patches that the mesh contact will get in follow_up_group, as if they had contacts already.
     void tell_fresh(std::uint32_t place, std::uint32_t group) {
         const auto is_before = [](const FreshPatch& fresh, std::uint32_t place) { return fresh.place < place; };
         auto fresh = std::lower_bound(s.narrow.fresh.begin(), s.narrow.fresh.end(), place, is_before);

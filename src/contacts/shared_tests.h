@@ -1,6 +1,7 @@
-// The narrow phase on several ranks. A pair is tested where its record is (contacts/record_owners.h), and the others
-// are told what else came of it: whether its contact begins, goes on or ends, how many points it has, until when it
-// stays apart. With that, all ranks do the same to islands, colors, sleep and events.
+// The narrow phase on several ranks. A pair is tested by the rank that has its record (contacts/record_owners.h). That
+// rank sends the rest of the result to the others: whether the contact begins, continues or ends, its number of points,
+// and up to which travel it stays separated. With that, all ranks change islands, graph colors, sleep and events in the
+// same way.
 #pragma once
 
 #include "contacts/contexts.h"
@@ -9,19 +10,19 @@
 
 namespace cairn {
 
-// Of the pairs that are to be tested, NarrowScratch::shared gets those that one rank alone tests; the lists by kind
-// keep those of this rank.
+// Lists in NarrowScratch::shared the pairs to test that a single rank tests; the lists by kind keep the pairs of this
+// rank.
 void leave_pairs_to_owners(const Contacts& contacts, NarrowScratch& narrow);
 
-// The pairs at those places, each of which one rank has tested.
+// Exchanges the results of the pairs at those places, each of which one rank has tested.
 void exchange_tests(const NarrowInput& in, const FollowUpContext& context, std::span<const std::uint32_t> places,
                     float dt);
 
-// Internal edges, NarrowScratch::dropped, and what was found anew, NarrowScratch::lifted, which each rank has found
-// among the contacts of its bodies.
+// Exchanges NarrowScratch::dropped (internal edges) and NarrowScratch::lifted (contacts found anew), which each rank
+// has found among the contacts of its bodies.
 void exchange_internal_edges(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, Communicator& ranks);
 
-// After the solver: NarrowScratch::touches, of the contacts that begin to touch, in the order of
+// After the solver: exchanges NarrowScratch::touches, for the contacts that begin to touch, in the order of
 // NarrowScratch::changes.
 const TouchPoint* exchange_touches(const Contacts& contacts, const SolverScratch& solver, NarrowScratch& narrow,
                                    Communicator& ranks);

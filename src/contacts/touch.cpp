@@ -22,17 +22,19 @@ using math::DVec3;
 
 namespace {
 
-// The last substep looks ahead at the next one as well.
+// s: the time that contacts of this step must cover. The last substep looks ahead at the next one as well.
 float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.substeps)); }
 
-// By joints, which let it go elsewhere than its velocities say: less so what is fast, and what passes.
+// Whether joints constrain a body, so that it does not move exactly as its velocities predict: less so if it is fast,
+// or passes the other body.
 bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].joint_count > 0; }
 
-// What is led goes about the point at which it is held by what is heaviest, if that is at least as heavy as itself: a
-// door about its hinge, a shin about the knee. What is heavier goes as if nothing hung on it.
+// A jointed body is expected to rotate about the anchor of the joint to its heaviest neighbor, provided that this
+// neighbor is at least as heavy as the body: a door rotates about its hinge, a shin about the knee. A heavier body is
+// expected to move as if it had no joints.
 struct Lead {
-    std::int32_t body; // `none` if it is the world
-    DVec3 arm;         // of the point from the center of mass, in the body's frame
+    std::int32_t body; // the neighbor; `none`: the world
+    DVec3 arm;         // of the anchor from the center of mass, in the body's frame
 };
 std::optional<Lead> lead_of(const NarrowInput& in, std::int32_t b) {
     const auto weight_of = [&](std::int32_t body) {
@@ -52,19 +54,19 @@ std::optional<Lead> lead_of(const NarrowInput& in, std::int32_t b) {
     return lead;
 }
 
-// The way of a body, of which a point goes straight on: of what is free, its center of mass.
+// The expected path of a body, of which one point moves in a straight line: for a free body, its center of mass.
 struct ExpectedPath {
-    DVec3 point; // from the center of mass, in the body's frame
+    DVec3 point; // m from the center of mass, in the body's frame
     RigidPath path;
-    // Of the center of mass.
+    // The pose with the position of the center of mass.
     RigidPath::Pose at(double time) const {
         const RigidPath::Pose there = path.at(time);
         return {there.x - math::rotate(there.q, point), there.q};
     }
 };
 
-// As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
-// from that of the world.
+// The path that velocities and forces predict. Forces act in substeps, which is close enough to continuously. Positions
+// are relative to `origin`, for precision far from the world's origin.
 ExpectedPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, float dt) {
     const Bodies& bodies = in.bodies;
     const BodyMotion& m = bodies.motion[b];
@@ -93,7 +95,7 @@ struct PosedBody {
     math::Vec3 arm;
     ShapePose pose;
 };
-// `from`: where the body is, as seen from the origin of the path.
+// `from`: the position of the body relative to the origin of the path.
 PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const ExpectedPath& way, DVec3 from,
                    double time) {
     const RigidPath::Pose body = way.at(time);
@@ -105,7 +107,8 @@ PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t sha
     return p;
 }
 
-// With all points that may come to touch in the rest of the step: `margin`. `normal`: from A to B, where they touch.
+// The manifold at given poses. `margin`: up to which points may come to touch in the rest of the step. `normal`: from A
+// to B at the touch.
 Manifold manifold_at(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
                      DVec3 normal, float margin) {
     const PosedShape a{shapes.geometry[c.shape_a], shapes.data[c.shape_a], at_a.pose, at_a.arm};
@@ -114,11 +117,12 @@ Manifold manifold_at(const Shapes& shapes, const ContactInfo& c, const PosedBody
     return c.flipped ? test_posed_pair(c.kind, b, a, -n, margin) : test_posed_pair(c.kind, a, b, n, margin);
 }
 
-// Where two are nearest on their way, nothing approaches along the normal. It was found to a part of their distance,
-// which is not enough for what goes on for meters in the step.
+// Removes the part of a normal along the relative velocity: where two shapes are nearest on their paths, nothing
+// approaches along the normal. The normal's precision is a share of the distance, not enough for shapes that move on
+// for meters within the step.
 DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
     const double square = math::dot(velocity, velocity), along = math::dot(normal, velocity);
-    if (!(square > 0) || !(along * along < 0.01 * square)) return normal; // at an end of the way
+    if (!(square > 0) || !(along * along < 0.01 * square)) return normal; // nearest at an end of the paths
     const DVec3 clear = normal - (along / square) * velocity;
     return (1 / math::length(clear)) * clear;
 }
@@ -157,7 +161,7 @@ Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const Conta
     return m;
 }
 
-// Of a pair, seen from A.
+// The expected paths of a pair, relative to A.
 class ExpectedWays {
   public:
     ExpectedWays(const NarrowInput& in, const ContactInfo& c, float dt, DVec3 lift = {})
@@ -167,7 +171,7 @@ class ExpectedWays {
     SweptShape of_a() const { return swept(in.bodies, in.shapes, c_.shape_a, a_); }
     SweptShape of_b() const { return swept(in.bodies, in.shapes, c_.shape_b, b_); }
 
-    // What was found of them. Of what touches, the manifold is left out.
+    // Evaluates what the search has found. For shapes that touch, the manifold is left out.
     Approach take(const Nearness& found, Touch& touch) const {
         if (!(found.distance <= double(c_.base_margin))) return Approach::passes;
         touch.is_beside = found.distance > 0;
@@ -198,13 +202,14 @@ class ExpectedWays {
     const ContactInfo& c_;
     const float dt_;
     const ExpectedPath a_, b_;
-    const DVec3 from_a_, from_b_; // where the bodies are
+    const DVec3 from_a_, from_b_; // the positions of the bodies at the start of the step
 };
 
-// Whether the two are nearest within the way. At an end of it they may touch all the same once A is lowered again.
+// Whether two shapes are nearest within their paths. If at an end of these, they may touch all the same once A is
+// lowered.
 bool passes_within(const Nearness& found) { return found.distance > 0 && found.time > 0 && found.time < 1; }
 
-// Of what was found with A displaced by `lift`: as far apart as it is without.
+// Converts the separations of a manifold found with A displaced by `lift` to those without the displacement.
 void lower(const ContactInfo& c, DVec3 lift, Manifold& m) {
     const math::Vec3 normal = math::to_vec(m.normal);
     const float nearer = math::dot(c.flipped ? -normal : normal, math::to_float(lift));
@@ -223,7 +228,7 @@ double half_width_between(const Shapes& shapes, const ContactInfo& c) {
 bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
     bool any_led = false;
-    float turn = 0, unknown = 0; // rad/s: of both; of those whose surfaces it takes to where it is not told
+    float turn = 0, unknown = 0; // rad/s: of both bodies; of those whose rotation moves their surfaces
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         any_led = any_led || is_led(in.bodies, b);
         const float own = math::length(in.bodies.motion[b].w);
@@ -246,7 +251,7 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
         const float closing = -math::dot(n, v);
         if (!(closing * horizon > separation)) continue;
         const float time = separation / closing;
-        // As far as what counts as touching they may slide along each other until then: a face may end there.
+        // Sliding up to the tolerance for touching is allowed before the touch: a face may end farther on.
         const float speed = math::length(v + closing * n) + turn * size;
         if (any_led && horizon * speed <= c.base_margin) continue;
         if (time * speed > float(touch_tolerance(half_width_between(in.shapes, c)))) return true;
@@ -291,7 +296,7 @@ Approach find_lifted_touch(const NarrowInput& in, const ContactInfo& group, DVec
         find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                      margin, own.surface, own.hits);
         if (own.hits.empty()) return Approach::passes;
-        touch.manifold = own.hits.front(); // the deepest
+        touch.manifold = own.hits.front(); // the deepest one
     }
     lower(group, lift, touch.manifold);
     return approach;

@@ -1,7 +1,7 @@
-// Graph coloring of contacts: no two contacts of one color share a moving body, so 8 of them can be solved side by
+// Graph coloring of contacts: no two contacts of one color share a moving body, so that 8 of them can be solved side by
 // side. A contact gets its color in the step in which it begins, the lowest that is free at both bodies, and keeps it
-// (docs/decisions/colors.md). Contacts with bodies that do not move have colors of their own, solved last, so that what
-// stands on the ground has the last word. What finds no free color is solved first, one by one.
+// (docs/decisions/colors.md). Contacts with bodies that do not move have colors of their own, which are solved last, so
+// that no later contact undoes what the ground requires. Contacts without a free color are solved first, one by one.
 #pragma once
 
 #include "state/state.h"
@@ -10,7 +10,7 @@ namespace cairn {
 
 inline constexpr int first_fixed_color = 40, overflow_color = 63, no_color = 255;
 
-// The contact is to be solved.
+// Counts a contact that begins to be solved at its bodies.
 inline void count_contact(Bodies& bodies, const ContactInfo& contact) {
     ++bodies.links[contact.body_a].contact_count;
     ++bodies.links[contact.body_b].contact_count;
@@ -29,7 +29,7 @@ inline void assign_color(Bodies& bodies, ContactInfo& contact) {
     if (contact.b_moves) bodies.links[contact.body_b].colors |= bit;
 }
 
-// The contact is no longer to be solved.
+// Removes a contact that ceases to be solved from its bodies' counts, and frees its color.
 inline void release_contact(Bodies& bodies, ContactInfo& contact) {
     --bodies.links[contact.body_a].contact_count;
     --bodies.links[contact.body_b].contact_count;

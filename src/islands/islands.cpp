@@ -29,7 +29,7 @@ std::int32_t new_island(Islands& islands) {
     return i;
 }
 
-// Takes an island out of the list of awake ones.
+// Removes an island from the list of awake ones.
 void leave_awake_list(Islands& islands, std::int32_t i) {
     Island& island = islands.all[i];
     const std::int32_t last = islands.awake.back();
@@ -90,7 +90,7 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
 
 void split_island(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
                   const std::vector<std::uint32_t>& solved, SolverScratch& solver, std::int32_t i) {
-    // Number the bodies in list order; the root of a part is its first body.
+    // Number the bodies in list order; a part's root in the union-find forest is its first body.
     std::vector<std::int32_t> members, parent;
     std::vector<std::int32_t>& number = solver.member_numbers;
     number.resize(bodies.links.size());
@@ -144,11 +144,11 @@ void measure_rest(const Bodies& bodies, Islands& islands, std::int32_t i) {
     island.greatest_quiet_time = greatest;
 }
 
-// What gains speed steadily will not stay where it is, however slow it is yet: with e = v^2 / 2 the energy of a
-// kilogram, de/dt = v dv/dt. The whole of an island is asked: its parts may sway for long before they come to rest. Not
-// its momentum: that of a wheel, and of two bodies on one rope, is zero.
+// Whether an island gains speed steadily: then it will not stay in place, however slow it still is. With the kinetic
+// energy per mass e = v^2 / 2, de/dt = v dv/dt. The sums are over the whole island, as its parts may sway long before
+// they come to rest. Momentum is no measure: that of a wheel, or of two bodies on one rope, is zero.
 bool gains_speed(const Bodies& bodies, const WorldDef& settings, const Island& island) {
-    constexpr float steady_gain = 0.25f; // of the sleep speed, in a sleep time
+    constexpr float steady_gain = 0.25f; // gain of speed per sleep time, as a share of the sleep speed
     float gain = 0, momentum = 0;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         const BodyLinks& links = bodies.links[b];

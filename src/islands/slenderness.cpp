@@ -12,9 +12,9 @@ namespace {
 using math::DSym3;
 using math::DVec3;
 
-constexpr double slow_fall = 2;  // s: for a factor of e
-constexpr double safety = 1.3;   // at the very limit, what leans does not come back
-constexpr double of_outline = 3; // second moments of the outline of a box, over those of its inside
+constexpr double slow_fall = 2;  // s: a tilt may grow by a factor of e in this time
+constexpr double safety = 1.3;   // factor: exactly at the limit, a tilted column does not return
+constexpr double of_outline = 3; // second moment of a box's outline / that of its inside
 
 DSym3 scaled(double s, const DSym3& m) { return {s * m.xx, s * m.xy, s * m.xz, s * m.yy, s * m.yz, s * m.zz}; }
 DSym3 diagonal(double d) { return {d, 0, 0, d, 0, d}; }
@@ -27,7 +27,7 @@ DSym3 own_moments(const BodyMass& mass, const BodyMotion& motion) {
     return scaled(1 / double(mass.mass), diagonal(0.5 * (i.xx + i.yy + i.zz)) + scaled(-1, i));
 }
 
-// Of a symmetric matrix in the plane across a direction: the lesser of its principal values.
+// The lesser principal value of a symmetric matrix in the plane perpendicular to a direction.
 double least_across(const DSym3& m, DVec3 direction) {
     const DVec3 some = std::fabs(direction.x) < 0.6 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
     const DVec3 e = math::normalized(math::cross(direction, some)), f = math::cross(direction, e);
@@ -37,10 +37,11 @@ double least_across(const DSym3& m, DVec3 direction) {
 
 DVec3 up_of(const Extent& extent) { return (-1 / math::length(extent.pull)) * extent.pull; }
 
-// How an island reaches along the pull. `upward`: the moments of a body about its center in the mean.
+// The extent of an island along the pull of gravity. `upward`: the mean second moments of its bodies about their
+// centers.
 struct Height {
     DVec3 middle;
-    DSym3 places; // second moments of the places of its bodies
+    DSym3 places; // second moments of the positions of its bodies
     double all;
 };
 Height height_of(const Extent& extent, const DSym3& upward, DVec3 up) {
@@ -50,15 +51,15 @@ Height height_of(const Extent& extent, const DSym3& upward, DVec3 up) {
     return h;
 }
 
-// `own`, `upward`: the moments of a body about its center in the mean, of which follow how far it reaches across and
-// how far contacts are apart; how far it reaches along the pull. `held`: by contacts from the sides, m^2.
+// How far contacts may sink, m. `own`, `upward`: mean second moments of the bodies about their centers; `own` gives
+// their width and the distance of contacts, `upward` the height. `held`: the support by contacts from the sides, m^2.
 float sinking_of(const Extent& extent, const DSym3& own, const DSym3& upward, const DSym3& held) {
     const double pull = math::length(extent.pull);
     if (!(pull > 0)) return nothing_can_buckle;
     const DVec3 up = up_of(extent);
     const Height height = height_of(extent, upward, up);
     const double center = math::dot(up, (1 / extent.mass) * extent.moment - height.middle) + 0.5 * height.all;
-    // A rod that stands on one end falls by a factor of e in sqrt(2 H / 3 g).
+    // The tilt of a rod that stands on one end grows by a factor of e in sqrt(2 H / 3 g).
     const double fall = height.all * extent.mass / (1.5 * pull), needed = 1 - fall / (slow_fall * slow_fall);
     if (!(height.all > 0 && center > 0 && needed > 0)) return nothing_can_buckle;
     constexpr double euler = 3.14159265358979 * 3.14159265358979 / 4, greenhill = 3.92;
@@ -100,7 +101,7 @@ StandingColumn column_of(const Bodies& bodies, const Island& island, const BodyW
         add_to_extent(column.extent, bodies.mass[b], bodies.motion[b], column.origin, weights.pull(b));
         column.own = column.own + own_moments(bodies.mass[b], bodies.motion[b]);
     }
-    if (!(math::length(column.extent.pull) > 0)) return column; // nor if there is no body
+    if (!(math::length(column.extent.pull) > 0)) return column; // also if there is no body
     column.own = scaled(1 / column.extent.count, column.own);
     column.up = up_of(column.extent);
     const Height height = height_of(column.extent, column.own, column.up);

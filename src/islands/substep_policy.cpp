@@ -11,14 +11,15 @@ namespace cairn {
 namespace {
 
 constexpr int max_adaptive_substeps = 128;
-constexpr int joint_substeps = 11; // in the usual step, at least, where joints are
-// The share of the island's weight on one contact from which on that contact is all that counts. A smaller one counts
-// in proportion: what is squeezed somewhere in a heap is no structure.
+constexpr int joint_substeps = 11; // at least so many per usual step in islands with joints
+// The share of an island's weight on one contact from which on that contact alone decides. A smaller share counts in
+// proportion: bodies squeezed somewhere in a heap are no structure.
 constexpr float full_share = 1.0f / 3;
-// s^2: under gravity of the earth the usual six substeps are enough for what is 10 cm wide.
+// s^2, factor of g / w: under earth's gravity, the usual six substeps are enough for bodies that are 10 cm wide.
 constexpr float by_width = 0.36f;
 
-// Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
+// Rounds up to a multiple of 8, so that more islands have the same number and can be solved together; numbers up to 12
+// to a multiple of 4, and up to 4 to a whole number, as they would grow by more than half.
 int rounded_up(float wanted) {
     if (wanted <= 4) return int(std::ceil(wanted));
     const int unit = wanted <= 12 ? 4 : 8;
@@ -32,7 +33,7 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt) 
     if (!settings.adaptive_substeps) return own;
     const int usual = load.has_joints ? std::max(own, substeps_in(dt, joint_substeps)) : own;
     const float weight = std::min(load.share / full_share, 1.0f);
-    // The stiffness that so many substeps give: softness.h.
+    // The contact stiffness that a number of substeps gives: see softness.h.
     const float periods = std::sqrt(load.demand / load.stable_sinking) * usual_step / (2 * 3.14159265f);
     const float so_as_to_stand = (periods > 1 ? max_substeps_per_period : min_substeps_per_period) * periods;
     const float for_its_size = std::sqrt(by_width * load.pull_by_width);
@@ -46,7 +47,7 @@ IslandLoad load_of(const Island& island) {
 }
 
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt) {
-    if (load.has_joints) return false; // they do not sink
+    if (load.has_joints) return false; // structures with joints do not sink
     const int for_loads = wanted_substeps(settings, load, dt);
     load.stable_sinking = island.least_stable_sinking;
     return wanted_substeps(settings, load, dt) > for_loads;
@@ -57,7 +58,7 @@ float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef
     const auto pull_on = [&](std::int32_t body) {
         return float(math::dot(math::to_double(normal), pull_at(bodies, fields, settings, body)));
     };
-    const float pull = pull_on(c.body_a); // > 0: B is below
+    const float pull = pull_on(c.body_a); // positive: B is below
     if (pull < 0 && !c.b_moves) return 0;
     const BodyMass& above = bodies.mass[pull >= 0 ? c.body_a : c.body_b];
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull >= 0 ? pull : pull_on(c.body_b)) : 0;

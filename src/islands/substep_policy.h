@@ -1,18 +1,18 @@
-// How many substeps an island takes: one function of what it is made of and of what it bears now.
+// The number of substeps of an island, a function of its structure and its present loads only.
 //
-// A soft contact with the reduced mass m sinks under a load F by F / (m omega^2), with omega in proportion to the
-// number of substeps n. So the overlap depends on the demand F / m, an acceleration, alone, and n in proportion to its
-// root keeps overlaps alike. In a heap many contacts share the weight, and the demand is what its layers pull, each by
-// g: that overlaps are alike beside the width w of its bodies, whatever their scale, asks for n in proportion to the
-// root of g / w (Froude). In a slender structure (a tower, a heavy box on light ones) one contact carries a good part
-// of all the weight, its share. Hence
+// Under a load F, a soft contact with the reduced mass m sinks by F / (m omega^2), where omega is proportional to the
+// number of substeps n. So penetration depends only on the demand F / m, an acceleration, and n proportional to its
+// square root keeps penetrations alike. In a heap many contacts share the weight, and the demand is the weight of its
+// layers, g each: penetrations that are alike relative to the width w of the bodies, at any scale, require n
+// proportional to the square root of g / w (Froude). In a slender structure (a tower, a heavy box on light ones) one
+// contact carries a large share of the weight. Hence
 //
 //     n = max(usual, sqrt(0.36 g / w), share x sqrt(demand)),    demand in m/s^2,
 //
-// where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
-// of n; and at least as many as keep what stands from buckling (slenderness.h). That is for a step of 1/60 s: what
-// counts is how long a substep is, so shorter steps take fewer in proportion, longer ones more. It looks at the scene
-// alone, so that results do not depend on threads. docs/decisions/substeps.md has the measurements.
+// where `usual` is the world's number, or at least 11 with joints, as the error of soft rows in motion is proportional
+// to 1 / n^2; and n is at least what keeps a structure from buckling (slenderness.h). This is for a step of 1/60 s: as
+// the length of substeps matters, n is proportional to the length of the step. It depends on the scene alone, so that
+// results do not depend on threads. docs/decisions/substeps.md has the measurements.
 #pragma once
 
 #include "bodies/integrators.h"
@@ -25,54 +25,57 @@
 
 namespace cairn {
 
-inline constexpr float min_substeps_per_period = 6, max_substeps_per_period = 8; // softness.h
-inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
+// Bounds of the period of a soft constraint's spring, in substeps: see softness.h.
+inline constexpr float min_substeps_per_period = 6, max_substeps_per_period = 8;
+inline constexpr float stiff_factor = 2; // for the frequency of contacts with immovable bodies, and of joints
 
-// What the policy looks at.
+// The quantities that the number of substeps depends on.
 struct IslandLoad {
     bool has_joints;
-    float share;             // of the island's weight that its most loaded contact carries
-    float demand;            // m/s^2: the greatest ratio of load to reduced mass of a contact
-    float stable_sinking;    // m: how far contacts may sink (slenderness.h)
+    float share;             // of the island's weight, on its most loaded contact
+    float demand;            // m/s^2: greatest ratio of load to reduced mass of a contact
+    float stable_sinking;    // m: how far contacts may sink without buckling (slenderness.h)
     float pull_by_width = 0; // 1/s^2: see slenderness.h
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load, float dt);
 
-// What the contacts of an island carried in the last step. Nothing can buckle yet.
+// The loads that the contacts of an island carried in the last step; stable_sinking is left at `nothing_can_buckle`.
 IslandLoad load_of(const Island& island);
-// To be measured anew in the solver.
+// Resets the loads, before the solver measures them again.
 inline void forget_load(Island& island) { island.greatest_load = island.greatest_demand = 0; }
-// Whether its places alone may ask for more substeps than its loads: then its column is looked at.
+// Whether the shape of an island may require more substeps than its loads do: then it is treated as a column.
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt);
 
-// What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
+// The load that a contact may have to carry when it begins: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, const ContactInfo& contact,
                  math::Vec3 normal);
-// More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
+// Upper limit of a load, as a share of the weight: greater ones come from being squeezed between immovable bodies,
+// where stiffness does not help.
 inline constexpr float max_share = 1.2f;
 
-// In usual steps: the time constant of the low-pass filter for loads, and what it takes over in a step of dt seconds.
+// Time constant of the low-pass filter for loads, in usual steps, and the filter's gain in a step of dt seconds.
 inline constexpr float load_time = 3;
 inline float load_gain(float dt) {
     const float steps = dt / usual_step;
     return steps / (steps + load_time);
 }
-// m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
-// last.
+// m/s: if bodies move faster relative to each other, they are no structure, and their loads are impacts, however long
+// these last.
 inline constexpr float max_agitation = 1.0f;
-// m/s^2: what a load asks for, by the sum of the inverse masses that bear it.
+// The demand of a load, m/s^2; `inverse_mass`: the sum of the inverse masses that carry it.
 inline float demand_of(const ContactInfo& c, float load, float inverse_mass) {
     const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
     return load * (inverse_mass / stiffness);
 }
 
-// After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it; `gain`: see
-// load_gain. Others may be at work on other contacts of the island.
+// After a step: records the normal force of a contact, and the sum of the inverse masses that carry it; `gain`: see
+// load_gain. Other threads may update other contacts of the island meanwhile.
 inline void note_load(Island& island, ContactInfo& c, float force, float inverse_mass, float gain) {
-    // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
+    // The lesser force of two steps counts: impacts last one step, loads longer. In agitated islands loads only
+    // decrease.
     const float most = island.agitation > max_agitation ? c.load : force;
     c.load += gain * (std::min(std::min(force, c.force), most) - c.load);
-    if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
+    if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers slow down additions
     c.force = force;
     const float load = std::min(c.load, max_share * island.weight);
     raise(island.greatest_load, load);

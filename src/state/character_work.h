@@ -1,4 +1,4 @@
-// What the moving of characters works with.
+// Working memory of the stage that moves characters.
 #pragma once
 
 #include "math/bounds.h"
@@ -11,24 +11,24 @@
 
 namespace cairn {
 
-// Something that a character may meet: a convex shape, a triangle or an infinite plane, in axes of the world about the
-// place where the character starts.
+// An obstacle near a character: a convex shape, a triangle or an infinite plane, in world axes relative to the place
+// where the character starts.
 struct Obstacle {
-    Convex convex; // of a plane: `center` and `axes.c1`
+    Convex convex; // of a plane: only `center` and `axes.c1`
     DBounds bounds;
-    math::DVec3 carry; // m, by how much it moves in the step where the character is
-    math::DVec3 ride;  // m, by how much what stands on it moves: as far, but of other characters, which stand still
-    math::DVec3 belt;  // m, by how much its surface moves beside that, where it is along the surface
+    math::DVec3 carry; // m: its displacement in the step, at the place of the character
+    math::DVec3 ride;  // m: what stands on it moves by that: `carry`, except on characters, which count as at rest
+    math::DVec3 belt;  // m: the displacement of its surface relative to itself, where it is tangential
     std::int32_t body = -1;
     std::uint32_t shape = 0;
     BodyType type = BodyType::static_;
     bool is_plane = false;
-    bool is_one_sided = false; // met from the side of axes.c1 only
+    bool is_one_sided = false; // touched only from the side of axes.c1
 };
 
-// A shape of a character where the step begins.
+// A shape of a character at the start of the step.
 struct CharacterPart {
-    Convex sharp;  // as it is
+    Convex sharp;  // without the skin
     Convex padded; // with the skin
     DBounds bounds;
     std::uint32_t shape = 0;

@@ -1,4 +1,4 @@
-// Where the records of contacts lie, and which of several ranks has them (docs/scale.md).
+// The storage of contact records, and their distribution to several ranks (docs/scale.md).
 #pragma once
 
 #include "core/room.h"
@@ -10,14 +10,14 @@
 
 namespace cairn {
 
-// The owner of a body that no single rank has: all of them test its pairs and solve its contacts, each for itself.
+// The owner of bodies that belong to every rank: each rank tests their pairs and solves their contacts for itself.
 inline constexpr std::int32_t every_rank = -1;
 
-// Of a world that several ranks step together: which of them tests the pairs whose body A this is, and has the records
-// of their contacts. All ranks have the same list.
+// For a world that several ranks step together: the rank that tests the pairs with a given body A, and has their
+// contact records. All ranks have the same list.
 struct BodyOwners {
-    int rank = 0;                      // this one
-    std::vector<std::int32_t> of_body; // bodies beyond the end: every_rank
+    int rank = 0;                      // the number of this rank
+    std::vector<std::int32_t> of_body; // bodies past the end of the list belong to every_rank
 
     std::int32_t operator[](std::int32_t body) const {
         return std::size_t(body) < of_body.size() ? of_body[std::size_t(body)] : every_rank;
@@ -28,8 +28,8 @@ struct BodyOwners {
     }
 };
 
-// Records by contact. They are whole, with each at the place of its contact, but for a rank that has given those of
-// other owners away: its own lie side by side then.
+// Contact records, indexed by contact. A whole list has a record at the index of each contact. A rank that has left the
+// records of other owners to them has only its own, side by side.
 class ContactRecords {
   public:
     bool is_whole() const { return is_whole_; }
@@ -37,14 +37,14 @@ class ContactRecords {
     std::size_t place_of(std::size_t contact) const { return is_whole_ ? contact : places_[contact]; }
     ContactRecord& operator[](std::size_t contact) { return list_[place_of(contact)]; }
     const ContactRecord& operator[](std::size_t contact) const { return list_[place_of(contact)]; }
-    // By place.
+    // Raw access, by place.
     ContactRecord* data() { return list_.data(); }
     std::size_t places() const { return list_.size(); }
-    // All of them, where they are whole.
+    // All records; only if they are whole.
     std::vector<ContactRecord>& whole() { return list_; }
     const std::vector<ContactRecord>& whole() const { return list_; }
 
-    // An empty record for a contact that has none; of one that belongs elsewhere, no record, unless all are here.
+    // Creates an empty record for a contact. If the records are not whole, contacts of other owners get none.
     void open(std::size_t contact, bool is_own) {
         if (is_whole_) {
             if (contact >= list_.size()) set_size(list_, contact + 1);
@@ -68,7 +68,8 @@ class ContactRecords {
         places_[contact] = absent;
     }
 
-    // Those of `count` contacts that stay; the memory of the others is given back.
+    // Keeps the records of those of `count` contacts for which stays(contact) is true, and releases the memory of the
+    // others.
     template <class F> void keep(std::size_t count, F&& stays) {
         std::vector<std::uint32_t> places(count, absent);
         std::vector<ContactRecord> list;
@@ -95,8 +96,8 @@ class ContactRecords {
     static constexpr std::uint32_t absent = ~std::uint32_t(0);
     bool is_whole_ = true;
     std::vector<ContactRecord> list_;
-    std::vector<std::uint32_t> places_; // by contact
-    std::vector<std::uint32_t> free_;   // places that no contact has
+    std::vector<std::uint32_t> places_; // by contact: index into list_
+    std::vector<std::uint32_t> free_;   // unused places in list_
 };
 
 } // namespace cairn

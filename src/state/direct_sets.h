@@ -1,6 +1,6 @@
-// Which joints are solved directly, and with which others. A set is what hangs together by such joints through bodies
-// that move by forces. Sets are found anew when joints or masses change; of those that stay as they are, the symbolic
-// part is kept. docs/decisions/direct_joints.md has the rule's measurements.
+// Which joints are solved directly, and in which sets: a set is connected by such joints through bodies that move by
+// forces. Sets are found anew when joints or masses change; sets that stay the same keep their symbolic factorization.
+// docs/decisions/direct_joints.md has the measurements behind the rule.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,19 @@
 
 namespace cairn {
 
-// What two nodes (3 rows each) have in common: a body that both act on.
+// The coupling of two nodes (of 3 constraint rows each): a body that both act on.
 struct DirectCoupling {
-    std::uint32_t block;                // of L
-    std::uint32_t row, column;          // nodes, row > column
-    std::uint8_t row_side, column_side; // by which of its two ends each acts on the body
+    std::uint32_t block;                // index of the block of L
+    std::uint32_t row, column;          // numbers of the nodes, row > column
+    std::uint8_t row_side, column_side; // which end of each node's joint is at the body
 };
 
-// Nodes are numbered in their order of elimination. Column k of L holds the nodes behind k that depend on it.
+// Symbolic factorization. Nodes are numbered in their order of elimination. Column k of L has the later nodes that
+// depend on node k.
 struct DirectPlan {
-    std::vector<std::uint32_t> first; // of each column in `rows`; one more
-    std::vector<std::uint32_t> rows;  // ascending in each column: one for each block of L
-    // Of the blocks a > b of each column in turn, the last a first: the block of L that a D b^T changes.
+    std::vector<std::uint32_t> first; // start of each column in `rows`, and the end of the last
+    std::vector<std::uint32_t> rows;  // row of each block of L, column by column, ascending in each
+    // For the pairs of blocks a > b of each column in turn, the last a first: the block of L that a D b^T changes.
     std::vector<std::uint32_t> products;
     std::vector<DirectCoupling> couplings;
 
@@ -29,21 +30,21 @@ struct DirectPlan {
 };
 
 struct DirectEnds {
-    std::int32_t body[2]; // < 0: does not move by forces
+    std::int32_t body[2]; // negative: a body that does not move by forces
 };
 inline bool operator==(const DirectEnds& a, const DirectEnds& b) {
     return a.body[0] == b.body[0] && a.body[1] == b.body[1];
 }
 
-// Three rows of a joint, or one of its axis `axis`: an equation, a drive, friction, or a soft limit.
+// Three constraint rows of a joint, or one row of its axis `axis`: an equation, a drive, friction, or a soft limit.
 enum class DirectRows : std::uint8_t { point, turn, axis, drive, friction, soft_limit };
-// Rows that give no more than so much.
+// Whether the impulse of the rows is bounded.
 inline bool is_bounded(DirectRows rows) { return rows >= DirectRows::drive; }
 struct DirectNode {
     std::uint32_t joint;
     DirectRows rows;
-    std::uint8_t axis;    // of a turn: that of the drive about the axis that it leaves free
-    bool is_driven;       // of a turn: it has one
+    std::uint8_t axis;    // of `turn` rows with a drive: the drive's axis, about which the joint may turn
+    bool is_driven;       // of `turn` rows: they have a drive
     std::int32_t body[2]; // in DirectSet::bodies
 };
 inline bool operator==(const DirectNode& a, const DirectNode& b) {
@@ -54,18 +55,18 @@ inline bool has_drive(const DirectNode& node) { return is_bounded(node.rows) || 
 
 struct DirectSet {
     std::vector<std::uint32_t> joints; // ascending
-    std::vector<std::int32_t> bodies;  // the first: none, for all that does not move
+    std::vector<std::int32_t> bodies;  // bodies[0] is none: it stands for all bodies that do not move by forces
     std::vector<DirectNode> found;     // in the order of joints
-    std::vector<DirectEnds> ends;      // of those
+    std::vector<DirectEnds> ends;      // of the nodes in `found`
     std::vector<DirectNode> nodes;     // in their order of elimination
     DirectPlan plan;
     bool has_loops = false;
-    float mass_ratio = 1; // of its heaviest to its lightest body
+    float mass_ratio = 1; // mass of the heaviest body / mass of the lightest
 };
 
 struct DirectSets {
     std::vector<DirectSet> sets;
-    std::vector<std::int32_t> set_of_joint; // by joint; none: iterative
+    std::vector<std::int32_t> set_of_joint; // by joint; none: solved iteratively
     std::uint64_t valid_for = ~std::uint64_t(0);
 };
 

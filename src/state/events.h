@@ -1,4 +1,4 @@
-// Events of two steps: those that can be read, and those that are being gathered.
+// Events: those that can be read after the last step, and those that are gathered for the next.
 #pragma once
 
 #include <cairn/world.h>
@@ -7,8 +7,8 @@
 
 namespace cairn {
 
-// What changes between two steps counts to the later one: it is gathered in `next`, and can be read once the step that
-// follows has published it.
+// A queue for events that may also arise between steps. Such an event belongs to the later step: it is gathered in
+// `next`, and can be read once that step has published it.
 template <class Event> struct EventQueue {
     std::vector<Event> now, next;
 
@@ -19,16 +19,16 @@ template <class Event> struct EventQueue {
 };
 
 struct StepEvents {
-    std::vector<ContactBegin> begins; // found in a step alone
-    std::vector<ContactHit> hits;     // likewise
+    std::vector<ContactBegin> begins; // gathered within a step only
+    std::vector<ContactHit> hits;     // gathered within a step only
     EventQueue<ContactEnd> ends;
-    std::vector<ContactEnd> brief; // of touches that began and ended in a step: they end in the next one
+    std::vector<ContactEnd> brief; // ends of touches that began within the same step: they are reported in the next one
     EventQueue<TriggerEvent> triggers;
     EventQueue<JointEvent> joints;
     EventQueue<SleepEvent> sleeps;
 
     void begin_step() { begins.clear(), hits.clear(); }
-    // What can be read; what is gathered for the next step stays.
+    // Removes the events that can be read; those gathered for the next step stay.
     void forget() {
         begins.clear(), hits.clear(), brief.clear();
         ends.now.clear(), triggers.now.clear(), joints.now.clear(), sleeps.now.clear();

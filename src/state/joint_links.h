@@ -1,12 +1,12 @@
-// The joints of a body, and the bodies of a joint.
+// Access to the joints of a body, and to the bodies of a joint.
 #pragma once
 
 #include "state/state.h"
 
 namespace cairn {
 
-// The body that a joint counts to, in whose island it is; none if it is not solved: neither is dynamic, or it or one of
-// them is disabled.
+// The body that a joint is counted with, in whose island it is; none if the joint is not solved: neither body is
+// dynamic, or the joint or one of its bodies is disabled.
 inline std::int32_t joint_owner(const Bodies& bodies, const JointInfo& joint) {
     if (!joint.enabled) return none;
     for (const std::int32_t body : {joint.body_a, joint.body_b})
@@ -21,7 +21,7 @@ template <class F> void for_each_joint(const Bodies& bodies, const Joints& joint
 }
 inline std::int32_t other_body(const JointInfo& joint, int side) { return side == 0 ? joint.body_b : joint.body_a; }
 
-// Whether some joint of two bodies keeps them from colliding.
+// Whether a joint between two bodies disables their collision.
 inline bool joint_forbids_contact(const Bodies& bodies, const Joints& joints, std::int32_t body_a,
                                   std::int32_t body_b) {
     if (bodies.links[body_a].first_joint == none) return false;

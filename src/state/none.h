@@ -1,4 +1,4 @@
-// The index of nothing.
+// The index that stands for "no element".
 #pragma once
 
 #include <cstdint>

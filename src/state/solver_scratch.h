@@ -20,9 +20,10 @@
 
 namespace cairn {
 
-inline constexpr std::size_t joints_ahead = 4; // so many before one is looked at, the cache is asked for it
+// Prefetch distance in lists of joints.
+inline constexpr std::size_t joints_ahead = 4;
 
-// Blocks of one size, side by side.
+// Consecutive blocks of one size.
 struct BlockRun {
     bool four_points;
     std::int32_t first, count;
@@ -32,38 +33,38 @@ struct ColorRun {
     BlockRun four_points, one_point;
 };
 
-// Contacts by their keys (solver/contact_order.h).
+// The number of sort keys of the contacts of a batch (solver/contact_order.h).
 inline constexpr std::size_t keys_per_batch = 256;
 
 // A contact to be solved.
 struct SortedContact {
     std::uint32_t id;
-    std::int32_t body_a, body_b; // B: none if it does not move at all
+    std::int32_t body_a, body_b; // B: none if it does not move
     std::int32_t island;
-    std::uint8_t key; // color, whether it bore anything in the last step, one point or four (solver/contact_order.h)
+    std::uint8_t key; // color, whether it carried a load in the last step, one point or four (solver/contact_order.h)
     std::uint8_t bounces, is_conveyor;
-    std::uint8_t begins; // it has borne nothing yet
+    std::uint8_t begins; // it has carried no load yet
 };
 
-// Islands of which the loads are told by the weights (solver/standing_loads.h), one after the other.
+// Islands whose new contacts get their loads from the weights above them (solver/standing_loads.h), one at a time.
 struct StandingContact {
     std::uint32_t id;
     std::int32_t a, b; // bodies; B: none if it does not move by forces
     bool begins;
-    float bore; // N: in the last step
+    float bore; // N: load in the last step
 };
 struct StandingLoads {
     std::vector<StandingContact> contacts;
-    std::vector<std::int32_t> end_of_island; // in `contacts`, of awake islands; none: it is no such island
+    std::vector<std::int32_t> end_of_island; // by awake island: end of its contacts; none: it has none of these
     struct Body {
-        float own, weight;           // N: its weight, and with what stands on it
-        std::int32_t depth;          // contacts between it and what does not move; none: not known yet
-        std::uint32_t first_contact; // of it, in contacts_of_body
+        float own, weight;           // N: weight of the body, and with the bodies that it carries
+        std::int32_t depth;          // contacts between it and a body that does not move; none: not known yet
+        std::uint32_t first_contact; // of the body, in contacts_of_body
     };
-    std::vector<Body> bodies;                    // of one island, and one more
-    std::vector<std::int32_t> place_of;          // by body: its place among those
-    std::vector<std::uint32_t> contacts_of_body; // their places, those of a body side by side
-    std::vector<std::int32_t> from_below;        // bodies in the order of their depths
+    std::vector<Body> bodies;                    // of one island, and an end marker
+    std::vector<std::int32_t> place_of;          // by body: index in `bodies`
+    std::vector<std::uint32_t> contacts_of_body; // indices in `contacts`, grouped by body
+    std::vector<std::int32_t> from_below;        // bodies by increasing depth
 };
 
 // One solver batch: islands that are solved together through all substeps.
@@ -75,7 +76,7 @@ struct IslandBatch {
     bool bounces = false;           // any of its contacts has restitution
 };
 
-// A row with unequal moments of inertia that the wide kernel does not turn, and where its free motion ends.
+// A solver body with unequal moments of inertia that the wide kernel does not rotate, and where its free motion ends.
 struct SpinningRow {
     std::int32_t row;
     bool turns = false;
@@ -83,14 +84,15 @@ struct SpinningRow {
     math::DVec3 free_w;
 };
 
-// A row of one contact alone: B as its moving surface has it.
+// A solver body used by one contact only: body B with the velocity of its moving surface.
 struct ConveyorRow {
     std::int32_t row;
     std::uint32_t contact;
 };
 
-// How far bodies reach in each direction, by sums over them: of masses, places x, m x, weights as vectors, squares of
-// places, and the second moments of their mass, m^2, along the axes of each in which they are least and greatest.
+// Sums over the bodies of an island that give its extent in each direction: of masses, positions x, m x, weights as
+// vectors, squares of positions, and the second moments of each body's mass, m^2, along its axes in which they are
+// least and greatest.
 struct Extent {
     double count = 0, mass = 0;
     math::DVec3 sum, moment, pull;
@@ -98,128 +100,129 @@ struct Extent {
     double least = 0, greatest = 0;
 };
 
-// An island as a column, and what holds it from its sides: sums over contacts with what does not move.
+// An island as a column, and its support from the sides: sums over contacts with bodies that do not move.
 struct StandingColumn {
     std::int32_t island = none;
     Extent extent;
-    math::DSym3 own; // m^2: second moments of its bodies, in the mean
+    math::DSym3 own; // m^2: mean of the second moments of its bodies
     math::DVec3 origin, up;
-    double bottom = 0; // m: from the origin, upward
+    double bottom = 0; // m: height of its base above the origin
     struct {
-        math::DSym3 squares; // of z n
-        math::DVec3 normals; // z^2 n
-        double weight = 0;   // z^2
+        math::DSym3 squares; // sum of z^2 n n^T
+        math::DVec3 normals; // sum of z^2 n
+        double weight = 0;   // sum of z^2
     } sides;
 };
-// Of islands that may be slender.
+// Columns of islands that may be slender.
 struct StandingColumns {
     std::vector<StandingColumn> all;
-    std::vector<std::int32_t> of_island; // none: it has none
-    std::vector<ContactNormal> sides;    // contacts that may hold them
+    std::vector<std::int32_t> of_island; // by island; none: it has no column
+    std::vector<ContactNormal> sides;    // contacts that may support columns from the sides
 };
 
-// The mass of bodies, kg, their weight, N, the sum of m v and that of m v^2.
+// Sums over bodies: mass, kg; weight, N; m v; and m v^2.
 struct MotionSum {
     double mass = 0, weight = 0, energy = 0;
     math::DVec3 momentum;
     Extent extent;
 };
 
-// What a thread gathers from bodies that have moved.
+// The lists that a thread gathers while it moves bodies.
 struct FinalizeScratch {
     std::vector<NewBounds> escaped;    // shapes that have left their fat boxes
-    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/resolve_impacts.h)
-    std::vector<std::int32_t> strayed; // of these, bodies that are not where the broad phase expected them
+    std::vector<std::int32_t> fast;    // bodies whose cores may have passed others (impacts/resolve_impacts.h)
+    std::vector<std::int32_t> strayed; // of `fast`: bodies outside of their predicted bounds in the broad phase
 };
 
-// Lanes of a list of blocks, filled batch by batch.
+// The lanes of a list of blocks, filled batch by batch.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
 };
 
-// Rows of joints, those of one joint side by side. They are solved by color, phase and form, their key
-// (joint_layout.cpp).
+// The rows of joints: those of one joint are consecutive. They are solved in the order of their keys, i.e. by color,
+// phase and form (joint_layout.cpp).
 enum class JointRowType : std::uint8_t { point, turn, axis };
 inline constexpr int joint_row_types = 3;
 struct JointRow {
     std::uint32_t joint = 0;
-    std::uint32_t lane = 0; // among those of its type
-    std::uint16_t key = 0;  // its number in JointLayout::keys
+    std::uint32_t lane = 0; // among the lanes of its type
+    std::uint16_t key = 0;  // index in JointLayout::keys
     JointRowType type = JointRowType::point;
-    std::uint8_t axis : 3 = 0; // which of the joint's
+    std::uint8_t axis : 3 = 0; // index of the joint's axis
     std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
     std::uint8_t has_soft_limits : 1 = 0;
-    std::uint8_t is_direct_limit : 1 = 0; // its limits are solved directly, the block has only where they are
-    // Likewise its drive, its friction, and its soft limits or equation.
+    // Its limits are solved directly; the block only provides their Jacobian and position.
+    std::uint8_t is_direct_limit : 1 = 0;
+    // The same for its drive, its friction, and its soft limits or equation.
     std::uint8_t is_direct_drive : 1 = 0, is_direct_friction : 1 = 0, is_direct_range : 1 = 0;
     std::uint8_t is_direct : 1 = 0; // its joint is solved directly
-    std::uint8_t idle : 1 = 0;      // mere limits, now out of reach: the row has no lane
-    float reach_by_turn = 0;        // 0: never idle (joints/idle_limits.cpp)
+    std::uint8_t idle : 1 = 0;      // has only limits, which are out of reach: the row has no lane
+    float reach_by_turn = 0;        // upper bound of d position / d angle; 0: never idle (joints/idle_limits.cpp)
 };
-// Blocks that may be solved side by side. The last one may hold lanes of runs that come later, too.
+// A run of blocks that may be solved in parallel. The last block may also have lanes of later runs.
 struct JointRun {
     JointRowType type;
-    std::uint8_t empty_lanes; // of the last block, behind its own
+    std::uint8_t empty_lanes; // in the last block, behind the lanes of the run
     std::uint16_t key;
     std::uint32_t first, count;
-    std::uint32_t first_lane; // of its first block
-    std::int32_t part;        // its place among JointLayout::parts; none: it has all lanes of its blocks
+    std::uint32_t first_lane; // the first lane of its first block
+    std::int32_t part;        // index in JointLayout::parts; none: the run has all lanes of its blocks
 };
 
-// The blocks of a run, as the kernels of their type take them.
+// The blocks of a run, as arguments for the kernels of their type.
 struct JointCall {
     JointRowType type;
     std::uint32_t block_size; // bytes
     JointBlocks run;
 };
 
-// How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
+// How the joints of a batch are laid out in its blocks. It is kept between steps, as little of it changes.
 struct JointLayout {
-    std::uint64_t valid_for = ~std::uint64_t(0); // Joints::changes
-    std::vector<std::int32_t> bodies;            // of the batch, those that are touched
-    std::vector<std::int32_t> kinematic_bodies;  // that joints name
+    std::uint64_t valid_for = ~std::uint64_t(0); // a value of Joints::changes
+    std::vector<std::int32_t> bodies;            // bodies of the batch that have contacts or joints
+    std::vector<std::int32_t> kinematic_bodies;  // kinematic bodies of the joints
     std::vector<std::uint32_t> joints;           // of the batch
-    std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
+    std::vector<std::uint32_t> first_row;        // of each joint, and the end of the last
     std::vector<JointRow> rows;
-    std::vector<std::uint16_t> keys;                        // of all rows, idle or not: ascending
-    bool may_idle = false;                                  // any of them
-    bool only_points = true;                                // all are
-    std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
+    std::vector<std::uint16_t> keys;                        // of all rows, idle or not, ascending
+    bool may_idle = false;                                  // any row may be idle
+    bool only_points = true;                                // all rows are of type `point`
+    std::array<std::uint32_t, joint_row_types> blocks = {}; // numbers of blocks, by JointRowType
     std::vector<JointRun> runs;
-    std::vector<std::uint8_t> parts; // of runs that do not fill their last blocks: their lanes there, as bits
+    std::vector<std::uint8_t> parts; // for runs that do not fill their last blocks: a bit mask of their lanes there
 };
 
-// What the free motion of a row's body asks for, besides falling.
+// Properties of a solver body that its free motion depends on, besides falling.
 enum RowTrait : std::uint8_t {
     is_dynamic_row = 1,
-    falls_plainly = 2, // gravity alone, to its full extent
+    falls_plainly = 2, // moved by gravity alone, with gravity_scale 1
     is_damped = 4,
-    spins_wide = 8, // unequal moments, turned by the kernel
+    spins_wide = 8, // unequal moments of inertia, rotated by the wide kernel
     spins_alone = 16,
 };
 
-// The batch that a thread has at work.
+// The batch that a thread works on.
 struct BatchScratch {
-    std::vector<std::int32_t> row_of_body;                  // none: in no row
-    std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
-    std::vector<std::uint64_t> row_marks;                   // to sort them
+    std::vector<std::int32_t> row_of_body;                  // none: the body has no row
+    std::vector<std::int32_t> row_bodies;                   // body of each row; none for the fixed row and padding
+    std::vector<std::uint64_t> row_marks;                   // sort keys of rows
     std::vector<std::uint8_t> row_traits;                   // RowTrait
-    std::vector<std::int32_t> members;                      // of the islands
-    std::vector<std::int32_t> touching_bodies, free_bodies; // of these: with and without a contact
+    std::vector<std::int32_t> members;                      // bodies of the islands
+    std::vector<std::int32_t> touching_bodies, free_bodies; // of the members: with and without contacts or joints
     std::vector<MotionSum> sums;
     std::vector<ListPart> parts; // of lists that threads write together
     std::vector<ConveyorRow> conveyor_rows;
     std::vector<SpinningRow> spinning_rows;
-    std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
-    std::vector<std::int32_t> spin_rows; // of their lanes
+    std::vector<SpinBlock> spin_blocks;  // bodies that the wide kernel rotates
+    std::vector<std::int32_t> spin_rows; // rows of the lanes of spin_blocks
     std::vector<math::Vec3> held_turns;  // of spin_rows, then of spinning_rows: see hold_what_turns
-    // Rows, then the discard rows: one for each block.
+    // By row, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
     std::vector<SolverTwist> drive, damping, correction, free_correction;
-    std::vector<std::uint32_t> key_counts;   // by chunk of contacts and key
-    std::vector<SortedContact> own_contacts; // of a batch that is cut
+    std::vector<std::uint32_t> key_counts;   // by chunk of contacts, and by key
+    std::vector<SortedContact> own_contacts; // of a batch that is cut between ranks
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
@@ -229,21 +232,21 @@ struct BatchScratch {
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
-    std::vector<PartLanes> part_lanes;  // as JointLayout::parts
+    std::vector<PartLanes> part_lanes;  // by index in JointLayout::parts
     std::vector<JointCall> joint_calls; // for each run of the layout
     DirectWork direct;
     ImpactWork impact;
     bool drive_varies = false;    // forces depend on the position
-    bool bounces = false;         // `correction` is another than `free_correction`
-    RankBorder* border = nullptr; // of a batch that is cut; null: the batch is solved here alone
+    bool bounces = false;         // `correction` differs from `free_correction`
+    RankBorder* border = nullptr; // of a batch that is cut between ranks; null: this process solves the batch alone
 
     FinalizeScratch finalized;             // of all batches of the thread
-    std::vector<std::uint32_t> overloaded; // likewise: joints that break
+    std::vector<std::uint32_t> overloaded; // joints that break, of all batches of the thread
     std::uint64_t clamped_speeds = 0;
     double prepare_ms = 0, solve_ms = 0;
 
     std::size_t row_count() const { return row_bodies.size(); }
-    // Discard rows: of blocks of contacts with one point, with four, then of joints.
+    // Discard rows: first those of blocks of contacts with one point, then with four, then of joints.
     std::int32_t first_discard_row() const { return std::int32_t(row_bodies.size()); }
     std::array<std::int32_t, joint_row_types> first_joint_discard_rows() const { // by JointRowType
         const std::int32_t first =
@@ -258,8 +261,8 @@ struct BatchScratch {
     }
 };
 
-// The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
-// rows side by side.
+// Returns the row of a body. Dynamic bodies with contacts or joints have one, by their indices (number_rows in
+// solver/batch_rows.cpp); other bodies get one when a contact or joint first names them.
 inline std::int32_t row_of_body(BatchScratch& scratch, std::int32_t body) {
     std::int32_t& row = scratch.row_of_body[body];
     if (row < 0) {
@@ -273,28 +276,28 @@ struct SolverScratch {
     std::vector<IslandBatch> batches;
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
-    std::vector<std::uint8_t> island_bounces; // 1: one of its contacts does
-    std::vector<std::uint8_t> weighed_for;    // by island, bits: see standing_loads.h
+    std::vector<std::uint8_t> island_bounces; // 1: one of its contacts has restitution
+    std::vector<std::uint8_t> weighed_for;    // by island: bits of WeighedFor (standing_loads.h)
     StandingColumns columns;
     StandingLoads standing;
-    std::vector<std::uint32_t> batch_counts;       // by chunk of contacts and batch
-    std::vector<SortedContact> of_batches, sorted; // by batch; as found, then by batch and key
-    std::vector<std::uint32_t> key_ends;           // by batch and key: where its contacts end among the sorted
-    std::vector<ContactReport> reports;            // by contact, of those that were solved
-    std::vector<ContactReport> own_reports;        // by place of the record, where a rank has some records alone
+    std::vector<std::uint32_t> batch_counts;       // by chunk of contacts, and by batch
+    std::vector<SortedContact> of_batches, sorted; // by batch; first in the order found, then by batch and key
+    std::vector<std::uint32_t> key_ends;           // by batch and key: end of its contacts in `sorted`
+    std::vector<ContactReport> reports;            // by contact, for solved contacts
+    std::vector<ContactReport> own_reports;        // by place of the record, where a rank has only its own records
     std::vector<JointLayout> joint_layouts;        // by batch
-    std::vector<std::int32_t> shared, alone;       // batches that all threads solve together, and those that one does
+    std::vector<std::int32_t> shared, alone;       // batches solved by all threads together, and by one each
     std::vector<BatchScratch> at_work;             // one per thread
     std::vector<NewBounds> escaped;
-    std::vector<std::int32_t> fast;           // of all threads, in ascending order
-    std::vector<std::int32_t> strayed;        // likewise
-    std::vector<std::int32_t> member_numbers; // by body, while an island is split
-    std::vector<std::uint32_t> overloaded;    // joints that break, in ascending order
+    std::vector<std::int32_t> fast;           // bodies of all threads, ascending
+    std::vector<std::int32_t> strayed;        // bodies of all threads, ascending
+    std::vector<std::int32_t> member_numbers; // by body: its number while its island is split
+    std::vector<std::uint32_t> overloaded;    // joints that break, ascending
     SweepScratch sweep;
-    RankCut cut; // where there are several ranks
+    RankCut cut; // with several ranks
     RankBorder border;
     std::vector<std::byte> results;
-    double prepare_share = 0; // of the last solve_batches' time
+    double prepare_share = 0; // share of preparation in the time of the last solve_batches
 };
 
 } // namespace cairn

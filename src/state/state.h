@@ -1,6 +1,6 @@
-// Everything that a simulation consists of. Bodies, shapes, contacts and islands live in arrays at stable
-// indices; stages (one file each) are functions on this state, and on the working memory of a step
-// (state/step_scratch.h). Handles, names and events live above, in world/.
+// The complete state of a simulation. Bodies, shapes, contacts and islands are stored in arrays at stable indices; the
+// stages of a step (one file each) are functions of this state and of a step's working memory (state/step_scratch.h).
+// Handles, names and events belong to the layer above, in world/.
 #pragma once
 
 #include "collision/broad_phase.h"
@@ -44,7 +44,7 @@ struct State {
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;
 
-    // The number by which handles tell worlds apart.
+    // Sets the number by which handles of different worlds are told apart.
     void set_world(std::uint32_t world) {
         bodies.slots.set_world(world), shapes.slots.set_world(world), joints.slots.set_world(world);
         fields.slots.set_world(world);

@@ -1,4 +1,4 @@
-// What a step works with and leaves nothing in that a later one depends on: no part of the state, nor of snapshots.
+// Working memory of a step. No later step depends on it, so it is part of neither the state nor of snapshots.
 #pragma once
 
 #include "core/room.h"
@@ -24,7 +24,8 @@ struct StepScratch {
     FluidScratch fluids;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
 
-    // After a step: of what bodies in flight and leaving their boxes have needed, and these ones now do not.
+    // After a step: releases lists that grew for fast bodies, impacts and escaped fat boxes, if they now need less
+    // memory.
     void give_back_room() {
         const auto give_back = [](auto&... lists) { (cairn::give_back_room(lists), ...); };
         give_back(solver.escaped, solver.fast, solver.strayed);
@@ -35,8 +36,8 @@ struct StepScratch {
                   sweep.redirected, sweep.meetings, sweep.known);
     }
 
-    // Before a step of another state: the memory is good for any, but what was laid out for joints holds for the
-    // changes of one world alone.
+    // Before a step of another state: all working memory may be reused, except the layouts of joints, which are valid
+    // for the change counts of one world only.
     void forget_world() {
         direct.valid_for = ~std::uint64_t(0);
         for (JointLayout& layout : solver.joint_layouts) layout.valid_for = ~std::uint64_t(0);

@@ -15,59 +15,60 @@
 
 namespace cairn {
 
-// A body on its way through the step. Times are parts of the step.
+// A body on its path through the step. Times are fractions of the step.
 struct Mover {
     std::int32_t body;
-    bool is_free = false;       // neither contacts nor joints have moved it: it flies
-    bool gyrates = false;       // and changes its turn by itself so fast that the solver could not hold it
-    bool is_led = false;        // joints lead it about an axis, or something kinematic takes it along
-    bool is_fast = false;       // so far that its core may pass another
-    bool turns_over = false;    // more than half a turn: its poses do not tell how
+    bool is_free = false;       // neither contacts nor joints have moved it: it is in free flight
+    bool gyrates = false;       // it also changes its angular velocity by itself too fast for the solver
+    bool is_led = false;        // joints make it rotate about an axis, or a kinematic body carries it along
+    bool is_fast = false;       // it moves so far that its core may pass another
+    bool turns_over = false;    // it turns by more than half a revolution, so its poses do not define the rotation
     bool is_changed = false;    // it is not where the solver has put it
-    bool has_strayed = false;   // its way is not where the broad phase expected it
-    bool is_redirected = false; // its way is not that which the solver has made
+    bool has_strayed = false;   // its path is not within the bounds that the broad phase expected
+    bool is_redirected = false; // its path differs from that of the solver
     int impacts = 0;
-    double until = 1;               // when it stops
-    std::int32_t first_pair = none; // of its list in SweepScratch::pairs
-    RigidPath path;                 // under way
-    // Of what is led: where it is beside what leads it, and the kinematic body that this is, or none.
+    double until = 1;               // the time when it stops
+    std::int32_t first_pair = none; // head of its list in SweepScratch::pairs
+    RigidPath path;                 // the current path
+    // For a body with is_led: its motion relative to what leads it; the kinematic body that carries it, or none.
     RigidPath lead;
     math::DVec3 arm;
     math::DQuat turned;
     std::int32_t carrier = none;
-    // Of what is free, at the beginning of the path:
+    // For a body in free flight, at the beginning of the path:
     math::DVec3 velocity, spin; // m/s as the path begins, rad/s
-    math::DVec3 acceleration;   // m/s^2 of the forces along the path, but for what it lies on
+    math::DVec3 acceleration;   // m/s^2: by the forces along the path, without those of its supports
     bool has_stopped() const { return until < 1; }
 };
 
-// Shapes of a mover and of another body, by their places among the movers; none: the other is none.
+// The shapes of a mover and of another body. `first`, `second`: indices of movers; `second`: none if the other body
+// is no mover.
 struct SweptPair {
     std::int32_t first, second;
     std::uint32_t shape, other;
-    std::int32_t contact = none; // of the pair, if it is known
-    bool flies = false;          // it may meet in flight: the solver was not told of it
-    bool is_known = false;       // the solver has moved the two by this contact
-    bool touches = false;        // they have met in this step
-    bool has_stayed = false;     // they met, and nothing approached
-    bool rests = false;          // they lie on each other: forces that press them together do not move them
-    bool has_begun = false;      // to touch, in this step
-    bool was_carried = false;    // the first went along with the other: what is between two that move is crushed
+    std::int32_t contact = none; // of the pair, if there is one
+    bool flies = false;          // the pair may meet in free flight, and has no contact in the solver
+    bool is_known = false;       // the solver has moved the bodies with this contact
+    bool touches = false;        // the shapes have met in this step
+    bool has_stayed = false;     // the shapes have met, and did not approach each other
+    bool rests = false;          // one lies on the other: forces that press them together do not move them
+    bool has_begun = false;      // the shapes began to touch in this step
+    bool was_carried = false;    // the first body was carried by the other: a body between two moving ones is crushed
     double time = never;         // of their meeting
-    math::DVec3 axis{};          // from the shape to the other, where they were nearest last; or 0
-    std::int32_t next_of_first = none, next_of_second = none; // in the lists of both
+    math::DVec3 axis{};          // from the shape to the other at their last nearest positions, or 0
+    std::int32_t next_of_first = none, next_of_second = none; // in the lists of both movers
 };
 
 struct Meeting {
     double time;
     std::uint32_t shape, other;
     std::int32_t pair;
-    bool operator<(const Meeting& m) const { // least first
+    bool operator<(const Meeting& m) const { // reversed, so that a heap has the earliest first
         return std::tie(m.time, m.shape, m.other, m.pair) < std::tie(time, shape, other, pair);
     }
 };
 
-// The bounds of a mover's way.
+// The bounds of a mover's path.
 struct SweptBounds {
     double begin; // along x
     std::int32_t mover;
@@ -77,32 +78,32 @@ struct SweptBounds {
 
 struct KnownContact {
     std::uint32_t contact;
-    std::int32_t next; // of the same body, or none
+    std::int32_t next; // the next contact of the same body, or none
 };
 
-// A shape near the way of a mover.
+// A shape near the path of a mover.
 struct NearShape {
     std::int32_t mover;
     std::uint32_t shape;
 };
 
-// Bodies that joints hold together: a range of SweepScratch::members.
+// Bodies connected by joints: a range of SweepScratch::members.
 struct Assembly {
     std::int32_t begin, end;
 };
 
-// A pair of the broad phase that may meet: the mover, its shape, and the other.
+// A pair of the broad phase that may meet: the mover, its shape, the other shape, and their contact.
 struct PassingPair {
     std::int32_t mover;
     std::uint32_t shape, other, contact;
 };
 
-// A trigger and a shape of another body that may fly through it; when that comes in.
+// A trigger, and a shape of another body that may pass through it.
 struct NearTrigger {
     std::uint32_t trigger, other;
 };
 
-// A path that a mover took up to a time, as it went another way from then on.
+// A path that a mover followed until some time, when it changed its path.
 struct PathPiece {
     std::int32_t mover;
     RigidPath path;
@@ -110,32 +111,32 @@ struct PathPiece {
 };
 
 struct SweepScratch {
-    std::vector<std::int32_t> bodies; // that become movers
+    std::vector<std::int32_t> bodies; // bodies that become movers
     std::vector<PassingPair> passing;
     std::vector<ListPart> parts;
-    std::vector<std::int32_t> place; // by body, among `movers`, or none
+    std::vector<std::int32_t> place; // by body: its index in `movers`, or none
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
-    std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
-    std::vector<Meeting> meetings;           // a heap
-    std::vector<std::int32_t> asked;         // pairs, after an impact
-    std::vector<DBounds> bounds_of_ways;     // by mover, of those that the solver has made
-    // The ways of movers that are not where the broad phase has them: those that the solver has made, by x; those since
-    // then, as many runs as their number has binary digits of 1, each of them by x.
+    std::vector<std::int32_t> first_waiting; // by body: if it is no mover, the first pair with it, or none
+    std::vector<Meeting> meetings;           // a heap, earliest first
+    std::vector<std::int32_t> asked;         // pairs to search again after an impact
+    std::vector<DBounds> bounds_of_ways;     // by mover: bounds of the path by the solver
+    // The paths of movers that are outside of their bounds in the broad phase: those by the solver, sorted by x; and
+    // those changed since then, in sorted runs, as many as there are 1 bits in their number.
     std::vector<SweptBounds> strayed, redirected;
     double widest_strayed = 0, widest_redirected = 0; // m, along x
-    // Contacts with points in the solver: lists by the body A.
+    // Contacts whose points are in the solver: lists by body A.
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
     bool has_ways = false, has_known = false;
-    std::vector<std::int32_t> assembly_of; // by body, in `assemblies`, or none: not looked for
+    std::vector<std::int32_t> assembly_of; // by body: index in `assemblies`, or none: not searched yet
     std::vector<std::int32_t> members;
     std::vector<Assembly> assemblies;
-    std::vector<std::uint32_t> near;                   // shapes near a way
+    std::vector<std::uint32_t> near;                   // shapes near a path
     std::vector<std::uint64_t> listed;                 // pairs of one mover, by both shapes, its own first; sorted
-    std::vector<std::vector<NearShape>> near_in_chunk; // of bodies that are looked at side by side
+    std::vector<std::vector<NearShape>> near_in_chunk; // by chunk of a parallel loop
     std::vector<ImpactPoint> points;                   // of one impact
-    std::vector<StruckBody> struck;                    // and all else of it
+    std::vector<StruckBody> struck;                    // of one impact, as are the following
     std::vector<ImpactBody> struck_motions;
     std::vector<ImpactPair> touching;
     ImpactBuffer impact;

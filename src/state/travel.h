@@ -1,5 +1,5 @@
-// How far bodies have moved. What was found out about bodies is valid until they have moved by so much: no event has to
-// take it back.
+// The travel of bodies: a result about bodies is valid until they have traveled a certain distance, so no event must
+// invalidate it.
 #pragma once
 
 #include "math/vec.h"
@@ -9,22 +9,22 @@
 
 namespace cairn {
 
-// Lengths as whole numbers of 2^-32 m: sums are exact, so that no motion, however small, is lost beside a long one.
-// They run over and begin anew; what counts are differences.
+// Lengths in units of 2^-32 m: sums of integers are exact, so that small motions are not lost next to long ones. They
+// wrap around; only differences matter.
 using Travel = std::uint64_t;
 
-inline constexpr double travel_units = 4294967296.0; // per meter
-inline constexpr double max_leap = 8192;             // m: a longer motion counts as that, which spends every budget
+inline constexpr double travel_units = 4294967296.0; // units per meter
+inline constexpr double max_leap = 8192;             // m: longer motions count as this, which exceeds every budget
 
-// How far off what was computed in single precision may be, as a share of the size of what it is about: several of its
-// roundings. What may be left out by a bound is looked at that much farther, so that rounding decides nothing.
+// Error of single precision results, relative to the size of their operands: several roundings. Bounds that exclude
+// something are widened by this, so that rounding decides nothing.
 inline constexpr double rounding = 1e-6;
 
-// At least that length, m. Of NaN, the longest.
+// The length, m, rounded up. NaN counts as the longest.
 inline Travel travelled(double length) {
     return static_cast<Travel>(static_cast<std::int64_t>((length < max_leap ? length : max_leap) * travel_units) + 1);
 }
-// At most that length, m, and less than what a leap spends.
+// The length, m, rounded down, and less than max_leap.
 inline Travel budget_of(double length) {
     return static_cast<Travel>(static_cast<std::int64_t>(std::clamp(length, 0.0, max_leap / 2) * travel_units));
 }
