@@ -3,12 +3,12 @@
 // bounces, so that an impact travels through a row of touching balls (Newton's cradle).
 //
 // Energy and time are exact for a constant closing acceleration a. The discrete path is a parabola; its closing speed
-// at the start of the substep is the stored speed |v| (which already includes h a of this substep) minus o h a, where o
-// = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact integration; 3/2
-// for explicit Euler. From u = |v| - o h a at a gap s, the surface is reached with w = sqrt(u^2 + 2 a s) after t = 2 s
-// / (u + w), and left with e w; at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the stored
-// convention, and the gap e w (h - t) - a (h - t)^2 / 2. The displacement to there that the stored velocity does not
-// give goes to velocity_correction.
+// at the start of the substep is the stored speed |v| (which already includes h a of this substep) minus o h a, where
+// o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact integration;
+// 3/2 for explicit Euler. From u = |v| - o h a at a gap s, the surface is reached with w = sqrt(u^2 + 2 a s) after
+// t = 2 s / (u + w), and left with e w; at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the
+// stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. The displacement to there that the stored velocity does
+// not give goes to velocity_correction.
 //
 // Restitution applies to the free velocity (the reference). The part carried over from the last substep stands for
 // forces of this substep, which act on after the bounce as before it. If it bounced as well, the force with which a
@@ -114,7 +114,7 @@ CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& 
                    settings);
 }
 
-// The displacement of each point's arm for A while B passes A by -`passed`, counted from the pose that `normal` belongs
+// The change of each point's arm for A when A has moved by `passed` relative to B since the pose that `normal` belongs
 // to. The point stays with a sphere; with A if B cannot move; between two boxes, midway. Between two spheres the normal
 // turns with the line of centers.
 template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block, Vec3x8 passed, Vec3x8& normal) {
@@ -245,8 +245,7 @@ CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, co
 
 // Displacement of A relative to B since the start of the step.
 CAIRN_INLINE Vec3x8 passed_of(const SolverPose* pose, const std::uint32_t* a, const std::uint32_t* b) {
-    const auto* rows = reinterpret_cast<const SolverVelocity*>(pose); // dx of a SolverPose has the offset of v of a
-                                                                      // SolverVelocity
+    const auto* rows = reinterpret_cast<const SolverVelocity*>(pose); // dx has the offset of v
     return gather_velocity(rows, a).v - gather_velocity(rows, b).v;
 }
 
@@ -281,7 +280,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         change += select(arrives[i], r.velocity - now.v[i], zero());
         correction += select(arrives[i], r.correction, zero());
     }
-    // The bodies meet within the substep: the pose lags behind by between none and all of the change of velocity.
+    // The bodies meet within the substep: the correction takes back none to all of the change of velocity.
     now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
     Meeting<N> m = meeting_later(block, now, free.a, free.b, around, settings.h);
     mask8 bounces = zero() > one();
@@ -355,8 +354,8 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
         const Velocityx8 drive_a = gather_twist(bodies.drive, block.a), drive_b = gather_twist(bodies.drive, block.b);
         for (int i = 0; i < N; ++i) {
             const f32x8 forced = velocity_of(now, i, carried.a, carried.b), v = now.v[i] + forced;
-            // Contacts that bounced before in this substep are looked for where they would be had they come with their
-            // present velocity.
+            // The gap of contacts that bounced before in this substep is that which they would have had they come with
+            // their present velocity.
             const f32x8 shift = velocity_of(now, i, other_a, other_b);
             const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
             const f32x8 way = select(arrives[i], splat(-settings.h) * v, one());

@@ -212,9 +212,9 @@ CAIRN_INLINE Response8 response_of(const AxisBlock& b, const Jacobianx8& j) {
     return {by_a, by_b, linear + turning};
 }
 
-// The row together with those impulses of the joint's point and turn that keep their velocities unchanged: J - c^T J_p
-// - d^T J_t, with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T. Plain: no joint of the block has a
-// turn, and their points have no free axis.
+// The row together with those impulses of the joint's point and turn that keep their velocities unchanged:
+// J - c^T J_p - d^T J_t, with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T. Plain: no joint of the
+// block has a turn, and their points have no free axis.
 template <bool Plain>
 CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, const Jacobianx8& j,
                                       const Response8& alone) {
@@ -256,8 +256,7 @@ template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& pos
         const Jacobianx8 held =
             b.plain_locks ? held_by_locks<true>(b, geometry, j, alone) : held_by_locks<false>(b, geometry, j, alone);
         const f32x8 left = response_of(b, held).k;
-        const mask8 is_known = left > splat(rounding) * k; // else point and turn hold the whole row, or the row is
-                                                           // taken alone
+        const mask8 is_known = left > splat(rounding) * k; // else point and turn hold it all, or it is taken alone
         moved = select(is_known, left, k);
         const mask8 is_held = and_not(is_known, mask_from_bits(b.direct));
         j = select(is_held, held, j);

@@ -1,8 +1,9 @@
 // Points: the anchors of two bodies are kept together, in all directions or perpendicular to an axis of A. With p the
-// impulse on B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1
-// [r_B]. If an axis is free, r_A extends to the anchor of B along it, and only the components of c and p perpendicular
-// to it count. If the joint has a turn, p acts together with the angular impulse that keeps the relative angular
-// velocity unchanged (joint_locks.h): the moments are r x p - D^T p.
+// impulse on B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and
+// K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B]. If an axis is free, r_A extends to the anchor of B
+// along it, and only the components of c and p perpendicular to it count. If the joint has a turn, p acts together with
+// the angular impulse that keeps the relative angular velocity unchanged (joint_locks.h): the moments are r x p - D^T
+// p.
 #include "kernels/solve/joint_locks.h"
 
 #include <type_traits>
@@ -240,9 +241,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         Ends8 e = gather_ends(velocity, b);
         for_form(b, [&](auto, auto isotropic, auto turns) {
             Vec3x8 slip = slip_at(e, arm_a, arm_b);
-            if constexpr (turns)
-                slip = slip - load9(b.by_turn) * (e.b.w - e.a.w); // the slip that remains when the
-                                                                  // turn stops the rotation
+            if constexpr (turns) slip = slip - load9(b.by_turn) * (e.b.w - e.a.w); // what remains when the turn stops
             const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip);
             const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
             store3(b.total, load3(b.total) + d);

@@ -80,8 +80,9 @@ struct alignas(64) ContactRecord {
 // unknown.
 inline constexpr float rolls_somehow = -1, on_face = -2;
 
-// What two round surfaces that touch at one point are round about, so that the solver can follow the normal; stored as
-// the separation of the second point, whose position is the axis, if there is one. 0: any other contact.
+// Kinds of one-point contacts of two round surfaces, for the solver to follow the normal: both are round about points,
+// or A or B is round about an axis. The kind is stored as the separation of the second point, the axis as its position.
+// 0: any other contact.
 inline constexpr float round_about_points = 1, round_about_axis_of_a = 2, round_about_axis_of_b = 3;
 inline bool are_round(const ContactRecord& r) { return r.radius_a > 0 && r.radius_b > 0; }
 inline bool is_round_touch(const ContactRecord& r) { return are_round(r) && r.more_points[0][3] > 0; }
