@@ -141,7 +141,7 @@ CAIRN_INLINE mask4 is_inside(const Seen& s, const Local& foot, f64x4 extent) {
     return inside;
 }
 
-// Offers the corners of the face over the triangle, in the order ++, -+, --, +- around it.
+// Offers the corners of the box's face that are over the triangle, in the order ++, -+, --, +- around the face.
 CAIRN_INLINE void offer_corners_of_box(const Seen& s, f64x4 sign, f64x4 slack, Points& points) {
     const f64x4 ni = s.normal[0], hj = s.half[1], hk = s.half[2];
     const mask4 is_flat = abs(ni) > splat4(edge_on);

@@ -189,8 +189,8 @@ constexpr int face_candidates = 12;
 // its corners count as inside the parallelogram only where they are inside it by as much.
 constexpr float face_tolerance = 1e-4f;
 
-// Clips: computes the vertices of the polygon where the parallelogram, projected along z, overlaps the rectangle. These
-// are the ends of the parallelogram's edges, each clipped to the rectangle (always the start, the end only where it is
+// Computes the vertices of the polygon where the parallelogram, projected along z, overlaps the rectangle. These are
+// the ends of the parallelogram's edges, each clipped to the rectangle (always the start, the end only where it is
 // clipped), and the rectangle's corners inside the parallelogram. Candidates with a separation greater than `margin`
 // are not valid. `rounding` is the error of the coordinates.
 CAIRN_INLINE CandidatePoints<face_candidates> clip(const FacePair& f, f32x8 margin, f32x8 rounding) {

@@ -156,8 +156,8 @@ CAIRN_INLINE Sym3x8 inverse_by_pivots(const Sym3x8& m) {
 }
 
 // With P = 1 - a a^T: the inverse of P m P on the plane perpendicular to the unit vector a, zero along a. With u = m a
-// and t = a.u, the matrix Q = m - a u^T - u a^T + 2 t a a^T is P m P + t a a^T; the result is its inverse less a a^T /
-// t.
+// and t = a.u, the matrix Q = m - a u^T - u a^T + 2 t a a^T is P m P + t a a^T; the result is its inverse less
+// a a^T / t.
 template <class Inverse> CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a, Inverse&& inverse_of) {
     const Vec3x8 u = m * a;
     const f32x8 t = dot(a, u), t2 = t + t;

@@ -70,7 +70,7 @@ CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* of
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
 }
 
-// Gathers the angular parts of rows of SolverVelocity or of a struct with the same layout.
+// Gathers or scatters the angular parts of rows of SolverVelocity, or of a struct with the same layout.
 template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
     const float* p[8];
     Vec3x8 w;
@@ -163,11 +163,11 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
     for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
 }
 
-// The change of the relative velocity at a contact point that moves within the step, with the corner that it is or as a
-// round body rolls: `turning` times the time from the moment at which the contact was found to `middle`, the middle of
-// the substep. Bodies move by the velocities of a substep as if these were those of its middle; evaluated there, the
-// rotation from substep to substep takes as much energy from them as it gives. With arms fixed at the middle of the
-// step, Euler's disk loses a third of its energy in a second.
+// The change of the relative velocity at a contact point that moves within the step, with a corner of a body or because
+// a round body rolls: `turning` times the time from the moment at which the contact was found to `middle`, the middle
+// of the substep. Bodies move during a substep by its velocities, which should therefore be those of its middle; then
+// the rotation takes as much energy from the bodies as it gives back, from substep to substep. With arms fixed at the
+// middle of the step, Euler's disk loses a third of its energy in a second.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<N>& block, float middle) {
     const mask8 turns = mask_from_bits(block.turns);
     return (splat(middle) - load(block.found)) * select(turns, load3(block.turning), zero3());
