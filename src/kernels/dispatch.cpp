@@ -34,10 +34,10 @@ namespace {
 
 struct Choice {
     const KernelTable* table;
-    bool runs; // on the processor of this machine
+    bool runs; // whether this machine's processor can run it
 };
 
-// Those of this build, best first; then null.
+// The tables of this build, best first, terminated by null.
 Choice choice(int i) noexcept {
     const Choice choices[] = {
 #ifdef CAIRN_HAS_AVX512
@@ -64,7 +64,7 @@ Choice choice(int i) noexcept {
     return choices[i];
 }
 
-// The best that runs here, of that name if there is one; null: there is none.
+// The best table that this processor can run, with that name if `name` is given; null: there is none.
 const KernelTable* find(const char* name) noexcept {
     for (int i = 0; choice(i).table; ++i)
         if (choice(i).runs && (!name || std::strcmp(choice(i).table->name, name) == 0)) return choice(i).table;

@@ -16,9 +16,9 @@
 
 namespace cairn {
 
-// Tests `count` pairs (a multiple of 8; pad by repeating any valid pair) of shapes poses[first[i]] and
-// poses[second[i]], and writes out[i]. Points are made up to margin[i] meters apart. kept[i], of box_box alone: the
-// features of the last step (see ContactRecord), which are preferred; null: none.
+// Tests `count` pairs (a multiple of 8; pad by repeating any valid pair) of the shapes poses[first[i]] and
+// poses[second[i]], and writes out[i]. Contact points are generated up to a separation of margin[i] meters. kept[i],
+// used by box_box only: the features of the last step (see ContactRecord), which are preferred; null: none.
 using CollideKernel = void (*)(const ShapePose* poses, const std::uint32_t* first, const std::uint32_t* second,
                                const float* margin, const std::uint32_t* kept, int count, Manifold* out);
 
@@ -30,8 +30,8 @@ struct KernelTable {
     BroadKernels broad;
     TriangleKernels triangles;
 
-    // By the types of the first shape and of the second. Planes are infinite, rectangles finite, capsules have equal
-    // ends.
+    // Named after the types of the first and the second shape. Planes are infinite, rectangles finite; capsules have
+    // ends of equal radius.
 #define CAIRN_COLLIDE_KERNEL(first, second) CollideKernel first##_##second;
     CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL)
 #undef CAIRN_COLLIDE_KERNEL

@@ -20,7 +20,7 @@ const KernelTable table = {
     .joints = joint_kernels(),
     .broad = broad_kernels(),
     .triangles = {see_triangles, touch_on_box, touch_on_triangle},
-    CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL) // by name, so that none gets the place of another
+    CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL) // designated by name, so that no kernel can take another's place
 };
 
 } // namespace cairn::CAIRN_ISA

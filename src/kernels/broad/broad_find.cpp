@@ -18,7 +18,8 @@ struct BitLists {
 };
 constexpr BitLists bit_lists;
 
-// Appends the lanes of the mask: always writes 8 keys, and counts those that are there.
+// Appends the keys of the lanes in the mask: always writes 8 keys, but advances the count only by the lanes that are
+// set.
 CAIRN_INLINE void append(RowBuffer& rows, unsigned row, int mask, std::uint32_t key) {
     std::uint32_t* out = rows.keys + std::size_t(row) * rows.capacity + rows.count[row];
     const std::uint8_t* lane = bit_lists.lanes[mask];

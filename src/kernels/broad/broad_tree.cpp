@@ -12,8 +12,8 @@ constexpr Node8 nothing = {
 
 int hit_box(const Node8& node, const TreeBox& box) { return hits(node, splat(box)); }
 
-// The slab test of Kay and Kajiya. The far distance is widened by the rounding errors of both (Ize, "Robust BVH ray
-// traversal", 2013), so that no box is missed.
+// The slab test of Kay and Kajiya. The exit distance is increased by the rounding errors of entry and exit (Ize,
+// "Robust BVH ray traversal", 2013), so that no box is missed.
 int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* entry) {
     const auto sides = reinterpret_cast<const float*>(&node);
     const auto distances = [&](const std::uint32_t* side, const float* place, int axis) {
@@ -29,7 +29,7 @@ int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* en
     return 255 ^ bits((near > far) | (far < zero()));
 }
 
-// Squares are made a little less by their rounding errors, so that no box is missed.
+// Squared distances are reduced by their rounding errors, so that no box is missed.
 int hit_near(const Node8& node, const TreePoint& point, float max_square, float* square) {
     const f32x8 slack = splat(point.slack);
     f32x8 sum = zero();
@@ -43,7 +43,7 @@ int hit_near(const Node8& node, const TreePoint& point, float max_square, float*
     return 255 ^ bits(sum > splat(max_square));
 }
 
-// The eight lanes of each child are transposed into columns, so that the bounds of eight children are made at once.
+// The eight lanes of each child are transposed into columns, so that the bounds of eight children are computed at once.
 template <bool Lower> CAIRN_INLINE f32x8 bounds_of_rows(const float* const* row) {
     f32x8 c[8];
     const float* second[8];
@@ -69,7 +69,7 @@ void refit(const Node8* children, std::uint32_t child_count, Node8* parents) {
     }
 }
 
-// Visits the leaves, ascending, for which `lanes(node, level)` keeps a bit in every ancestor.
+// Visits, in ascending order, the leaves for which `lanes(node, level)` sets the bit in every ancestor.
 template <class Lanes, class Visit>
 CAIRN_INLINE void walk_leaves(const TreeView& tree, const Lanes& lanes, const Visit& visit) {
     if (tree.level_count < 2) return;

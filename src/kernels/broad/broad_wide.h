@@ -1,4 +1,4 @@
-// What the broad-phase kernels share.
+// Helpers shared by the broad-phase kernels.
 #pragma once
 
 #include "kernels/broad/broad.h"
@@ -20,7 +20,7 @@ CAIRN_INLINE WideBox splat_lane(const Node8& node, unsigned lane) {
             {splat(node.hi[0][lane]), splat(node.hi[1][lane]), splat(node.hi[2][lane])}};
 }
 
-// Lanes that meet the box (touching counts), as bits: those that are not apart on any axis.
+// Bit mask of the lanes that overlap the box (touching counts): those that are not separated on any axis.
 CAIRN_INLINE int hits(Vec3x8 lo, Vec3x8 hi, const WideBox& box) {
     const mask8 apart = (lo.x > box.hi.x) | (hi.x < box.lo.x) | (lo.y > box.hi.y) | (hi.y < box.lo.y) |
                         (lo.z > box.hi.z) | (hi.z < box.lo.z);
@@ -28,8 +28,9 @@ CAIRN_INLINE int hits(Vec3x8 lo, Vec3x8 hi, const WideBox& box) {
 }
 CAIRN_INLINE int hits(const Node8& node, const WideBox& box) { return hits(load3(node.lo), load3(node.hi), box); }
 
-// Of the items of leaf a in `rows`, as bits, those that meet each lane of b. Returns the lanes that any of them meets.
-// Asked of each row or of each lane, whichever are fewer: it is those that are in one place that share a walk.
+// For each lane of b, rows_of_lane is the bit mask of those items of leaf a, among `rows`, that overlap it. Returns the
+// lanes that any of them overlaps. Tests each row or each lane, whichever are fewer: items that share a traversal are
+// close together.
 CAIRN_INLINE unsigned meeting_rows(const Node8& a, const WideBox& bounds_a, unsigned rows, const Node8& b,
                                    std::uint8_t (&rows_of_lane)[8]) {
     const bool is_one_row = (rows & (rows - 1)) == 0;

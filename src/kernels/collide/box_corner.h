@@ -1,17 +1,18 @@
-// Boxes that meet corner to corner, with edges side by side: the normal between them, and the points.
+// Boxes that touch corner to corner, with nearly parallel edges: the contact normal, and the points.
 #pragma once
 
 #include "kernels/collide/box_pair.h"
 
 namespace cairn::CAIRN_ISA {
 
-// At most, of edges that are side by side: the sine of the angle between them, the cosine of that to the normal.
+// Upper limit, for nearly parallel edges, of the sine of the angle between them, and of the cosine of their angles to
+// the normal.
 constexpr float side_by_side_edges = 0.01f;
 
-// The edge of a box that lies farthest along a direction: of the three kinds, that which is most across it.
+// The support edge of a box in a direction; of its three edge directions, the one most perpendicular to it.
 struct SupportEdgex8 {
-    Vec3x8 middle, direction; // from the center of the box; unit
-    f32x8 half, axis;         // half its length, the number of its axis
+    Vec3x8 middle, direction; // middle: from the center of the box; direction: unit
+    f32x8 half, axis;         // half its length; the number of its axis
     mask8 is_across;
 };
 CAIRN_INLINE SupportEdgex8 support_edge(const Vec3x8 (&axes)[3], const f32x8 (&h)[3], Vec3x8 n) {
@@ -30,9 +31,9 @@ CAIRN_INLINE SupportEdgex8 support_edge(const Vec3x8 (&axes)[3], const f32x8 (&h
     }
     return e;
 }
-// The part of the first where the second is beside it, from the middle of the first.
+// The part of the first edge beside which the second one lies, from `low` to `high` along the first, from its middle.
 struct EdgePairx8 {
-    Vec3x8 between; // of the middles
+    Vec3x8 between; // from the middle of the first to that of the second
     f32x8 along, cosine, low, high;
 };
 CAIRN_INLINE EdgePairx8 pair_edges(const SupportEdgex8& a, const SupportEdgex8& b, Vec3x8 offset) {
@@ -50,19 +51,20 @@ CAIRN_INLINE mask8 are_side_by_side(const SupportEdgex8& a, const SupportEdgex8&
            (p.low < p.high);
 }
 
-// Where corners meet, any direction between the normals of their faces keeps the two apart, and which of the faces is
-// the best one changes with the least shift. The normal is the mean of those that do so nearly as well as the best
-// one, the better the more: two cards that lean on each other press along the line between them. What is apart has not
-// met at a corner yet: there it is the direction of the gap, to which each face that keeps the two apart adds its part.
-// Else what slides past a corner a millimeter beside it would be turned away as by a chamfer.
+// Where corners meet, any direction between the normals of their faces separates the boxes, and the slightest
+// displacement changes which face has the greatest separation. The normal is the mean of the normals of those faces
+// whose separation is nearly the greatest, weighted by how near it is: two cards that lean on each other press along
+// the line between them. Boxes that are still apart have not met at a corner: there the normal is the direction of the
+// gap, to which each separating face contributes its component. Otherwise a box that slides past a corner a millimeter
+// beside it would be deflected as by a chamfer.
 struct CornerNormalx8 {
     Vec3x8 normal;
-    mask8 holds; // corners meet, and along the normal the two are nearly as far apart as along the best of the faces
+    mask8 holds; // whether corners meet, and the separation along the normal is nearly the greatest of the faces
 };
 CAIRN_INLINE CornerNormalx8 corner_normal(const BoxPairx8& p, const RelativeBoxx8& q, const f32x8 (&separation)[6],
                                           f32x8 greatest) {
-    // Of the squares of the sum of normals and of that of their lengths: faces are more than some 16 degrees from
-    // parallel, and do not look against each other.
+    // Limits of the ratio of the squared sum of normals to the squared sum of their lengths: the faces are more than
+    // some 16 degrees from parallel, and do not oppose each other.
     constexpr float parallel = 0.98f, opposite = 0.25f;
     const f32x8 tolerance = splat(edge_tolerance) * p.smallest;
     const mask8 is_apart = greatest > zero();
@@ -101,9 +103,9 @@ inline void append_corners(BoxContactList& corners, int base, int lanes, f32x8 s
                 static_cast<std::uint32_t>(base + i), 0, 0, s[i], false, {x[i], y[i], z[i]}};
 }
 
-// Manifolds of the corner list: the ends of the part where the edges are side by side.
+// Computes the manifolds of the corner list: the points are the ends of the part where the edges lie side by side.
 inline void corner_manifolds(const BoxBatch& batch, const BoxContactList& corners) {
-    constexpr float first_feature = 144.0f; // beyond those of edges
+    constexpr float first_feature = 144.0f; // features of edges are smaller
     for (int k = 0; k < corners.count; k += 8) {
         const ListedPairs listed = gather_listed(batch, corners, k);
         const BoxPairx8 p = gather_boxes<false>(batch.poses, listed.first, listed.second);
@@ -122,7 +124,7 @@ inline void corner_manifolds(const BoxBatch& batch, const BoxContactList& corner
         const auto gap_at = [&](f32x8 s) {
             return (e.between + clamp((s - e.along) / e.cosine, -b.half, b.half) * b.direction) - s * a.direction;
         };
-        // The nearer one first: the other may be beyond the margin.
+        // The point with the smaller separation first: the other may be beyond the margin.
         const Vec3x8 gap_low = gap_at(e.low), gap_high = gap_at(e.high);
         const mask8 turned = dot(normal, gap_high) < dot(normal, gap_low);
         for (int i = 0; i < 2; ++i) {

@@ -1,7 +1,7 @@
 // The two phases that box-box and box-rectangle share. Phase one, 8 pairs at a time, finds the axis of least
-// penetration (see collide_box_box.cpp, collide_box_rectangle.cpp) and sorts the pairs that touch into a list of
-// face contacts and a list of edge contacts. Phase two makes the manifolds of each list, again 8 at a time, so
-// that no lane computes what it does not need.
+// penetration (see collide_box_box.cpp, collide_box_rectangle.cpp) and sorts the pairs that touch into a list of face
+// contacts and a list of edge contacts. Phase two computes the manifolds of each list, again 8 at a time, so that no
+// lane computes what it does not need.
 #pragma once
 
 #include "kernels/collide/face_clip.h"
@@ -11,20 +11,22 @@ namespace cairn::CAIRN_ISA {
 // Pairs per batch; the lists live on the stack.
 constexpr int batch_pairs = 512;
 
-// An edge contact replaces a face contact only where it is less deep by this part of the smallest half extent:
-// a face gives up to four points, which stacks need. Faces that are nearly as good, by as much, have their share in the
-// normal where corners meet.
+// An edge contact replaces a face contact only where its penetration is less by this fraction of the smallest half
+// extent: a face gives up to four points, which stacks need. Faces whose penetration is within this of the least
+// contribute to the normal where corners meet.
 constexpr float edge_tolerance = 5e-2f;
-// The second shape's faces are the reference only where they are less deep by this part of it.
+// A face of the second shape is the reference only where its penetration is less by this fraction of the smallest half
+// extent.
 constexpr float second_face_tolerance = 1e-4f;
-// The reference face of the last step stays the reference until another is less deep by this part of it. Without that,
-// the faces of two boxes that lie flat on each other take turns, and with them the points.
+// The reference face of the last step stays the reference until another one's penetration is less by this fraction of
+// the smallest half extent. Otherwise the faces of two boxes that lie flat on each other alternate, and with them the
+// contact points.
 constexpr float kept_face = 3e-3f;
-// The error of a projected length, as part of the sum of all half extents.
+// The error of a projected length, as a fraction of the sum of all half extents.
 constexpr float projection_error = 5e-7f;
-// Edges whose cross product is shorter than this are parallel: they have no axis of their own.
+// Edges whose cross product is shorter than this are parallel: they give no separating axis.
 constexpr float parallel_edges = 1e-5f;
-// Below every separation that can occur.
+// Less than every separation that can occur, m.
 constexpr float no_separation = -1e30f;
 
 // The result of phase one for one pair.
@@ -32,9 +34,9 @@ struct BoxContact {
     std::uint32_t pair; // index in the batch
     float face;         // 0..2: face axis of the first shape; 3..5: of the second
     float edge;         // 3 i + j: the cross product of axis i of the first and axis j of the second
-    float separation;   // the greatest over all axes: the true one
-    bool edge_is_best;  // an edge axis, not a face axis, has that separation
-    float normal[3];    // where corners meet
+    float separation;   // the greatest over all axes, which is the true separation
+    bool edge_is_best;  // whether an edge axis, not a face axis, has that separation
+    float normal[3];    // set where corners meet
 };
 
 struct BoxContactList {
@@ -46,7 +48,7 @@ struct BoxPairx8 {
     Vec3x8 offset;         // from the center of a to the center of b
     Vec3x8 a[3], b[3];     // axes in world space
     f32x8 ha[3], hb[3];    // half extents
-    f32x8 smallest, error; // the smallest half extent, the error of a projected length
+    f32x8 smallest, error; // the smallest half extent; the error of a projected length
 };
 
 // With `flat`, the second shape is a rectangle: a box without thickness along its y axis.
@@ -86,9 +88,9 @@ CAIRN_INLINE RelativeBoxx8 relate(const BoxPairx8& p) {
     return q;
 }
 
-// Axis a[i] x b[j]: the separation along it, `projected` = offset . (a[i] x b[j]) and the length of the product.
-// Nearly parallel edges give an axis whose direction is uncertain by error / length. That is taken off, so that
-// such an axis wins only by more than its own uncertainty.
+// Axis a[i] x b[j]: the separation along it, `projected` = offset . (a[i] x b[j]), and the length of the cross product.
+// Nearly parallel edges give an axis whose direction is uncertain by error / length. This is subtracted from the
+// separation, so that such an axis wins only by more than its own uncertainty.
 struct EdgeAxisx8 {
     f32x8 separation, projected, length;
 };
@@ -104,16 +106,16 @@ CAIRN_INLINE EdgeAxisx8 edge_axis(const BoxPairx8& p, const RelativeBoxx8& q, in
     return {select(defined, separation, splat(no_separation)), projected, length};
 }
 
-// One of three by number: 0, 1 or anything greater.
+// Selects one of three values by number: 0, 1, or anything greater.
 template <class T> CAIRN_INLINE T choose(f32x8 number, T v0, T v1, T v2) {
     return select(number < splat(0.5f), v0, select(number < splat(1.5f), v1, v2));
 }
-// Three lanes, cyclically moved so that number `first` comes first.
+// Rotates three values cyclically, so that number `first` comes first.
 template <class T> CAIRN_INLINE void rotate_to(f32x8 first, const T (&in)[3], T (&out)[3]) {
     for (int i = 0; i < 3; ++i) out[i] = choose(first, in[i], in[(i + 1) % 3], in[(i + 2) % 3]);
 }
 
-// Appends the lanes of a block, whose first pair is number `base` of the batch, to the lists.
+// Appends the touching lanes of eight pairs, of which the first is number `base` of the batch, to the lists.
 CAIRN_INLINE void append(BoxContactList& faces, BoxContactList& edges, int base, mask8 touching, mask8 by_edge,
                          f32x8 face, f32x8 edge, f32x8 separation, mask8 edge_is_best) {
     alignas(32) float face_lane[8], edge_lane[8], separation_lane[8];
@@ -133,13 +135,13 @@ CAIRN_INLINE void append(BoxContactList& faces, BoxContactList& edges, int base,
     }
 }
 
-// The pairs of one batch, and eight entries of a list. Beyond the end of the list its last entry is repeated; it
-// then writes the same manifold again.
+// The pairs of one batch, and eight entries of a list. Lanes beyond the end of the list repeat its last entry, and
+// write the same manifold again.
 struct BoxBatch {
     const ShapePose* poses;
     const std::uint32_t *first, *second;
     const float* margin;
-    const std::uint32_t* kept; // null: nothing
+    const std::uint32_t* kept; // features of the last step; null: none
     Manifold* out;
 };
 struct ListedPairs {
@@ -165,8 +167,8 @@ CAIRN_INLINE ListedPairs gather_listed(const BoxBatch& batch, const BoxContactLi
     return r;
 }
 
-// Of the features of the last step, lane by lane: byte number `byte`, without the lowest bits. The lowest byte of a
-// feature is 16 * face + the candidate's number, or 128 + edge.
+// Byte number `byte` of each lane's features of the last step, without the lowest bits. The lowest byte of a feature is
+// 16 * face + the candidate's index, or 128 + edge.
 CAIRN_INLINE f32x8 kept_bytes(const std::uint32_t* features, int byte, int lowest_bits) {
     using Words = std::int32_t __attribute__((vector_size(32)));
     using Floats = float __attribute__((vector_size(32)));
@@ -178,8 +180,8 @@ CAIRN_INLINE f32x8 kept_bytes(const std::uint32_t* features, int byte, int lowes
     return load(lane);
 }
 
-// The numbers of the candidates of eight listed faces that were kept in the last step. Where another face was the
-// reference, and beyond the kept points, they are none of theirs.
+// The indices of the candidates of eight listed faces that were contact points in the last step. Where another face was
+// the reference, and for absent points, the results are no valid indices.
 CAIRN_INLINE void gather_kept(const BoxBatch& batch, const BoxContactList& list, int k, f32x8 face, f32x8 (&index)[4]) {
     std::uint32_t features[8];
     for (int i = 0; i < 8; ++i)
@@ -187,14 +189,14 @@ CAIRN_INLINE void gather_kept(const BoxBatch& batch, const BoxContactList& list,
     for (int j = 0; j < 4; ++j) index[j] = kept_bytes(features, j, 0) - splat(16.0f) * face;
 }
 
-// A feature number: small integers as the mantissa bits of 2^23.
+// A feature number: a small integer as the mantissa bits of 2^23.
 CAIRN_INLINE f32x8 feature_number(f32x8 small_integer) { return small_integer + splat(8388608.0f); }
 
-// The frame of the reference face, and the face of the other shape that looks at it most.
+// The frame of the reference face, and the incident face: that of the other shape which is most opposed to it.
 struct FaceFrame {
-    Vec3x8 normal, e1, e2; // out of the reference face, along its sides
+    Vec3x8 normal, e1, e2; // outward normal of the reference face, and its sides' directions
     Vec3x8 origin;         // its center, relative to the first shape's center
-    mask8 second;          // the reference face is the second shape's
+    mask8 second;          // whether the reference face is the second shape's
     Vec3x8 other_center;   // the other shape's center in this frame, from the reference shape's center
     FacePair faces;
 };
@@ -215,7 +217,7 @@ template <bool flat> CAIRN_INLINE FaceFrame face_frame(const BoxPairx8& p, f32x8
     rotate_to(axis, h_reference, h);
     const Vec3x8 t = select(f.second, -p.offset, p.offset);
     mask8 flip = dot(e[0], t) < zero();
-    if (flat) flip = and_not(flip, f.second); // a rectangle's face looks up, whatever is below it
+    if (flat) flip = and_not(flip, f.second); // a rectangle's normal points up, also for boxes below it
     f.normal = select(flip, -e[0], e[0]);
     f.e1 = e[1];
     f.e2 = e[2];
@@ -238,8 +240,8 @@ template <bool flat> CAIRN_INLINE FaceFrame face_frame(const BoxPairx8& p, f32x8
     return f;
 }
 
-// A tilted box sunk below a rectangle may reach beyond it with its whole lower face. It is then lifted by its
-// center, which is over the rectangle.
+// A tilted box that has sunk below a rectangle may extend beyond it with its whole lower face. It is then pushed up at
+// its center, which is over the rectangle.
 CAIRN_INLINE void lift_by_center(const FaceFrame& f, f32x8 separation, ReducedPoints& points) {
     const Vec3x8 c = f.other_center;
     const mask8 sunk = f.second & (c.z < zero()) & (abs(c.x) < f.faces.hx) & (abs(c.y) < f.faces.hy);
@@ -251,8 +253,8 @@ CAIRN_INLINE void lift_by_center(const FaceFrame& f, f32x8 separation, ReducedPo
     points.present[0] = points.present[0] | lift;
 }
 
-// Manifolds of the face list. A face that was preferred to a less deep edge never reports more than the true
-// depth; where its polygon does not come near that depth, the pair moves to the edge list.
+// Computes the manifolds of the face list. A face that was preferred to an edge with less penetration never reports
+// more than the true penetration; where its polygon does not come near that depth, the pair moves to the edge list.
 template <bool flat> void face_manifolds(const BoxBatch& batch, const BoxContactList& faces, BoxContactList& edges) {
     for (int k = 0; k < faces.count; k += 8) {
         const ListedPairs listed = gather_listed(batch, faces, k);
@@ -290,8 +292,8 @@ template <bool flat> void face_manifolds(const BoxBatch& batch, const BoxContact
     }
 }
 
-// Where the line through the middle of an edge is closest to the other edge's; both are cut to their edges.
-// w: from the middle of the first edge to the middle of the second; u, v: their unit directions.
+// The closest points of two edges: those of their lines, clamped to the edges. w: from the middle of the first edge to
+// the middle of the second; u, v: their unit directions; s, t: positions along them.
 CAIRN_INLINE void closest_on_edges(Vec3x8 w, Vec3x8 u, Vec3x8 v, f32x8 cross_squared, f32x8 hu, f32x8 hv, f32x8& s,
                                    f32x8& t) {
     const f32x8 uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
@@ -300,8 +302,8 @@ CAIRN_INLINE void closest_on_edges(Vec3x8 w, Vec3x8 u, Vec3x8 v, f32x8 cross_squ
     s = clamp(t * uv + uw, -hu, hu);
 }
 
-// Manifolds of the edge list: one point midway between the two edges. Edges that do not overlap make a point
-// only where they come within the margin; the axis alone would also take edges that pass beside each other.
+// Computes the manifolds of the edge list: one point midway between the two edges. Edges that do not overlap give a
+// point only where they come within the margin; by the axis alone, edges that pass beside each other would also touch.
 template <bool flat> void edge_manifolds(const BoxBatch& batch, const BoxContactList& edges) {
     for (int k = 0; k < edges.count; k += 8) {
         const ListedPairs listed = gather_listed(batch, edges, k);

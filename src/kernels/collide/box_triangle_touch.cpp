@@ -1,6 +1,6 @@
-// The points in which a face of a box meets triangles, or the face of a triangle a box, four triangles at a time, in
-// the frame of the box. As among all convex shapes (collision/contact_clip.cpp), one face is cut at the borders of the
-// other, and the corners of the other that are over it count too.
+// The contact points of a face of a box with triangles, or of the face of a triangle with a box, four triangles at a
+// time, in the frame of the box. As for all convex shapes (collision/contact_clip.cpp), the incident face is clipped
+// against the borders of the reference face, and the corners of the reference face over the incident one count too.
 #include "kernels/collide/box_triangles.h"
 
 #include "simd/f64x4.h"
@@ -13,16 +13,17 @@ namespace {
 constexpr double face_tolerance = 1e-4, edge_on = 1e-2;
 // As in collision/contact_points.cpp.
 constexpr double tie = 1 + 2e-4, flat_contact = 1e-4;
-// At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
+// Where the cosine between the normals is at least this, a contact is on the face of the triangle wherever its points
+// are.
 constexpr double same_direction = 1 - 5e-11;
-// Of the extent: how far from its border a point is on the face.
+// Distance from the triangle's border beyond which a point is on the face, as a fraction of the extent.
 constexpr double off_border = 1e-4;
 constexpr double unlimited = 1e300;
 
 CAIRN_INLINE f64x4 zero4() { return splat4(0); }
 CAIRN_INLINE f64x4 one4() { return splat4(1); }
 
-// Along axis 0 as FaceTouches has it, then 1 and 2.
+// Coordinates along the axis of FaceTouches, then along the next two axes in cyclic order.
 struct Local {
     f64x4 p[3];
     f64x4& operator[](int i) { return p[i]; }
@@ -34,7 +35,7 @@ CAIRN_INLINE Local cross(const Local& a, const Local& b) {
 }
 CAIRN_INLINE Local operator-(const Local& a, const Local& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
 
-// Four triangles as they are seen from the axis that counts for each of them.
+// Four triangles and the box in the Local coordinates of each triangle.
 struct Seen {
     Local half, normal, corners[3];
     f64x4 height;
@@ -67,7 +68,7 @@ CAIRN_INLINE mask4 bit4(int number) {
     return mask4{bit, bit, bit, bit};
 }
 
-// The points that are offered one after the other.
+// Collects candidate points, which are offered one after the other.
 struct Points {
     FaceTouches& out;
     f64x4 margin, reached;
@@ -84,7 +85,7 @@ CAIRN_INLINE void finish(const Points& points) {
     store4(points.out.present, points.present);
 }
 
-// The part of an edge from p to q that is inside of all sides: how far inside its ends are, by any factor for each
+// The part of an edge from p to q that is inside all sides. p and q: how far inside the ends are, in any unit for each
 // side.
 struct Part {
     f64x4 start, end;
@@ -104,7 +105,7 @@ template <int sides> CAIRN_INLINE Part cut(const f64x4 (&p)[sides], const f64x4 
     return part;
 }
 
-// Among equally deep points the outermost, as in contact_points.cpp.
+// The deepest point; among equally deep ones the outermost, as in contact_points.cpp.
 struct Deepest {
     f64x4 j, k, separation, number;
 };
@@ -130,7 +131,7 @@ CAIRN_INLINE Deepest deepest_of(const Points& points, int count, const Seen& s, 
     return best;
 }
 
-// Not at the borders of the triangle, as seen along its normal.
+// Whether a point is not at the borders of the triangle, as projected along its normal.
 CAIRN_INLINE mask4 is_inside(const Seen& s, const Local& foot, f64x4 extent) {
     mask4 inside = ~mask4{};
     for (int e = 0; e < 3; ++e) {
@@ -140,7 +141,7 @@ CAIRN_INLINE mask4 is_inside(const Seen& s, const Local& foot, f64x4 extent) {
     return inside;
 }
 
-// Corners of the face over the triangle, around it from ++ to -+ and so on.
+// Offers the corners of the box's face that are over the triangle, in the order ++, -+, --, +- around the face.
 CAIRN_INLINE void offer_corners_of_box(const Seen& s, f64x4 sign, f64x4 slack, Points& points) {
     const f64x4 ni = s.normal[0], hj = s.half[1], hk = s.half[2];
     const mask4 is_flat = abs(ni) > splat4(edge_on);
@@ -167,7 +168,7 @@ CAIRN_INLINE void offer_corners_of_box(const Seen& s, f64x4 sign, f64x4 slack, P
 
 } // namespace
 
-// Triangles cut at the borders of the box's face.
+// Triangles clipped against the borders of the box's face.
 void touch_on_box(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out) {
     double signs[4];
     for (int n = 0; n < 4; ++n) {
@@ -210,7 +211,7 @@ void touch_on_box(const BoxFrame& box, const TriangleBatch& batch, const int* wh
     store4(out.deepest, __builtin_convertvector(deepest.number, mask4));
 }
 
-// The face of the box that looks at the triangle most, cut at the borders of that.
+// The face of the box that is most opposed to the triangle, clipped against the borders of the triangle.
 void touch_on_triangle(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out) {
     double squares[4];
     for (int n = 0; n < 4; ++n) {
@@ -235,7 +236,7 @@ void touch_on_triangle(const BoxFrame& box, const TriangleBatch& batch, const in
     const f64x4 across = sqrt(load4(squares)) / lengths[0];
     const f64x4 slack = splat4(face_tolerance) * max(lengths[0], max(along, across));
 
-    // Around the face: ++, -+, --, +- along axes 1 and 2.
+    // The corners around the face: ++, -+, --, +- along axes 1 and 2.
     f64x4 inside[4][3];
     for (int e = 0; e < 3; ++e) {
         const Local& w = inward[e];
@@ -251,7 +252,7 @@ void touch_on_triangle(const BoxFrame& box, const TriangleBatch& batch, const in
 
     Points points = {out, splat4(box.margin), splat4(unlimited), {}};
     const auto offer_point = [&](int number, mask4 is_there, f64x4 pj, f64x4 pk,
-                                 f64x4 separation) { // a point of the box
+                                 f64x4 separation) { // (pj, pk): a point on the box's face
         const f64x4 half = splat4(0.5) * separation;
         offer(points, number, is_there, {{face - half * ni, pj - half * nj, pk - half * nk}}, separation);
     };

@@ -1,6 +1,6 @@
-// The planes of triangles and the faces of a box, four triangles at a time, in the frame of the box: which triangles
-// are apart, and along which normal the others are farthest from the box. In double, so that triangles of a kilometer
-// are no worse.
+// Separating axis test of the planes of triangles and the faces of a box, four triangles at a time, in the frame of the
+// box: which triangles are apart, and which normal gives the greatest separation for the others. In double, so that
+// triangles of a kilometer are as precise.
 #include "kernels/collide/box_triangles.h"
 
 #include "simd/f64x4.h"
@@ -9,8 +9,8 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// As in collision/convex_contact.cpp: the triangle's face is taken only where it is less deep by this part of the
-// extent.
+// As in collision/convex_contact.cpp: the triangle's face is the reference only where its separation is greater by this
+// fraction of the extent.
 constexpr double second_face_tolerance = 1e-4;
 
 struct Point4 {
@@ -38,7 +38,7 @@ struct BoxFace4 {
     f64x4 separation, face;
 };
 
-// Along whose normal the triangle is farthest.
+// The face of the box along whose normal the separation from the triangle is greatest.
 CAIRN_INLINE BoxFace4 best_box_face(const BoxFrame& box, const Point4& a, const Point4& b, const Point4& c) {
     BoxFace4 best = {splat4(-1e300), splat4(0)};
     const auto offer = [&](int axis, f64x4 p, f64x4 q, f64x4 r) {
@@ -57,13 +57,14 @@ CAIRN_INLINE BoxFace4 best_box_face(const BoxFrame& box, const Point4& a, const 
 
 CAIRN_INLINE f64x4 code(TriangleView view) { return splat4(static_cast<double>(view)); }
 
-// Writes what is known of four triangles, and returns how far they are apart at least.
+// Tests four triangles and writes the results to the batch; returns lower bounds of their distances.
 CAIRN_INLINE f64x4 see_four(const BoxFrame& box, TriangleBatch& batch, int first) {
     const Point4 a = corner_of(box, batch, 0, first), b = corner_of(box, batch, 1, first),
                  c = corner_of(box, batch, 2, first);
     const Point4 up = cross(b - a, c - a);
     const f64x4 square = dot(up, up), length = sqrt(square), scale = splat4(1) / length;
-    // Times the length: the height of the middle, and half the size of the box along the normal.
+    // Multiplied by the length of the normal: the height of the box's center over the plane, and half the size of the
+    // box along the normal.
     const f64x4 long_height = -dot(up, a);
     const f64x4 size =
         splat4(box.half[0]) * abs(up.x) + splat4(box.half[1]) * abs(up.y) + splat4(box.half[2]) * abs(up.z);

@@ -1,20 +1,20 @@
-// What the kernels of capsules with equal ends share: reading them, and writing the two points where they lie along
-// something.
+// Helpers of the kernels for capsules with ends of equal radius: reading them, and writing the two contact points of a
+// capsule that lies along something.
 #pragma once
 
 #include "kernels/collide/face_clip.h"
 
 namespace cairn::CAIRN_ISA {
 
-// Axes nearer to something than this part of the sizes meet it: the direction between them is mostly rounding.
+// Axes whose distance is less than this fraction of the sizes cross: the direction between them is mostly rounding.
 constexpr float crossing = 1e-5f;
-// Axes are side by side where the square of the sine between them is less, as in collision/contact_clip.cpp.
+// Axes are parallel where the squared sine of the angle between them is less, as in collision/contact_clip.cpp.
 constexpr float side_by_side = 1e-4f;
 
 struct Capsulex8 {
     Vec3x8 axis; // unit
     f32x8 half, radius;
-    f32x8 length() const { return half + radius; } // half of it, with the ends
+    f32x8 length() const { return half + radius; } // half of the total length, with the ends
 };
 
 CAIRN_INLINE Capsulex8 capsule_of(const ShapePosex8& shape) {
@@ -28,7 +28,7 @@ CAIRN_INLINE ContactPointx8 select(mask8 m, const ContactPointx8& a, const Conta
             (m & a.present) | and_not(b.present, m)};
 }
 
-// Of two points those that are present; `apart`: how far the shapes are apart at least, where neither is.
+// Writes those of two points that are present; `apart`: a lower bound of the shapes' distance where neither is.
 CAIRN_INLINE void write_two(Manifold* out, Vec3x8 normal, const ContactPointx8& first, const ContactPointx8& second,
                             f32x8 apart) {
     Manifold* lane[8];

@@ -8,14 +8,15 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// The reference faces of the last step; other numbers: none.
+// The reference faces of the last step; other numbers mean none.
 CAIRN_INLINE f32x8 kept_faces(const BoxBatch& batch, int k) {
     return batch.kept != nullptr ? kept_bytes(batch.kept + k, 0, 4) : splat(15.0f);
 }
 
-// A face is preferred where its separation, and more if it was the reference in the last step, is the greatest.
+// Chooses the reference face: that with the greatest separation, where the reference face of the last step gets a
+// bonus.
 struct FaceChoicex8 {
-    f32x8 kept, bonus; // the reference face of the last step, and what it has ahead of the others
+    f32x8 kept, bonus; // the reference face of the last step, and its bonus
     f32x8 preferred = splat(no_separation), greatest = splat(no_separation), face = zero();
 
     void add(int number, f32x8 separation) {
@@ -60,8 +61,8 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
                 edge_separation = select(m, s, edge_separation);
                 edge = select(m, splat(static_cast<float>(3 * i + j)), edge);
             }
-        // Where the faces say enough, they alone say how far apart the two are: it must not depend on the other pairs
-        // of the eight whether edges were looked at.
+        // Where the face axes alone separate the shapes, the distance comes from them alone: it must not depend on
+        // whether the other pairs of the eight required the edge axes.
         const f32x8 apart = select(touching, max(greatest, edge_separation), greatest);
         touching = touching & (edge_separation <= margin);
         clear_manifolds(batch.out + k, touching, apart);

@@ -1,5 +1,5 @@
-// Sharp boxes against capsules with equal ends, 8 pairs at a time: the axis of the capsule, a segment, in the frame of
-// the box.
+// Sharp boxes against capsules with ends of equal radius, 8 pairs at a time: the axis of the capsule, a segment, is
+// tested in the frame of the box.
 #include "kernels/collide/capsule.h"
 #include "kernels/collide/collide.h"
 
@@ -7,27 +7,27 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// A face gives two points, and keeps its normal: it is taken where it is less apart by no more than this part of the
-// smaller half width, as in collision/convex_contact.cpp.
+// A face gives two points and a steady normal: it is preferred where its separation is smaller than the best by no more
+// than this fraction of the smaller half width, as in collision/convex_contact.cpp.
 constexpr float face_preference = 2e-3f;
-// The error of a length, as part of all sizes.
+// The error of a length, as a fraction of the sum of all sizes.
 constexpr float length_error = 5e-7f;
-// A normal is across an edge within this cosine, as in collision/contact_features.cpp.
+// A normal is perpendicular to an edge within this cosine, as in collision/contact_features.cpp.
 constexpr float across_tolerance = 1e-2f;
-// Of two points the deeper one comes first where it is deeper by this part of the smaller half width: the radius at
-// which a round surface rolls is taken there. What rocks by less keeps its order.
+// The deeper of two points comes first where it is deeper by this fraction of the smaller half width: the rolling
+// radius of a round surface is that at the first point. Bodies that rock by less keep the order of their points.
 constexpr float deeper = 1e-2f;
-// Where directions have less than this along an axis, they never leave the faces across it.
+// A direction whose component along a box axis is less than this is parallel to the faces perpendicular to it.
 constexpr float parallel = 1e-10f;
-// The square of the sine between axis and edge, below which their cross product is rounding.
+// Squared sine of the angle between axis and edge below which their cross product is rounding.
 constexpr float no_crossing = 1e-10f;
 
 struct AxisAtBoxx8 {
     f32x8 h[3];                // half extents of the box
     f32x8 c[3], u[3];          // middle and direction of the axis
-    f32x8 inverse[3];          // of the direction, finite
+    f32x8 inverse[3];          // reciprocals of u, always finite
     f32x8 half, radius;        // of the capsule
-    f32x8 size, error, extent; // of both together; of lengths; the smaller half width
+    f32x8 size, error, extent; // sum of both shapes' sizes; error of lengths; the smaller half width
     f32x8 at(int i, f32x8 s) const { return c[i] + s * u[i]; }
 };
 
@@ -48,16 +48,17 @@ CAIRN_INLINE AxisAtBoxx8 axis_at_box(const ShapePosex8& box, const ShapePosex8& 
     return p;
 }
 
-// From the box to a place of the axis; nothing along the axes of the box between whose faces that is.
+// Component i of the vector from the box to a point of the axis; zero where the point is between the faces.
 CAIRN_INLINE f32x8 outward(const AxisAtBoxx8& p, int i, f32x8 s) {
     const f32x8 x = p.at(i, s);
     return x - clamp(x, -p.h[i], p.h[i]);
 }
 
-// The place of the axis that is nearest to the box; of a part that is equally near, its middle. Half the derivative of
-// the squared distance never falls along the axis, and is linear between the places where it meets the planes of the
-// faces: its zero is between the last of these (and of the ends) where it is not above zero and the first where it is
-// not below. That is exact, and asks for no case of its own for faces, edges, corners or what is inside.
+// The point of the axis that is closest to the box; of a part that is equally close, its middle. Half the derivative of
+// the squared distance never decreases along the axis, and is linear between the points where the axis crosses the
+// planes of the faces: its zero is between the last of these (and of the ends) where it is not positive and the first
+// where it is not negative. That is exact, and needs no separate cases for faces, edges, corners or axes inside the
+// box.
 CAIRN_INLINE f32x8 nearest_place(const AxisAtBoxx8& p) {
     f32x8 low = -p.half, high = p.half, slope_low = zero(), slope_high = zero();
     const auto offer = [&](f32x8 s) {
@@ -81,7 +82,7 @@ CAIRN_INLINE f32x8 nearest_place(const AxisAtBoxx8& p) {
     return low + part * (high - low);
 }
 
-// A direction out of the box, how far the axis is away along it, and the place of the axis that is.
+// A direction out of the box, the distance of the axis along it, and the point of the axis that has that distance.
 struct Directionx8 {
     f32x8 n[3], distance, place;
 };
@@ -102,7 +103,7 @@ CAIRN_INLINE Directionx8 nearest_direction(const AxisAtBoxx8& p) {
     return d;
 }
 
-// Of the faces, the one that the axis is farthest out of.
+// The face with the greatest separation from the axis.
 CAIRN_INLINE Directionx8 face_direction(const AxisAtBoxx8& p) {
     Directionx8 d = {{zero(), zero(), zero()}, splat(-unused_separation), zero()};
     for (int i = 0; i < 3; ++i) {
@@ -116,7 +117,8 @@ CAIRN_INLINE Directionx8 face_direction(const AxisAtBoxx8& p) {
     return d;
 }
 
-// Where the axis meets the box: across it and an edge of the box, where that parts them by a shorter way than the face.
+// Where the axis intersects the box: the direction perpendicular to the axis and an edge of the box, if it separates
+// them by a shorter displacement than the face does.
 CAIRN_INLINE Directionx8 min_way_out(const AxisAtBoxx8& p, const Directionx8& face, f32x8 preference) {
     Directionx8 d = face;
     f32x8 bar = face.distance + preference;
@@ -128,12 +130,12 @@ CAIRN_INLINE Directionx8 min_way_out(const AxisAtBoxx8& p, const Directionx8& fa
         const f32x8 projected = p.c[i] * p.u[k] - p.c[k] * p.u[i];
         const f32x8 reach = p.h[i] * abs(p.u[k]) + p.h[k] * abs(p.u[i]);
         const f32x8 distance = (abs(projected) - reach) * inverse;
-        // The direction of a short product is as uncertain as it is short.
+        // The direction of a cross product is the less certain the shorter it is.
         const f32x8 at_least = select(crosses, distance - p.error * inverse, face.distance);
         const mask8 better = at_least > bar;
         const f32x8 scale = select(projected < zero(), -inverse, inverse);
         const f32x8 ni = scale * p.u[k], nk = -scale * p.u[i];
-        // Seen along the edge, the axis is nearest to it there.
+        // The point of the axis that is closest to the edge, as projected along it.
         const f32x8 wi = select(ni < zero(), -p.h[i], p.h[i]) - p.c[i];
         const f32x8 wk = select(nk < zero(), -p.h[k], p.h[k]) - p.c[k];
         const f32x8 place = clamp((wi * p.u[i] + wk * p.u[k]) * square(inverse), -p.half, p.half);
@@ -147,7 +149,7 @@ CAIRN_INLINE Directionx8 min_way_out(const AxisAtBoxx8& p, const Directionx8& fa
     return d;
 }
 
-// Where the axis is nearest; contacts are made in the frame of the box.
+// One contact point, where the axis is closest; contact points are computed in the frame of the box.
 CAIRN_INLINE ContactPointx8 single_point(const AxisAtBoxx8& p, const Directionx8& d, f32x8 separation, f32x8 limit) {
     const f32x8 depth = p.radius + splat(0.5f) * separation;
     const Vec3x8 middle = {p.at(0, d.place) - depth * d.n[0], p.at(1, d.place) - depth * d.n[1],
@@ -155,13 +157,13 @@ CAIRN_INLINE ContactPointx8 single_point(const AxisAtBoxx8& p, const Directionx8
     return {middle, separation, splat_bits(0), separation <= limit};
 }
 
-// The ends of the part of the axis that is over the face or beside the edge that looks in a direction. The deeper one
-// comes first where it is clearly deeper, and alone where both are one point.
+// The ends of the part of the axis that is over the face or beside the edge in a direction. The deeper one comes first
+// where it is clearly deeper, and is the only one where both coincide.
 struct EndPointsx8 {
     ContactPointx8 first, second;
     f32x8 reached;  // the least separation
-    mask8 is_there; // there is such a part, within the margin
-    mask8 is_along; // the axis is parallel to the edge, for more than a point
+    mask8 is_there; // whether there is such a part within the margin
+    mask8 is_along; // whether the axis is parallel to the edge over more than a point
 };
 
 CAIRN_INLINE EndPointsx8 select(mask8 m, const EndPointsx8& a, const EndPointsx8& b) {
@@ -169,15 +171,17 @@ CAIRN_INLINE EndPointsx8 select(mask8 m, const EndPointsx8& a, const EndPointsx8
             (m & a.is_there) | and_not(b.is_there, m), (m & a.is_along) | and_not(b.is_along, m)};
 }
 
-// `wider`: by how much the face is taken as wider, as part of its size.
+// `wider`: the face is widened by this fraction of its size.
 CAIRN_INLINE EndPointsx8 end_points(const AxisAtBoxx8& p, const Directionx8& d, f32x8 separation, f32x8 limit,
                                     float wider) {
     f32x8 start = -p.half, end = p.half;
-    f32x8 along = zero(), across = zero();    // squares of the direction's parts along the face or edge and across it
-    f32x8 slope = zero(), height = -p.radius; // over it
+    f32x8 along = zero(), across = zero();    // squared components of the axis direction along the face or edge and
+                                              // perpendicular to it
+    f32x8 slope = zero(), height = -p.radius; // separation over the face or edge: slope along the axis, and at its
+                                              // middle
     mask8 holds[3];
     for (int i = 0; i < 3; ++i) {
-        // Past the end of an edge that the axis is nearly parallel to, the direction leans toward that end.
+        // Beyond the end of an edge that is nearly parallel to the axis, the direction leans toward that end.
         const mask8 leans = (abs(d.n[i]) < splat(across_tolerance)) & (square(p.u[i]) > splat(1 - side_by_side));
         holds[i] = (d.n[i] == zero()) | leans;
         const f32x8 w = p.h[i] + splat(wider) * p.h[i];
@@ -189,8 +193,8 @@ CAIRN_INLINE EndPointsx8 end_points(const AxisAtBoxx8& p, const Directionx8& d, 
         slope = slope + select(holds[i], zero(), d.n[i] * p.u[i]);
         height = height + select(holds[i], zero(), d.n[i] * p.c[i] - abs(d.n[i]) * p.h[i]);
     }
-    // Exactly on the face or edge, which the axis may cross at a small angle: internal edges between boxes ask for
-    // that.
+    // A point exactly on the face or edge, which the axis may cross at a small angle: internal edges between boxes
+    // require that.
     const auto point = [&](f32x8 s, std::uint32_t feature) {
         ContactPointx8 r = {zero3(), max(height + s * slope, separation), splat_bits(feature), zero() > zero()};
         f32x8 x[3];
@@ -214,7 +218,8 @@ CAIRN_INLINE EndPointsx8 end_points(const AxisAtBoxx8& p, const Directionx8& d, 
     return r;
 }
 
-// What has two ends over a face, or beside an edge, has two points; else there is one, where the axis is nearest.
+// A capsule with two ends over a face, or beside an edge, has two contact points; else there is one, where the axis is
+// closest.
 CAIRN_INLINE void write_contacts(const AxisAtBoxx8& p, Quatx8 q, const Directionx8& face, Directionx8 d,
                                  f32x8 separation, f32x8 limit, f32x8 preference, Manifold* out) {
     EndPointsx8 ends = end_points(p, face, separation, limit, face_tolerance);

@@ -1,5 +1,5 @@
-// Box against an infinite plane, 8 pairs at a time: of the eight corners within the margin, the deepest and up to
-// three that spread widest.
+// Box against an infinite plane, 8 pairs at a time. The contact points are, of the eight corners within the margin, the
+// deepest and up to three with the widest spread.
 #include "kernels/collide/collide.h"
 #include "kernels/collide/face_clip.h"
 
@@ -11,8 +11,8 @@ void box_plane(CAIRN_COLLIDE_PARAMETERS) {
         const Mat3x8 box = to_matrix(a.q), plane = to_matrix(b.q);
         const Vec3x8 up = plane.c1;
         const f32x8 height = -dot(up, offset_between(a, b)), limit = load_unaligned(margin + k);
-        // Half axes in the plane's frame, those that point up the most first: the lower face's corners then come
-        // before the upper face's, which lie over them where a thin box rests.
+        // Half axes in the plane's frame, the most vertical one first: the lower face's corners then come before the
+        // upper face's, which are above them when a thin box rests on the plane.
         const auto to_frame = [&](f32x8 h, Vec3x8 axis) {
             return h * Vec3x8{dot(axis, plane.c0), dot(axis, plane.c2), dot(axis, up)};
         };
@@ -40,7 +40,7 @@ void box_plane(CAIRN_COLLIDE_PARAMETERS) {
             const f32x8 middle = splat(0.5f) * points.z[i] - height;
             contact[i].position = points.x[i] * plane.c0 + points.y[i] * plane.c2 + middle * up;
             contact[i].separation = points.z[i];
-            contact[i].feature = points.index[i] + splat(8388608.0f); // the number as mantissa bits of 2^23
+            contact[i].feature = points.index[i] + splat(8388608.0f); // the index as mantissa bits of 2^23
             contact[i].present = points.present[i];
         }
         Manifold* lane[8];

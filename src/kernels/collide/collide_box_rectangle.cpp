@@ -1,11 +1,11 @@
 // Box against a one-sided finite rectangle, 8 pairs at a time.
 //
-// While the box's center is above the rectangle's plane, the two are convex shapes like any other: the axes are
-// the rectangle's normal, the box's three, and the six products of their edges; but the box is only ever pushed
-// up or sideways. Of an axis that would push it down, only the verdict counts: where the box leaves that way over
-// the rim by far less than it would upward, or is already out, there is no contact.
-// A box whose center is below the plane is lifted along the normal while the center is over the rectangle and part of
-// the box is above the plane. Anything else below does not touch: it may stand on the far side of a thin wall.
+// While the box's center is above the rectangle's plane, both are tested as convex shapes: the axes are the rectangle's
+// normal, the box's three, and the six cross products of their edges; but the box is only ever pushed up or sideways.
+// An axis that would push it down only decides whether there is a contact: there is none where the box leaves in that
+// direction over the rectangle's edge by much less than it would upward, or is already out. A box whose center is below
+// the plane is pushed up along the normal while the center is over the rectangle and part of the box is above the
+// plane. Any other box below does not touch: it may be on the far side of a thin wall.
 #include "kernels/collide/box_pair.h"
 #include "kernels/collide/collide.h"
 
@@ -13,10 +13,10 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// A push counts as downward where its direction has less than this along the normal.
+// A push counts as downward where its direction has a component along the normal of less than this.
 constexpr float downward = -1e-3f;
 
-// The best axis so far, and the best of those that would push downward.
+// The best axis so far, and (`blocked`) the greatest separation along an axis that would push downward.
 struct BestAxis {
     f32x8 separation, axis, blocked;
 };

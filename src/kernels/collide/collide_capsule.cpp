@@ -1,5 +1,5 @@
-// Capsules whose ends are equal against each other and against balls, 8 pairs at a time: all that is within a radius of
-// a segment.
+// Capsules with ends of equal radius against each other and against spheres, 8 pairs at a time. A capsule is the set of
+// points within a radius of a segment, its axis.
 #include "kernels/collide/capsule.h"
 #include "kernels/collide/collide.h"
 
@@ -7,22 +7,22 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// Below this it is rounding.
+// Squared sine of the angle between axes below which it is rounding.
 constexpr float parallel = 1e-12f;
 
-// Some direction across a unit vector.
+// A direction perpendicular to a unit vector.
 CAIRN_INLINE Vec3x8 any_across(Vec3x8 v) {
     const mask8 by_x = abs(v.x) < splat(0.5f);
     const Vec3x8 across = {select(by_x, zero(), v.z), select(by_x, -v.z, zero()), select(by_x, v.y, -v.x)};
     return (one() / sqrt(dot(across, across))) * across;
 }
 
-// Two axes: places on them are given by their way from the middle, s on the first and t on the second.
+// Two axes. Points on them are given by their distance from the middle, s on the first and t on the second.
 struct AxisPairx8 {
     Capsulex8 a, b;
-    Vec3x8 offset, normal; // between the middles; the cross product of the axes
+    Vec3x8 offset, normal; // offset between the middles; cross product of the axes
     f32x8 along_a, along_b, cosine, square_sine;
-    f32x8 start, end; // the part of the first that the second covers, seen across the first
+    f32x8 start, end; // the part of the first axis that the projection of the second covers
     Vec3x8 between(f32x8 s, f32x8 t) const { return offset + t * b.axis - s * a.axis; }
 };
 
@@ -37,10 +37,10 @@ CAIRN_INLINE AxisPairx8 pair_axes(const Capsulex8& a, const Capsulex8& b, Vec3x8
     return p;
 }
 
-// Where two segments are nearest to each other (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). On the
-// lines that they are part of, the cross product tells: 1 - cosine^2 would lose half the digits of a small angle. How
-// far along it is on lines that are nearly parallel is uncertain, but there the distance hardly depends on it; on
-// parallel ones it is the middle of the part where they are side by side.
+// The closest points of two segments (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). On their lines,
+// the cross product is used: 1 - cosine^2 would lose half the digits of a small angle. The position along nearly
+// parallel lines is uncertain, but the distance hardly depends on it; on parallel ones it is the middle of the part
+// where they are side by side.
 CAIRN_INLINE void nearest_places(const AxisPairx8& p, f32x8& s, f32x8& t) {
     const mask8 meets = p.square_sine > splat(parallel);
     const f32x8 on_line = dot(cross(p.offset, p.b.axis), p.normal) / select(meets, p.square_sine, one());
@@ -49,7 +49,8 @@ CAIRN_INLINE void nearest_places(const AxisPairx8& p, f32x8& s, f32x8& t) {
     s = clamp(t * p.cosine + p.along_a, -p.a.half, p.a.half);
 }
 
-// From the first segment to the second. Where they cross, across both: that is the shortest way to part them.
+// The direction from the first segment to the second. Where they cross, it is perpendicular to both, which is the
+// shortest way to separate them.
 CAIRN_INLINE Vec3x8 direction_between(const AxisPairx8& p, Vec3x8 between, f32x8& distance) {
     const f32x8 least = square(splat(crossing) * (p.a.length() + p.b.length()));
     Vec3x8 across = up();
@@ -62,14 +63,14 @@ CAIRN_INLINE Vec3x8 direction_between(const AxisPairx8& p, Vec3x8 between, f32x8
     return direction(between, least, across, distance);
 }
 
-// The point under a place of the second axis: exactly, as internal edges between surfaces ask for.
+// The contact point below a point of the second axis; exactly below it, as internal edges between surfaces require.
 CAIRN_INLINE ContactPointx8 point_under(const AxisPairx8& p, f32x8 t, Vec3x8 normal, f32x8 separation, mask8 present,
                                         std::uint32_t feature) {
     const f32x8 depth = p.b.radius + splat(0.5f) * separation;
     return {p.offset + t * p.b.axis - depth * normal, separation, splat_bits(feature), present};
 }
 
-// Where two capsules lie side by side: between the ends of the part where they do.
+// A contact point of two capsules that lie side by side, at one end of the part where they do.
 CAIRN_INLINE ContactPointx8 end_point(const AxisPairx8& p, f32x8 s, Vec3x8 normal, f32x8 limit, std::uint32_t feature) {
     const f32x8 t = (s - p.along_a) / select(p.square_sine < splat(side_by_side), p.cosine, one());
     const f32x8 separation = dot(p.between(s, t), normal) - (p.a.radius + p.b.radius);

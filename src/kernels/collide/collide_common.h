@@ -1,4 +1,4 @@
-// What the narrow-phase kernels share: reading eight poses, and writing eight manifolds.
+// Helpers of the narrow-phase kernels: reading eight poses, and writing eight manifolds.
 #pragma once
 
 #include "collision/manifold.h"
@@ -33,13 +33,12 @@ CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose* poses, const std::uint32
     return r;
 }
 
-// From the center of a to the center of b. In this order of operations nothing is lost far from the origin.
+// From the center of a to the center of b. This order of operations loses no precision far from the origin.
 CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8& a, const ShapePosex8& b) {
     return (b.high - a.high) + (b.low - a.low);
 }
 
-// Squared lengths in m^2 below which a direction is taken as undefined: two centers, or a center and a surface,
-// coincide.
+// Squared length in m^2 below which a direction counts as undefined: two centers, or a center and a surface, coincide.
 constexpr float no_direction = 1e-30f;
 
 inline void part_middles(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& offset) {
@@ -56,7 +55,7 @@ inline void part_middles(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& off
     offset = {load(x), load(y), load(z)};
 }
 
-// The same for shapes that are pushed out any way: never zero.
+// The offset between centers, never zero, for shapes that can be pushed out in any direction.
 CAIRN_INLINE Vec3x8 offset_between_middles(const ShapePosex8& a, const ShapePosex8& b) {
     Vec3x8 offset = offset_between(a, b);
     if (any(dot(offset, offset) <= splat(no_direction))) part_middles(a, b, offset);
@@ -73,7 +72,7 @@ CAIRN_INLINE Vec3x8 direction(Vec3x8 v, f32x8 least, Vec3x8 fallback, f32x8& len
     return select(defined, (one() / select(defined, length, one())) * v, fallback);
 }
 
-// A float with the given bits in every lane; only to be moved, never computed with.
+// A float with the given bits in every lane; only to be copied, never for arithmetic.
 CAIRN_INLINE f32x8 splat_bits(std::uint32_t b) {
     float f;
     std::memcpy(&f, &b, sizeof f);
@@ -87,8 +86,8 @@ struct ContactPointx8 {
     mask8 present;
 };
 
-// Writes up to four points per lane to *out[lane]. A point may only be present where all before it are. `apart`: how
-// far the shapes are apart at least, where no point is present.
+// Writes up to four points per lane to *out[lane]. A point may only be present where all before it are. `apart`: a
+// lower bound of the shapes' distance, for lanes without points.
 CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const ContactPointx8 (&points)[4],
                                   f32x8 apart = splat(unused_separation)) {
     float* row[8];
@@ -108,7 +107,7 @@ CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const Con
     scatter4(row, feature[0], feature[1], feature[2], feature[3]);
 }
 
-// Empty manifolds for the lanes that do not touch, as the shapes are so far apart at least.
+// Writes empty manifolds for the lanes that do not touch; `apart`: a lower bound of the shapes' distance.
 CAIRN_INLINE void clear_manifolds(Manifold* out, mask8 touching, f32x8 apart) {
     static constexpr Manifold empty = {{0.0f, 0.0f, 0.0f},
                                        0,
@@ -127,8 +126,8 @@ CAIRN_INLINE void clear_manifolds(Manifold* out, mask8 touching, f32x8 apart) {
     }
 }
 
-// The manifold of a sphere of the given radius (the first shape), whose surface is `separation` away from the
-// other shape's along `normal`. `apart`: how far it is from that at least, where it does not touch.
+// Writes the manifold of a sphere of the given radius (the first shape), whose surface is `separation` away from the
+// other shape's along `normal`. `apart`: a lower bound of the distance where they do not touch.
 CAIRN_INLINE void write_sphere_manifolds(Manifold* out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation,
                                          f32x8 apart) {
     Manifold* lane[8];

@@ -15,8 +15,8 @@ void sphere_sphere(CAIRN_COLLIDE_PARAMETERS) {
     }
 }
 
-// The closest point of the box. A center inside the box leaves through the nearest face (of equally near ones
-// through the first of x, y, z; from the very middle along the positive axis).
+// The contact is at the closest point of the box. A center inside the box is pushed out through the nearest face (of
+// equally near ones through the first of x, y, z; from the exact center along the positive axis).
 void sphere_box(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
@@ -50,9 +50,9 @@ void sphere_plane(CAIRN_COLLIDE_PARAMETERS) {
     }
 }
 
-// The rectangle is one-sided. A center on or above its plane meets the closest point of the rectangle, rim and
-// corners included. A center below the plane is lifted along the rectangle's normal while it is over the
-// rectangle and a part of the sphere is above. Anything else below does not touch.
+// The rectangle is one-sided. A center on or above its plane touches the closest point of the rectangle, edges and
+// corners included. A center below the plane is pushed up along the rectangle's normal while it is over the rectangle
+// and a part of the sphere is above the plane. Any other sphere below does not touch.
 void sphere_rectangle(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);

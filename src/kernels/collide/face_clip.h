@@ -1,5 +1,5 @@
-// Face against face, 8 lanes at a time: the points where a parallelogram meets a rectangle, and the choice of
-// the four that represent them.
+// Face against face, 8 lanes at a time: the vertices of the polygon where a parallelogram overlaps a rectangle, and the
+// choice of four contact points that represent it.
 #pragma once
 
 #include "kernels/collide/collide_common.h"
@@ -19,14 +19,14 @@ struct ReducedPoints {
     mask8 present[4];
 };
 
-// Points of a manifold are at least this part of the smallest half extent apart.
+// Points of a manifold are at least this fraction of the smallest half extent apart.
 constexpr float same_point = 1e-3f;
-// Depths that differ by less than this part of it are equal.
+// Depths that differ by less than this fraction of the smallest half extent are equal.
 constexpr float flat_contact = 1e-4f;
 // Candidates that tie within this relative amount are taken in their fixed order, so that rounding does not
 // change the choice from step to step.
 constexpr float tie = 1.0f + 2e-4f;
-// A third or fourth point must lie farther than this part of the longest distance beside the others.
+// A third or fourth point must be farther from the line through others than this fraction of the longest distance.
 constexpr float thinnest = 1e-3f;
 
 template <int N> CAIRN_INLINE void take(ReducedPoints& r, int slot, mask8 m, const CandidatePoints<N>& c, int i) {
@@ -37,7 +37,7 @@ template <int N> CAIRN_INLINE void take(ReducedPoints& r, int slot, mask8 m, con
     r.present[slot] = r.present[slot] | m;
 }
 
-// Slot 2 takes over slot 3 where only slot 3 is filled.
+// Moves slot 3 to slot 2 where only slot 3 is filled.
 CAIRN_INLINE mask8 close_gap(ReducedPoints& r) {
     const mask8 gap = and_not(r.present[3], r.present[2]);
     r.x[2] = select(gap, r.x[3], r.x[2]);
@@ -49,12 +49,11 @@ CAIRN_INLINE mask8 close_gap(ReducedPoints& r) {
     return gap;
 }
 
-// Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that
-// spans the largest triangle. Where that line is an edge of the polygon, so that one side is empty, the fourth
-// is the point that lies farthest outside the triangle of the other three (without this, one four-point
-// manifold in nine loses a point).
-// Points closer than `nearest` are one point, and depths closer than `flat` are equal: of these the outermost
-// counts as the deepest, so that it is a corner where an edge lies flat.
+// Chooses the deepest point; the point farthest from it; and on either side of the line through both the point that
+// spans the largest triangle. Where that line is an edge of the polygon, so that one side is empty, the fourth is the
+// point farthest outside the triangle of the other three (without this, one four-point manifold in nine loses a point).
+// Points closer than `nearest` are one point, and depths closer than `flat` are equal: of equally deep points the
+// outermost counts as the deepest, so that it is a corner where an edge lies flat.
 template <int N> CAIRN_INLINE ReducedPoints reduce(const CandidatePoints<N>& c, f32x8 nearest, f32x8 flat) {
     const mask8 none = zero() > zero();
     ReducedPoints r;
@@ -111,10 +110,9 @@ template <int N> CAIRN_INLINE ReducedPoints reduce(const CandidatePoints<N>& c, 
     return r;
 }
 
-// Points that were chosen in the last step serve as long as none of the others is deeper by this part of the smallest
-// half extent,
+// The points of the last step are kept only while no candidate is deeper by this fraction of the smallest half extent.
 constexpr float kept_depth = 1e-2f;
-// and they span this part at least of what the best choice would.
+// The points of the last step are kept only while their area is at least this fraction of that of the best choice.
 constexpr float kept_area = 0.7f;
 
 // Twice the area that four points span.
@@ -124,14 +122,14 @@ CAIRN_INLINE f32x8 spanned(const ReducedPoints& r) {
         x[k] = select(r.present[k], r.x[k] - r.x[0], zero());
         y[k] = select(r.present[k], r.y[k] - r.y[0], zero());
     }
-    // Whichever pairs of them are the diagonals.
+    // The maximum over the three ways to pair the points as diagonals.
     const auto area = [&](int k, int i, int j) { return abs(x[k] * (y[j] - y[i]) - y[k] * (x[j] - x[i])); };
     return max(max(area(1, 2, 3), area(2, 1, 3)), area(3, 1, 2));
 }
 
-// Puts the choice of the last step in place of a fresh one where it still serves. The fresh one follows every tremor:
-// where eight corners of two faces touch, which four are best changes from step to step, and nothing that is held so
-// comes to rest. `kept`: the numbers of those candidates; others: none.
+// Replaces a fresh choice by that of the last step where that is still good enough. The fresh choice follows every
+// tremor: where eight corners of two faces touch, the best four change from step to step, and a body on such contacts
+// does not come to rest. `kept`: the indices of the last step's candidates; other values: none.
 template <int N>
 CAIRN_INLINE void prefer(const f32x8 (&kept)[4], const CandidatePoints<N>& c, f32x8 depth, f32x8 flat,
                          ReducedPoints& fresh) {
@@ -159,8 +157,8 @@ CAIRN_INLINE void prefer(const f32x8 (&kept)[4], const CandidatePoints<N>& c, f3
     }
     const mask8 enough =
         r.present[2] & (kept_lowest <= lowest + depth) & (spanned(r) >= splat(kept_area) * spanned(fresh));
-    // The same points are put in order anew, the deepest first, where that is no longer the first: they are solved one
-    // after the other, and in a fixed order make a tower of 40 drift.
+    // Equal sets of points are put in the fresh order, the deepest first, where the first is not the deepest any more:
+    // the points are solved one after the other, and a fixed order makes a tower of 40 drift.
     mask8 same = fresh.present[2] & (r.z[0] > lowest + flat);
     for (int k = 0; k < 4; ++k) {
         mask8 found = r.index[0] == fresh.index[k];
@@ -187,26 +185,27 @@ struct FacePair {
 // Number of candidates of a face pair: two of each edge of the parallelogram, four corners of the rectangle.
 constexpr int face_candidates = 12;
 
-// Aligned faces of equal size stay whole under rounding: the rectangle is widened by this part of its size,
-// and its corners count as inside the parallelogram only where they are inside it by as much.
+// Keeps aligned faces of equal size complete under rounding: the rectangle is widened by this fraction of its size, and
+// its corners count as inside the parallelogram only where they are inside it by as much.
 constexpr float face_tolerance = 1e-4f;
 
-// The polygon where the parallelogram, seen along z, overlaps the rectangle: its edges, each cut to the
-// rectangle (the start always, the end where it is cut), and the rectangle's corners inside the parallelogram.
-// Candidates higher than `margin` do not count. `rounding` is the error of the coordinates.
+// Computes the vertices of the polygon where the parallelogram, projected along z, overlaps the rectangle. These are
+// the ends of the parallelogram's edges, each clipped to the rectangle (always the start, the end only where it is
+// clipped), and the rectangle's corners inside the parallelogram. Candidates with a separation greater than `margin`
+// are not valid. `rounding` is the error of the coordinates.
 CAIRN_INLINE CandidatePoints<face_candidates> clip(const FacePair& f, f32x8 margin, f32x8 rounding) {
     CandidatePoints<face_candidates> c;
     const f32x8 wx = f.hx + (splat(face_tolerance) * f.hx + rounding),
                 wy = f.hy + (splat(face_tolerance) * f.hy + rounding);
-    // 1 / d for the slab test. An edge across the slab's width is parallel enough where it covers less than
-    // a hundredth of the widening; there it must only not divide by zero.
+    // 1 / d for the slab test. An edge that covers less than a hundredth of the widening in the slab's direction counts
+    // as parallel to its sides; there only a division by zero must be avoided.
     const auto inverse = [](f32x8 d, f32x8 width) {
         const f32x8 smallest = splat(0.01f * face_tolerance) * width;
         return one() / select(abs(d) > smallest, d, smallest);
     };
     const f32x8 inverse_ux = inverse(f.u.x, wx), inverse_uy = inverse(f.u.y, wy);
     const f32x8 inverse_vx = inverse(f.v.x, wx), inverse_vy = inverse(f.v.y, wy);
-    // Around the parallelogram: from +u+v to -u+v to -u-v to +u-v and back.
+    // The edges in order around the parallelogram: from +u+v to -u+v to -u-v to +u-v and back.
     for (int e = 0; e < 4; ++e) {
         const bool along_u = e % 2 == 0, forward = e >= 2, plus = e == 0 || e == 3;
         const Vec3x8 side = along_u ? f.v : f.u, edge = along_u ? f.u : f.v;
@@ -227,7 +226,7 @@ CAIRN_INLINE CandidatePoints<face_candidates> clip(const FacePair& f, f32x8 marg
             if (k == 1) c.valid[i] = c.valid[i] & (end < one());
         }
     }
-    // Seen edge-on the parallelogram has no inside.
+    // A parallelogram seen edge-on has no inside.
     const f32x8 area = f.u.x * f.v.y - f.u.y * f.v.x;
     const f32x8 reach = (abs(f.u.x) + abs(f.u.y) + abs(f.u.z)) * (abs(f.v.x) + abs(f.v.y) + abs(f.v.z));
     const mask8 open = abs(area) > splat(face_tolerance) * reach;

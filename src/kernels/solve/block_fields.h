@@ -1,5 +1,5 @@
-// The members of the blocks in solver_data.h and joint_data.h, for what goes over all of them. Not for kernel
-// translation units, which share no functions.
+// Lists of the members of the blocks in solver_data.h and joint_data.h, for code that iterates over all of them. Not
+// for kernel translation units, which share no functions.
 #pragma once
 
 #include "core/fields.h"

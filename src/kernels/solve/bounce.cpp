@@ -1,21 +1,21 @@
-// Restitution. Contacts that will be reached within this substep, faster than the threshold, bounce before the
-// solver sees them. Contacts are taken one after another with the velocities that they then have, and the pass
-// is repeated until nothing bounces, so that an impact travels through a row of touching balls (Newton's cradle).
+// Restitution. Contacts that close within this substep, faster than the threshold, bounce before the solver sees them.
+// Contacts are processed one after another with the velocities at that time, and the pass is repeated until nothing
+// bounces, so that an impact travels through a row of touching balls (Newton's cradle).
 //
 // Energy and time are exact for a constant closing acceleration a. The discrete path is a parabola; its closing speed
-// at the start of the substep is the stored speed |v| (which has this substep's h a in it already) less o h a, where
+// at the start of the substep is the stored speed |v| (which already includes h a of this substep) minus o h a, where
 // o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact integration;
-// 3/2 for explicit Euler. From u = |v| - o h a at a gap s, the surface is met with w = sqrt(u^2 + 2 a s) after
-// t = 2 s / (u + w), left with e w, and at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the
-// stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. What the pose must move beside the stored velocity to
-// get there goes to velocity_correction.
+// 3/2 for explicit Euler. From u = |v| - o h a at a gap s, the surface is reached with w = sqrt(u^2 + 2 a s) after
+// t = 2 s / (u + w), and left with e w; at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the
+// stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. The displacement to there that the stored velocity does
+// not give goes to velocity_correction.
 //
-// What bounces is the free velocity (the reference): what is carried over from the last substep are forces of this one,
-// which act on after the bounce as they did before it. Were they to bounce as a whole, what a joint presses into a
-// contact would grow by 1 + e in each substep.
+// Restitution applies to the free velocity (the reference). The part carried over from the last substep stands for
+// forces of this substep, which act on after the bounce as before it. If it bounced as well, the force with which a
+// joint presses into a contact would grow by 1 + e in each substep.
 //
-// The impulse acts where the bodies are when they meet, with arms, normal and couplings of that moment: so that neither
-// energy nor angular momentum is gained or lost by having looked too early.
+// The impulse acts at the poses at which the bodies meet, with the arms, normal and couplings of that moment, so that
+// neither energy nor angular momentum is gained or lost by applying it earlier.
 #include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {
@@ -24,14 +24,14 @@ namespace {
 
 constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of one bouncing contact
 
-// Two bodies as they will meet.
+// The contact at the moment of impact.
 template <int N> struct Meeting {
     Vec3x8 normal, d; // d: from B's center of mass to A's
     Vec3x8 center;    // arm of the friction center, for A
     Vec3x8 arm_a[N];  // r_i x normal
     Vec3x8 arm_b[N];  // (r_i + d) x normal
-    f32x8 v[N];       // free normal velocities, closing ones negative
-    f32x8 correction; // of the poses' velocities, in units of the change of velocity
+    f32x8 v[N];       // free normal velocities, negative where closing
+    f32x8 correction; // of the velocities that move the poses, in units of the change of velocity
 };
 
 CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::uint32_t* row) {
@@ -39,8 +39,8 @@ CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::uint32_
 }
 
 struct Rebound {
-    f32x8 velocity;   // stored at the end of the substep, opening
-    f32x8 correction; // to move the pose by, beside it
+    f32x8 velocity;   // opening velocity in the stored convention, at the end of the substep
+    f32x8 correction; // to add to it for moving the pose
 };
 
 CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x8 restitution, f32x8 other_correction,
@@ -51,7 +51,7 @@ CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x
     const f32x8 t = min(splat(2.0f) * gap / max(u + w, splat(1e-20f)), h), left = h - t;
     const f32x8 leave = restitution * w;
     const f32x8 end_gap = max(left * (leave - splat(0.5f) * acceleration * left), zero());
-    // It does not come down again in the same substep: what is that slow stays on the surface.
+    // A contact does not close again in the same substep: if the rebound is that slow, it stays on the surface.
     const f32x8 velocity = max(leave - acceleration * left + (one() - offset) * ah, zero());
     return {velocity, (end_gap - gap) / h - velocity - other_correction};
 }
@@ -70,12 +70,12 @@ CAIRN_INLINE TwoTwists carried_over(const SolverBodies& bodies, const std::uint3
     return {{a.v - free.a.v, a.w - free.a.w}, {b.v - free.b.v, b.w - free.b.w}};
 }
 
-// What the two bodies have besides their velocities.
+// Drives of the two bodies, and corrections of the velocities that move their poses.
 struct Surroundings {
-    Velocityx8 drive_a, drive_b, other_a, other_b; // other: corrections of their poses' velocities so far
+    Velocityx8 drive_a, drive_b, other_a, other_b; // other: corrections so far
 };
 
-// Of a point, along the normal, by velocities of the two or by corrections of them.
+// The normal velocity of a point, from velocities of the two bodies or from corrections of them.
 template <int N> CAIRN_INLINE f32x8 velocity_of(const Meeting<N>& m, int i, const Velocityx8& a, const Velocityx8& b) {
     return dot(m.normal, b.v - a.v) + (dot(m.arm_b[i], b.w) - dot(m.arm_a[i], a.w));
 }
@@ -84,7 +84,7 @@ template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Ve
     for (int i = 0; i < N; ++i) m.v[i] = velocity_of(m, i, a, b);
 }
 
-// As they are at the start of the substep.
+// The contact at the start of the substep.
 template <int N>
 CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a, const Velocityx8& b) {
     Meeting<N> m;
@@ -101,7 +101,7 @@ CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, Vec3x8 d, cons
     return m;
 }
 
-// The velocity that a point should leave with.
+// The rebound velocity of a point.
 template <int N>
 CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& m, int i, const Surroundings& around,
                                 const BounceSettings& settings) {
@@ -114,9 +114,9 @@ CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& 
                    settings);
 }
 
-// By how much each point's arm for A will have moved when B has passed A by -`passed` since the pose that it is of. The
-// point stays with the sphere or, between two boxes, midway, and with A where B cannot move; between two spheres the
-// normal turns with the line of centers.
+// The change of each point's arm for A when A has moved by `passed` relative to B since the pose that `normal` belongs
+// to. The point stays with a sphere; with A if B cannot move; between two boxes, midway. Between two spheres the normal
+// turns with the line of centers.
 template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block, Vec3x8 passed, Vec3x8& normal) {
     const f32x8 box_share = select(load(block.mass_b) == zero(), zero(), splat(0.5f));
     if constexpr (N == 1) {
@@ -157,7 +157,7 @@ CAIRN_INLINE Meeting<N> meeting_later(const ContactBlock<N>& block, const Meetin
     return m;
 }
 
-// The impulses that make the arriving points leave as they should: Gauss-Seidel on the couplings of the meeting.
+// The impulses that give the arriving points their rebound velocities: Gauss-Seidel with the couplings at the impact.
 template <int N>
 CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, const f32x8* target, const mask8* arrives,
                                 f32x8* impulse) {
@@ -177,13 +177,13 @@ CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, con
         }
 }
 
-// Points that will touch within this substep, and fast enough.
+// Points that reach the surface within this substep, faster than the threshold.
 template <int N>
 CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, const TwoTwists& carried,
                             const BounceSettings& settings, mask8* arrives) {
     mask8 lanes = zero() > one();
     for (int i = 0; i < N; ++i) {
-        // What is carried over may hold the two apart, but does not bring them together.
+        // Velocities that are carried over may keep the bodies apart, but do not bring them together.
         const f32x8 v = m.v[i] + max(velocity_of(m, i, carried.a, carried.b), zero());
         arrives[i] = (load(block.effective_mass[i]) > zero()) & (v < splat(-settings.threshold)) &
                      (load(block.separation[i]) + splat(settings.h) * v <= zero()) & (load(block.restitution) > zero());
@@ -192,7 +192,7 @@ CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, c
     return lanes;
 }
 
-// The arm of the load of an impact, for A. `torque_a`: the sum of impulse times arm.
+// The arm for A of the load of an impact. `torque_a`: the sum of impulse times arm.
 template <int N>
 CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 sum, Vec3x8 torque_a) {
     if constexpr (N == 1) return m.center;
@@ -202,7 +202,7 @@ CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& 
     return m.center + select(bears, e.x * t1 + e.y * t2, zero3());
 }
 
-// Coulomb friction of the impact itself, at its load, from rest.
+// Coulomb friction of the impact itself, at its load, with an initial impulse of zero.
 template <int N>
 CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
                                     const Velocityx8& a, const Velocityx8& b) {
@@ -214,9 +214,9 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<
     return scale * (p1 * t1 + p2 * t2);
 }
 
-// Resistance of the impact itself to spinning about the normal and to rolling: a couple, of at most what friction and
-// the rolling radius make of the impulses. Without it nothing that rests on a bouncing surface would ever cease to
-// roll: it rests by bouncing in every substep. `aside`: square of the way from the friction center to the load.
+// Torsional friction and rolling resistance of the impact itself: a couple, limited by friction and the rolling radius
+// times the normal impulses. Without it, a body on a surface with restitution would never stop rolling: it rests by
+// bouncing in every substep. `aside`: squared distance from the friction center to the load.
 template <int N>
 CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, const f32x8* impulse, f32x8 sum,
                                   f32x8 aside, const Velocityx8& a, const Velocityx8& b) {
@@ -243,13 +243,14 @@ CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, co
     scatter_velocity(rows, write, r);
 }
 
-// How far A has moved beside B since the start of the step.
+// Displacement of A relative to B since the start of the step.
 CAIRN_INLINE Vec3x8 passed_of(const SolverPose* pose, const std::uint32_t* a, const std::uint32_t* b) {
-    const auto* rows = reinterpret_cast<const SolverVelocity*>(pose); // dx is where v is
+    const auto* rows = reinterpret_cast<const SolverVelocity*>(pose); // dx has the offset of v
     return gather_velocity(rows, a).v - gather_velocity(rows, b).v;
 }
 
-// One block; whether anything bounced. What joints hold does so in an impact (impact.cpp), along with them.
+// Bounces one block; returns whether anything bounced. Contacts of jointed bodies bounce in an impact (impact.cpp),
+// together with the joints.
 template <int N>
 CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
     if (!block.bounces) return false;
@@ -265,8 +266,8 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         may_bounce = and_not(may_bounce, joined);
         if (!any(may_bounce)) return false;
     }
-    // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is. A lane must
-    // arrive by both: else it would matter whether another one in its block does.
+    // d in the block is limited, because carried-over impulses act there (refresh_arm); a bounce acts at the actual d.
+    // A lane must arrive with both: else the result would depend on whether another lane of its block does.
     now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), free.a, free.b);
     if (!any(may_bounce & arriving(block, now, carried, settings, arrives))) return false;
     for (int i = 0; i < N; ++i) arrives[i] = arrives[i] & may_bounce;
@@ -279,7 +280,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         change += select(arrives[i], r.velocity - now.v[i], zero());
         correction += select(arrives[i], r.correction, zero());
     }
-    // They meet within the substep: the pose lags behind by none to all of the change.
+    // The bodies meet within the substep: the correction takes back none to all of the change of velocity.
     now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
     Meeting<N> m = meeting_later(block, now, free.a, free.b, around, settings.h);
     mask8 bounces = zero() > one();
@@ -297,7 +298,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         torque_b = torque_b + impulse[i] * m.arm_b[i];
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse[i]);
     }
-    // Friction is that of all velocities there are.
+    // Friction acts on the whole velocities, with those that are carried over.
     const Velocityx8 before_a = gather_velocity(bodies.velocity, block.a),
                      before_b = gather_velocity(bodies.velocity, block.b);
     Velocityx8 a = before_a, b = before_b;
@@ -313,7 +314,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     scatter_velocity(bodies.velocity, block.a, a);
     scatter_velocity(bodies.velocity, block.write_b, b);
     const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w}, change_b = {b.v - before_b.v, b.w - before_b.w};
-    // The same change to the reference: the bounce is over, and must not be carried into the next substep.
+    // The reference changes by the same: the bounce is complete, and must not be carried into the next substep.
     add_to_rows(bodies.reference, block.a, block.a, change_a, one());
     add_to_rows(bodies.reference, block.b, block.write_b, change_b, one());
     auto* corrections = reinterpret_cast<SolverVelocity*>(bodies.velocity_correction);
@@ -353,16 +354,17 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
         const Velocityx8 drive_a = gather_twist(bodies.drive, block.a), drive_b = gather_twist(bodies.drive, block.b);
         for (int i = 0; i < N; ++i) {
             const f32x8 forced = velocity_of(now, i, carried.a, carried.b), v = now.v[i] + forced;
-            // What bounced before in this substep is where it would be had it come with the velocity that it has now.
+            // The gap of contacts that bounced before in this substep is that which they would have had they come with
+            // their present velocity.
             const f32x8 shift = velocity_of(now, i, other_a, other_b);
             const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
             const f32x8 way = select(arrives[i], splat(-settings.h) * v, one());
             const f32x8 meets = clamp(gap / way, zero(), one());
-            // What forces change between the moment that stored velocities are of and the impact.
+            // The velocity that forces add between the moment that stored velocities belong to and the impact.
             const f32x8 late =
                 (forced + velocity_of(now, i, drive_a, drive_b)) * (meets - splat(settings.velocity_offset));
             const f32x8 after = restitution * max(-v - late, zero()) - late;
-            // What comes back within the substep stays: the solver holds what presses it.
+            // A point that forces would bring back within the substep stays on the surface, held by the solver.
             const f32x8 leave = select(after >= zero(), after, min(forced, zero()));
             store(aimed.leave + 8 * (N * k + i), select(arrives[i], leave, splat(does_not_arrive)));
             store(aimed.meets + 8 * (N * k + i), meets);

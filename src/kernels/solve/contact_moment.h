@@ -1,19 +1,20 @@
-// Contacts that were found at another moment of the step than its start: how they are at the start, and how their
-// places move within the step.
+// Contacts that were found at another moment of the step than its start: their state at the start, and how their points
+// move within the step.
 #pragma once
 
 #include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {
 
-// How contacts are at the start of the step that were found at another moment of it: by the velocities of the start, as
-// in refresh_separations.
+// The state at the start of the step of contacts that were found at another moment, extrapolated with the velocities of
+// the start, as in refresh_separations.
 struct Before {
-    Vec3x8 passed;     // how far A passes B up to that moment
-    Vec3x8 difference; // times the arm of a point, and
-    f32x8 apart;       // how much farther apart the points are
+    Vec3x8 passed;     // displacement of A relative to B from the start up to that moment
+    Vec3x8 difference; // separations are greater at the start by dot(difference, arm of the point) + apart
+    f32x8 apart;       // m
 };
-// R(u) n - n, of a rotation vector of up to some radians: u x n sin(x) / x + u x (u x n) (1 - cos(x)) / x^2, x = |u|.
+// R(u) n - n for a rotation vector u of up to some radians: u x n sin(x) / x + u x (u x n) (1 - cos(x)) / x^2, with
+// x = |u|.
 CAIRN_INLINE Vec3x8 turned_difference(Vec3x8 u, Vec3x8 n) {
     const f32x8 x2 = dot(u, u);
     const f32x8 sine = one() - x2 * (splat(1.0f / 6) - x2 * (splat(1.0f / 120) - x2 * splat(1.0f / 5040)));
@@ -36,24 +37,26 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
-inline constexpr float unseen = 1e-6f; // m: what moves less is not seen
+inline constexpr float unseen = 1e-6f; // m: smaller motions are neglected
 
-// Whether a body turns what it has at the point by less than a quarter of a radian up to a time: of what is round
-// there, the center of curvature, which has another arm than the point; the center of a ball stays where it is.
+// Whether the rotation of a body moves its contact point by less than a quarter of its arm's length (0.25 rad) up to a
+// time. For a round surface the motion is that of the center of curvature, which has another arm than the point: the
+// center of a ball does not move.
 CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 arm_of_center) {
     constexpr float small = 0.25f; // rad
     const f32x8 square = dot(arm, arm), moved = min(dot(arm_of_center, arm_of_center), square);
     return square_time * dot(w, w) * moved <= splat(small * small) * square;
 }
 
-// How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity as seen from A, they
-// change by (w_B - w_A) x p', as rows keep B's arm up to where A is. A corner moves with its body; what is round, with
-// the radius of curvature R, stays behind a corner by R (w_A - w_B) x n as it rolls over a face. The only
-// point on a face is followed (rims.h): of that only the face counts here. The face turns the normal: velocities change
-// along that by w x n times themselves as well, and what slides over it, the corner or the center of what is round,
-// parts from it by w x n times its way and the time. Where neither is a face, two edges meet: the point moves with
-// both, in the mean. That is true of small turns, up to the time `until`: of lanes that turn farther, or change by
-// nothing that could be seen, nothing moves.
+// How the contact point moves, and how the relative velocity there changes as a result (slip_of_turning). If the point
+// moves with velocity p' as seen from A, the relative velocity changes at the rate (w_B - w_A) x p', as rows keep B's
+// arm up to where A is. A corner moves with its body; the contact point of a round surface with the radius of curvature
+// R falls behind that by R (w_A - w_B) x n as it rolls over a face. A single point on a face is followed (rims.h): only
+// the rotation of the face is added here. The face rotates the normal: the velocity along the normal also changes by
+// w x n times the relative velocity, and a corner, or center of curvature, that slides over the face separates from it
+// by w x n times its displacement and the time. If neither surface is a face, two edges touch, and the point moves with
+// the mean of both. This holds for small rotations up to the time `until`: the points of lanes that rotate farther, or
+// whose change would be negligible, do not move.
 template <int N>
 CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
                                   const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper,
@@ -75,7 +78,7 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const Vec3x8 turning = cross(b.w - a.w, moving) + dot(turned, with_b - with_a) * normal;
     const Vec3x8 dw = b.w - a.w;
     Vec3x8 slope = zero3();
-    f32x8 most = dot(turning, turning); // of all points
+    f32x8 most = dot(turning, turning); // maximum over the points
     if constexpr (N > 1) {
         slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) - dot(rolling, rolling) * taper;
         f32x8 lever = zero();

@@ -1,4 +1,5 @@
-// The couplings of a contact's rows: how fast an impulse of 1 along one makes the bodies pass each other along another.
+// The couplings of a contact's constraint rows: the relative velocity along one row that a unit impulse along another
+// one causes.
 #pragma once
 
 #include "kernels/solve/solver.h"
@@ -16,13 +17,13 @@ CAIRN_INLINE f32x8 safe_reciprocal(f32x8 x) {
     return select(positive, one() / select(positive, x, one()), zero());
 }
 
-// What an impulse of 1 along the normal opens there, with the arms times the normal.
+// The opening velocity at a point per unit normal impulse there; j_a and j_b are the arms times the normal.
 CAIRN_INLINE f32x8 normal_coupling(Vec3x8 j_a, Vec3x8 j_b, const Inertiax8& a, const Inertiax8& b) {
     return (a.inverse_mass + b.inverse_mass) + dot(a.inverse_inertia * j_a, j_a) + dot(b.inverse_inertia * j_b, j_b);
 }
 
-// Of the tangential and torsional rows at the friction center: the inverse of the former, of the latter, and what the
-// latter has with the former.
+// Of the tangential and torsional rows at the friction center: the inverse of the tangential 2x2 matrix, the effective
+// mass of the torsional row, and its couplings with the tangential rows.
 struct FrictionCouplings {
     f32x8 m11, m12, m22, torsion, with_1, with_2;
 };
@@ -56,7 +57,7 @@ template <int N> CAIRN_INLINE void store_couplings(ContactBlock<N>& block, mask8
                 select(lanes, c.with_2, load(block.torsion_coupling[1]))});
 }
 
-// As a block keeps it.
+// The inverse inertia tensor from its form in a block.
 CAIRN_INLINE Sym3x8 kept_inertia(bool isotropic, const float (*rows)[8]) {
     if (!isotropic) return load6(rows);
     const f32x8 xx = load(rows[0]);

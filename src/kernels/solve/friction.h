@@ -5,9 +5,9 @@
 
 namespace cairn::CAIRN_ISA {
 
-constexpr float no_size = 1e-20f; // so that nothing is divided by 0
+constexpr float no_size = 1e-20f; // added to divisors, so that nothing is divided by 0
 
-// The sums over the points of one contact.
+// Sums over the points of one contact.
 struct PointSums {
     f32x8 load;    // total normal impulse, for friction
     f32x8 spread;  // sum of squared lever times impulse
@@ -23,10 +23,10 @@ CAIRN_INLINE void add_point(const ContactBlock<N>& block, Vec3x8 normal, int i, 
     }
 }
 
-// The load of a contact, as friction sees it: beside the friction center, and how far it is spread.
+// The load of a contact: its normal impulse, the mean of its points weighted by their impulses, and their spread.
 struct Load {
-    f32x8 sum, radius; // the radius about the load: root of the mean square
-    LoadOffset e;      // where it is
+    f32x8 sum, radius; // total normal impulse; spread: root mean square distance of the points from the load
+    LoadOffset e;      // from the friction center
     f32x8 aside;       // |e|^2
 };
 template <int N>
@@ -41,24 +41,24 @@ CAIRN_INLINE Load load_of(const ContactBlock<N>& block, const PointSums& sums, V
     return r;
 }
 
-// Impulses of friction: along the tangents at the friction center, and about the normal.
+// Friction impulses, or slip velocities: along the tangents at the friction center, and about the normal.
 struct FrictionImpulse {
     f32x8 t1, t2, couple;
 };
 
-// Of what slides, at its load: one common mass for all rows, so that friction comes to oppose the slip. `slip`: along
-// the tangents at the friction center, and about the normal.
+// The friction of a sliding contact, at its load. One common mass for all rows makes friction converge to the direction
+// opposite to the slip. `slip`: along the tangents at the friction center, and about the normal.
 template <int N>
 CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, const Load& at, FrictionImpulse slip,
                                               FrictionImpulse old) {
     const f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
-    // The reciprocal of the greatest eigenvalue of K, at the friction center and then, at most, at the load.
+    // The reciprocal of the greatest eigenvalue of K at the friction center; below, a lower bound of it at the load.
     const f32x8 half = splat(0.5f) * (m11 - m22);
     f32x8 mass = max(splat(0.5f) * (m11 + m22) - sqrt(half * half + m12 * m12), zero());
     const f32x8 mw = load(block.torsion_mass);
     const mask8 turns = mw > zero(), has_radius = at.radius > zero();
     const f32x8 radius = select(has_radius, at.radius, one()), limit = load(block.friction) * at.sum;
-    f32x8 held = old.couple; // about the load
+    f32x8 held = old.couple; // couple about the load
     if constexpr (N > 1) {
         const f32x8 further = one() + sqrt(select(turns, at.aside * mass / select(turns, mw, one()), zero()));
         mass = mass / (further * further);
@@ -68,7 +68,7 @@ CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, cons
     held = held / radius;
     mass = select(has_radius & turns, min(mass, mw / (radius * radius)), mass);
     if constexpr (N > 1) {
-        // A load that draws together holds no such couple any more; what it holds along the surface stays.
+        // The couple is limited to what a load that has contracted can still hold; the tangential impulses are kept.
         const f32x8 room = sqrt(max(limit * limit - (old.t1 * old.t1 + old.t2 * old.t2), zero()));
         held = clamp(held, -room, room);
     }
@@ -80,12 +80,12 @@ CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, cons
     return r;
 }
 
-// Friction at the load: the mean of the points, weighted by their impulses. Two tangential rows and the torsional row
-// share one ellipsoidal limit, the limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and
-// Cutkosky (1996): with r the radius of the load, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the
-// rows are solved with their own masses. The rows stand at the friction center, which is fixed for the step; the load
-// is e beside it, and the limit is its. The slip is that of the middle of the substep, half of which d is ahead of: by
-// the slip of its end, what rides on a turntable crept inward.
+// Friction acts at the load, the mean of the points weighted by their impulses. Two tangential rows and the torsional
+// row share one ellipsoidal limit, the limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and
+// Cutkosky (1996): with r the radius of the load, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While the contact
+// sticks, the rows are solved with their own masses. The rows are those of the friction center, which is fixed for the
+// step; the limit applies at the load, at the offset e from it. The slip is that of the middle of the substep, half a
+// substep before the poses of d: with the slip of the end, bodies that ride on a turntable creep inward.
 template <int N>
 CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal,
                                  const ContactSoftness& softness, Velocityx8& a, Velocityx8& b) {
@@ -119,7 +119,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
                select(slides, sliding.couple, now.couple)};
     }
 
-    // Without a load there is none. A slip of which the square is too small for a float is not seen to slide.
+    // Without a load there is no friction. (A slip whose square underflows counts as sticking.)
     const mask8 pressed = at.sum > zero();
     now = {select(pressed, now.t1, zero()), select(pressed, now.t2, zero()), select(pressed, now.couple, zero())};
     store(block.tangent_impulse[0], now.t1);

@@ -1,13 +1,13 @@
-// Impacts. What hits a contact, faster than the solver should stop it within its soft passes, is
-// stopped by passes of its own, rigid ones, repeated until nothing changes (impacts.cpp). Their impulses begin at zero
-// and are not carried into the next substep. docs/solver.md says why.
+// Impacts. Contacts that approach faster than the solver should stop them within its soft passes are stopped by
+// separate rigid passes, repeated until nothing changes (impacts.cpp). Their impulses begin at zero and are not carried
+// into the next substep. docs/solver.md gives the reasons.
 #include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// The wanted impulses of the points, and those that they get: over-relaxed, and swept as in solve.
+// Computes the wanted impulses of the points, over-relaxed, and from them the new impulses, swept as in solve.
 template <int N>
 CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, const f32x8* v, f32x8 inverse_h,
                                 const f32x8* leave, const f32x8* old, f32x8* impulse) {
@@ -16,7 +16,7 @@ CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, cons
     const mask8 bounces = load(block.restitution) > zero();
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
-        // As in relax: what will bounce must arrive with all of its speed.
+        // As in relax: a contact that will bounce must reach the surface with its full speed.
         const mask8 leaves = leave[i] > splat(does_not_arrive);
         const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), leaves);
         const f32x8 left = select(leaves, -leave[i], max(s, zero()) * inverse_h);

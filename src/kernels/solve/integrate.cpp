@@ -3,11 +3,12 @@
 
 namespace cairn::CAIRN_ISA {
 
-// One row is one 8-lane register. The constraint impulses of the last substep are what the velocity gained
-// over the reference; as the constraint directions stay fixed during a step, carrying that difference over is
-// the warm start of the next substep, for free.
+// One row is one 8-lane register. The constraint impulses of the last substep are the difference of the velocity and
+// the reference; as the constraint directions stay fixed during a step, carrying that difference over is the warm start
+// of the next substep, at no cost.
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first) {
-    // Vectors that are stored may be anything for the compiler: it would look up the arrays anew after each.
+    // Local copies of the pointers: a vector store may alias them, so that the compiler would reload them after each
+    // one.
     SolverVelocity *const velocity = bodies.velocity, *const reference = bodies.reference,
                           *const rounding = bodies.rounding;
     const SolverTwist *const drive = bodies.drive, *const damping = bodies.damping;
@@ -29,7 +30,7 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
                                                                 bodies.velocity_correction);
     const f32x8 step = splat(h);
     for (int i = begin; i < end; i += 8) {
-        alignas(32) float move[8][8]; // by row
+        alignas(32) float move[8][8]; // one row of velocities each
         const float* w[8];
         float* dq[8];
         Vec3x8 turn;
@@ -43,7 +44,7 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
         gather4(w, turn.x, turn.y, turn.z, unused);
         gather4(dq, q.v.x, q.v.y, q.v.z, q.w);
         const Quatx8 turned = turned_by(splat(0.25f * h) * turn, q);
-        // Both halves of a row, of which the second is that of the turn and is put right then.
+        // Adds to both halves of a row; the second half, the rotation, is overwritten below.
         for (int k = 0; k < 8; ++k) store(pose[i + k].dx, load(pose[i + k].dx) + step * load(move[k]));
         scatter4(dq, turned.v.x, turned.v.y, turned.v.z, turned.w);
     }

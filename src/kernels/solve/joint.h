@@ -1,7 +1,7 @@
-// What the joint kernels share. The impulses of a substep are carried into the next as what the velocities have gained
-// over the reference (integrate.cpp), M^-1 J^T impulse. When a Jacobian is brought up to new poses, the difference that
-// makes is left for the next solve: the substep then begins as if it had been warm started with the new Jacobian. The
-// velocities of now stay what they are, or a pendulum would lose energy in every substep.
+// Helpers of the joint kernels. The impulses of a substep are carried into the next one as the difference of the
+// velocities and the reference (integrate.cpp), which is M^-1 J^T impulse. When a Jacobian is updated to new poses, the
+// resulting difference is left for the next solve: the substep then begins as if it had been warm started with the new
+// Jacobian. The present velocities are not changed, or a pendulum would lose energy in every substep.
 #pragma once
 
 #include "kernels/solve/joint_data.h"
@@ -14,7 +14,7 @@ JointKernels::ForRows point_kernels();
 JointKernels::ForRows turn_kernels();
 JointKernels::ForRows axis_kernels();
 
-// Inverse masses and inertias of both ends as they are now.
+// Current inverse masses and inertias of both bodies.
 struct Massesx8 {
     f32x8 mass_a, mass_b;
     Sym3x8 inertia_a, inertia_b;
@@ -37,12 +37,12 @@ template <class Block> CAIRN_INLINE Massesx8 renew_masses(Block& block, const So
     store6(block.rest.inertia_b, m.inertia_b);
     return m;
 }
-// Whether all tensors are multiples of 1.
+// Whether the tensors of all lanes are multiples of 1.
 CAIRN_INLINE bool is_isotropic(const Sym3x8& m) {
     const mask8 isotropic = (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == zero()) & (m.xz == zero()) & (m.yz == zero());
     return all(isotropic);
 }
-// At the start of a step. Of isotropic tensors only the moments are kept.
+// Gathers masses at the start of a step. Of isotropic tensors only the moments are stored.
 template <class Block> CAIRN_INLINE Massesx8 first_masses(Block& block, const SolverInertia* rows) {
     const Massesx8 m = renew_masses(block, rows);
     block.isotropic = is_isotropic(m.inertia_a) && is_isotropic(m.inertia_b);
@@ -53,7 +53,7 @@ template <class Block> CAIRN_INLINE Massesx8 first_masses(Block& block, const So
 template <class Block> CAIRN_INLINE Massesx8 load_masses(const Block& block) {
     return {load(block.mass_a), load(block.mass_b), load6(block.rest.inertia_a), load6(block.rest.inertia_b)};
 }
-// Inverse inertia times a vector, of A and of B.
+// The inverse inertia tensor of A or of B times a vector.
 template <class Block> CAIRN_INLINE Vec3x8 turned_a(const Block& block, Vec3x8 u) {
     return block.isotropic ? load(block.isotropic_a) * u : load6(block.rest.inertia_a) * u;
 }
@@ -91,15 +91,16 @@ CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends
     return {gather_velocity(rows, ends.a), gather_velocity(rows, ends.b)};
 }
 
-// The lanes of a block that are to be solved: where those are all of them, and where they are a part. Velocities
-// go to the rows at these offsets.
+// The lanes of a block to be solved: all of them, or some. Velocities are written to the rows at the offsets to_a and
+// to_b.
 struct AllLanes {
     static constexpr bool come_first = true;
     const std::uint32_t *to_a, *to_b;
 };
 struct SomeLanes {
     mask8 mask;
-    bool come_first; // of those in the block: what the poses say is found when they are solved
+    bool come_first; // whether these lanes are the first of the block to be solved: then quantities of the poses are
+                     // computed for all of its lanes
     const std::uint32_t *to_a, *to_b;
 };
 CAIRN_INLINE f32x8 among(AllLanes, f32x8 value, f32x8) { return value; }
@@ -142,8 +143,8 @@ CAIRN_INLINE Sym3x8 inverse(const Sym3x8& m) {
             s * (m.xx * m.yy - m.xy * m.xy)};
 }
 
-// The same by L D L^T. Where one direction gives much more than the others, cofactors cancel; this is off by no more
-// than rounding of the greatest.
+// The inverse by L D L^T. Where one eigenvalue is much greater than the others, cofactors cancel; the error here is no
+// more than the rounding of the greatest.
 CAIRN_INLINE Sym3x8 inverse_by_pivots(const Sym3x8& m) {
     const f32x8 p = guarded_inverse(m.xx, m.xx > zero()), lyx = m.xy * p, lzx = m.xz * p;
     const f32x8 yy = m.yy - lyx * m.xy, yz = m.yz - lyx * m.xz;
@@ -154,8 +155,9 @@ CAIRN_INLINE Sym3x8 inverse_by_pivots(const Sym3x8& m) {
     return {p + (lq * lyx + lr * low), -(lq + lr * lzy), lr, q + yr * lzy, -yr, r};
 }
 
-// With P = 1 - a a^T: the inverse of P m P on the plane across the unit vector a, zero along it. With u = m a and
-// t = a.u, the matrix Q = m - a u^T - u a^T + 2 t a a^T is P m P + t a a^T, and its inverse less a a^T / t is wanted.
+// With P = 1 - a a^T: the inverse of P m P on the plane perpendicular to the unit vector a, zero along a. With u = m a
+// and t = a.u, the matrix Q = m - a u^T - u a^T + 2 t a a^T is P m P + t a a^T; the result is its inverse less
+// a a^T / t.
 template <class Inverse> CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a, Inverse&& inverse_of) {
     const Vec3x8 u = m * a;
     const f32x8 t = dot(a, u), t2 = t + t;
@@ -178,10 +180,9 @@ CAIRN_INLINE Sym3x8 inverse_across(const Sym3x8& m, Vec3x8 a) {
 
 CAIRN_INLINE Vec3x8 across(Vec3x8 a, Vec3x8 v) { return v - dot(a, v) * a; }
 
-// For the last substep's impulse or row: from the start of the step to now.
 CAIRN_INLINE Quatx8 conjugate(Quatx8 q) { return {-q.v, q.w}; }
 CAIRN_INLINE Quatx8 load_quat(const float (*p)[8]) { return {load3(p), load(p[3])}; }
-// Of B's frame against A's in world axes.
+// The rotation of B's frame relative to A's, in world axes, at the current poses.
 CAIRN_INLINE Quatx8 turn_now(const Posesx8& poses, Quatx8 turn0) {
     return multiply(multiply(poses.dq_b, turn0), conjugate(poses.dq_a));
 }

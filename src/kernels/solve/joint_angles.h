@@ -9,7 +9,8 @@ namespace cairn::CAIRN_ISA {
 
 inline constexpr float pi = 3.14159265358979f;
 
-// The angle of (x, y), -pi to pi. One halving, tan(a / 2) = t / (1 + sqrt(1 + t^2)), and the series; error below 2e-7.
+// The angle of (x, y), -pi to pi: one halving, tan(a / 2) = t / (1 + sqrt(1 + t^2)), then the arctangent series; the
+// error is below 2e-7.
 CAIRN_INLINE f32x8 angle_of(f32x8 y, f32x8 x) {
     const f32x8 ax = abs(x), ay = abs(y);
     const mask8 steep = ay > ax;
@@ -23,7 +24,7 @@ CAIRN_INLINE f32x8 angle_of(f32x8 y, f32x8 x) {
     angle = select(x < zero(), splat(pi) - angle, angle);
     return select(y < zero(), -angle, angle);
 }
-// The nearest whole number: beyond 2^23 floats have no fraction.
+// The nearest integer: adding 1.5 * 2^23 drops the fraction, as floats beyond 2^23 have none.
 CAIRN_INLINE f32x8 rounded(f32x8 x) {
     const f32x8 big = splat(12582912.0f); // 1.5 * 2^23
     return (clamp(x, splat(-1e6f), splat(1e6f)) + big) - big;

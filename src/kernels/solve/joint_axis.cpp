@@ -1,5 +1,5 @@
-// Axis rows: one direction of motion, with limits, a drive and friction, which share one velocity scalar. Each kind
-// says what the position is and how it changes with the velocities: J = (linear_a, angular_a, linear_b, angular_b).
+// Axis rows: one direction of motion, with limits, a drive and friction, which share one scalar velocity. The kind
+// defines the position and its rate of change with the velocities: J = (linear_a, angular_a, linear_b, angular_b).
 #include "kernels/solve/joint_angles.h"
 #include "kernels/solve/joint_locks.h"
 
@@ -31,8 +31,8 @@ CAIRN_INLINE bool is_turning(AxisKind kind) {
         return true;
     }
 }
-// Rows about an axis of joints without a point turn their bodies and do not move them: of these, linear velocities are
-// neither read nor written. The bits are those of a Jacobian whose linear part is zero.
+// Rows about an axis rotate the bodies of joints without a point but do not move them: linear velocities are neither
+// read nor written. The bits are the same as with a Jacobian whose linear part is zero.
 template <class F> CAIRN_INLINE void for_kind(const AxisBlock& b, F&& f) {
     is_turning(b.kind) && b.points == 0 ? f(std::true_type{}) : f(std::false_type{});
 }
@@ -68,7 +68,7 @@ CAIRN_INLINE f32x8 net_impulse(const AxisBlock& b) {
     return (load(b.drive_impulse) + load(b.friction_impulse)) + (load(b.lower_impulse) - load(b.upper_impulse));
 }
 
-// Of the poses now.
+// Arms, gap and axes at the current poses.
 struct Geometryx8 {
     const Posesx8& poses;
     Vec3x8 arm_a, arm_b, gap, axis_a, axis_b;
@@ -93,9 +93,9 @@ CAIRN_INLINE Jacobianx8 linear_jacobian(const Geometryx8& g, Vec3x8 d) {
 }
 CAIRN_INLINE Jacobianx8 angular_jacobian(Vec3x8 a) { return {zero3(), -a, zero3(), a}; }
 
-// How far the body has turned about the axis since the start of the step.
+// The angle by which the body has rotated about the axis since the start of the step.
 CAIRN_INLINE f32x8 angle_about(Quatx8 dq, Vec3x8 axis) { return splat(2.0f) * angle_of(dot(dq.v, axis), dq.w); }
-// The rotation vector, the short way round.
+// The rotation vector of the shorter rotation.
 CAIRN_INLINE Vec3x8 rotation_vector(Quatx8 q) {
     const f32x8 sign = select(q.w < zero(), splat(-1.0f), one()), sine = sqrt(dot(q.v, q.v));
     const f32x8 factor = select(sine > splat(min_length), angle_of(sine, abs(q.w)) / (sine + splat(tiny)), one());
@@ -117,15 +117,15 @@ CAIRN_INLINE Rowx8 pulley_row(const AxisBlock& b, const Geometryx8& g) {
     return {{da, cross(g.arm_a, da), db, cross(g.arm_b, db)}, ra * length_a + rb * length_b};
 }
 
-// Counted on beyond full turns.
+// The angle plus those full turns that bring it closest to the last position.
 CAIRN_INLINE f32x8 counted_angle(const AxisBlock& b, f32x8 angle) {
     return angle + splat(2 * pi) * rounded((load(b.position) - angle) * splat(0.5f / pi));
 }
 CAIRN_INLINE f32x8 angle_between(Vec3x8 u, Vec3x8 w, Vec3x8 n) { return angle_of(dot(n, cross(u, w)), dot(u, w)); }
 
-// The part of the rotation vector r about an axis a of A. With the angle phi, that changes at the rate u.w with
-// u = a + (r x a) / 2 + c r x (r x a), c = (1 - (phi / 2) cot(phi / 2)) / phi^2. A spring that pulled along a itself
-// would turn what is free of it faster and faster.
+// The component of the rotation vector r along an axis a of A. With the relative angular velocity w, it changes at the
+// rate u.w with u = a + (r x a) / 2 + c r x (r x a), c = (1 - (phi / 2) cot(phi / 2)) / phi^2, where phi = |r|. A
+// spring that acted along a itself would accelerate the remaining rotation without bound.
 CAIRN_INLINE Rowx8 rotation_row(const Geometryx8& g, Quatx8 turn) {
     const Vec3x8 r = rotation_vector(turn), across = cross(r, g.axis_a);
     const f32x8 square = dot(r, r), sine = sqrt(dot(turn.v, turn.v));
@@ -157,7 +157,7 @@ CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
     switch (b.kind) {
     case AxisKind::twist: {
         const f32x8 angle = splat(2.0f) * angle_of(dot(turn.v, g.axis_a), turn.w);
-        // The rate of the twist angle is that of the relative rotation along (a + b) / (1 + a.b).
+        // The rate of the twist angle is the component of the relative angular velocity along (a + b) / (1 + a.b).
         const f32x8 s = one() / max(one() + dot(g.axis_a, g.axis_b), splat(0.1f));
         return {angular_jacobian(s * (g.axis_a + g.axis_b)), counted_angle(b, angle)};
     }
@@ -200,7 +200,7 @@ CAIRN_INLINE Rowx8 moving_row(const AxisBlock& b, const Geometryx8& g) {
     }
 }
 
-// M^-1 J^T of the angular part, and J M^-1 J^T.
+// The angular part of M^-1 J^T for both bodies, and k = J M^-1 J^T.
 struct Response8 {
     Vec3x8 a, b;
     f32x8 k;
@@ -212,9 +212,9 @@ CAIRN_INLINE Response8 response_of(const AxisBlock& b, const Jacobianx8& j) {
     return {by_a, by_b, linear + turning};
 }
 
-// The row along with the impulses of the joint's point and turn that keep these as they are: J - c^T J_p - d^T J_t,
-// with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T.
-// Plain: none of the block's joints has a turn, and their points are held in all directions.
+// The row together with those impulses of the joint's point and turn that keep their velocities unchanged:
+// J - c^T J_p - d^T J_t, with K_pp c + K_pt d = J_p M^-1 J^T and K_tp c + K_tt d = J_t M^-1 J^T. Plain: no joint of the
+// block has a turn, and their points have no free axis.
 template <bool Plain>
 CAIRN_INLINE Jacobianx8 held_by_locks(const AxisBlock& b, const Geometryx8& g, const Jacobianx8& j,
                                       const Response8& alone) {
@@ -245,7 +245,7 @@ CAIRN_INLINE Jacobianx8 select(mask8 m, const Jacobianx8& a, const Jacobianx8& b
             select(m, a.angular_b, b.angular_b)};
 }
 
-// Jacobian, mass and position of the poses now.
+// Computes Jacobian, effective mass and position at the current poses.
 template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& poses) {
     const Geometryx8 geometry = geometry_of<Turns>(b, poses);
     const Rowx8 row = is_turning(b.kind) ? turning_row(b, geometry) : moving_row(b, geometry);
@@ -256,7 +256,7 @@ template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& pos
         const Jacobianx8 held =
             b.plain_locks ? held_by_locks<true>(b, geometry, j, alone) : held_by_locks<false>(b, geometry, j, alone);
         const f32x8 left = response_of(b, held).k;
-        const mask8 is_known = left > splat(rounding) * k; // else the locks hold all of it, or it is taken alone
+        const mask8 is_known = left > splat(rounding) * k; // else point and turn hold it all, or it is taken alone
         moved = select(is_known, left, k);
         const mask8 is_held = and_not(is_known, mask_from_bits(b.direct));
         j = select(is_held, held, j);
@@ -270,7 +270,7 @@ template <bool Turns> CAIRN_INLINE void refresh(AxisBlock& b, const Posesx8& pos
     store(b.moved_mass, guarded_inverse(moved, moved > splat(tiny)));
 }
 
-// The pull of the drive's spring on the position now.
+// Computes the impulse of the drive's spring at the current position.
 template <class Lanes> CAIRN_INLINE void refresh_drive(AxisBlock& b, Lanes lanes, f32x8 h) {
     if (!b.has_drive) return;
     const f32x8 unit_of = select(load(b.drive_relative) > zero(), load(b.moved_mass), one());
@@ -285,8 +285,8 @@ CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f
     return h * (h * stiffness + damping) * select(relative > zero(), mass, one());
 }
 
-// The velocity that a motor holds. It leads no farther than the rigid limits of its axis, which would not hold a motor
-// that is stronger than they are stiff.
+// The velocity that a motor keeps, limited so that it does not drive the axis past rigid limits within a substep: these
+// would not hold a motor that is stronger than they are stiff.
 CAIRN_INLINE f32x8 motor_velocity(const AxisBlock& b, f32x8 inverse_h) {
     const f32x8 target = load(b.target_velocity);
     if (!b.has_limits) return target;
@@ -322,7 +322,7 @@ template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& 
             select(rigid, splat(Soft ? s.rate : 0.0f), rate)};
 }
 
-// One limit: v is the velocity away from it, gap how far it is, spring_gap what a spring has been stretched by.
+// One limit. v: velocity away from the limit; gap: distance from it; spring_gap: extension of its spring.
 template <class Lanes>
 CAIRN_INLINE f32x8 limit(float* impulse, Lanes lanes, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
                          f32x8 spring_gap, mask8 equation, f32x8 inverse_h) {
@@ -336,8 +336,8 @@ CAIRN_INLINE f32x8 limit(float* impulse, Lanes lanes, const LimitSoftness& softn
     return bounded - old;
 }
 
-// All that acts along the row, one after the other; returns the sum of what was added. `before`: the position before
-// the poses of this substep, for springs.
+// Solves drive, friction and limits of the row in turn; returns the sum of the impulses added. `before`: the position
+// before this substep's poses were integrated, for springs.
 template <bool Soft, class Lanes>
 CAIRN_INLINE f32x8 act(AxisBlock& b, Lanes lanes, f32x8 v, f32x8 before, const JointSoftness& softness) {
     const f32x8 mass = load(b.mass), h = splat(softness.h), inverse_h = splat(softness.inverse_h);
@@ -385,7 +385,7 @@ CAIRN_INLINE void warm_start_block(AxisBlock& b, Lanes lanes, const SolverBodies
                                    const JointSoftness& softness) {
     if (lanes.come_first) begin_block<Turns>(b, bodies, softness);
     const f32x8 p = among(lanes, net_impulse(b), zero());
-    if (all(p == zero())) return; // as most limits have it
+    if (all(p == zero())) return; // the usual case of limits
     Ends8 e = gather_moved<Turns>(bodies.velocity, b);
     apply<Turns>(b, load_jacobian(b), p, e);
     scatter_moved<Turns>(bodies.velocity, lanes, e);
@@ -405,7 +405,8 @@ CAIRN_INLINE void solve_block(AxisBlock& b, Lanes lanes, SolverVelocity* velocit
     scatter_moved<Turns>(velocity, lanes, e);
 }
 
-// What the new Jacobian changes of the impulse that is carried is left for the next solve.
+// Updates the block to the new poses. The change of the carried-over impulse's effect by the new Jacobian is left for
+// the next solve.
 template <bool Turns> void follow_poses(AxisBlock& b, const SolverBodies& bodies) {
     store(b.before, load(b.position));
     const Posesx8 poses = gather_poses(bodies.pose, b);
@@ -434,7 +435,7 @@ CAIRN_INLINE void relax_block(AxisBlock& b, Lanes lanes, const SolverBodies& bod
     scatter_moved<Turns>(bodies.velocity, lanes, e);
 }
 
-// Calls f(block, its lanes, whether its rows turn only, as a constant) for the blocks of a run.
+// Calls f(block, its lanes, whether its rows only rotate bodies, as a constant) for the blocks of a run.
 template <class F> CAIRN_INLINE void for_kinds(const JointBlocks& run, F&& f) {
     for_lanes<AxisBlock>(run, [&](AxisBlock& b, auto lanes) { for_kind(b, [&](auto turns) { f(b, lanes, turns); }); });
 }
@@ -448,7 +449,7 @@ void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftne
     for_kinds(run, [&](auto& b, auto lanes, auto turns) { relax_block<turns>(b, lanes, bodies, softness); });
 }
 
-// Rigid limits and equations; drives and friction give no impulses.
+// One pass of an impact on rigid limits and equations; drives and friction give no impulses.
 template <bool Turns>
 CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity* velocity, float inverse_h) {
     Ends8 e = gather_moved<Turns>(velocity, b);
@@ -467,7 +468,7 @@ CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity
     const f32x8 d = held + ((up - old_up) - (down - old_down));
     store(impact.lower, up);
     store(impact.upper, down);
-    if (all(d == zero())) return; // out of reach
+    if (all(d == zero())) return; // limits out of reach
     store(b.total, load(b.total) + d);
     apply<Turns>(b, j, d, e);
     scatter_moved<Turns>(velocity, all_of(b), e);

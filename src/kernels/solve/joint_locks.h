@@ -1,15 +1,16 @@
-// What the rows of one joint are to each other. Solved one after the other as if each were alone, they undo each
-// other's work: of a small ball at the end of an arm, a limit turns the ball about its own center, and the point that
-// holds the arm pulls that back, so that a thousandth of what the limit should give is left. So each row of a joint
-// acts along with the impulses of the rows after it that keep those as they are, and a joint alone is solved at once.
-// With the rows in the order axes, turn, point, that is the block elimination of J M^-1 J^T; of two bodies it is exact.
+// The couplings between the rows of one joint. Rows that are solved one after the other as if each were alone undo each
+// other's work: with a small ball at the end of an arm, a limit rotates the ball about its own center, and the point
+// that holds the arm reverses that, so that a thousandth of the limit's correction is left. Therefore each row of a
+// joint acts together with those impulses of the rows after it that keep their velocities unchanged, and a single joint
+// is solved at once. With the rows in the order axes, turn, point, this is the block elimination of J M^-1 J^T, which
+// is exact for two bodies.
 #pragma once
 
 #include "kernels/solve/joint.h"
 
 namespace cairn::CAIRN_ISA {
 
-// -[r] m [r], for a symmetric m.
+// -[r] m [r] for a symmetric m, where [r] u = r x u.
 CAIRN_INLINE Sym3x8 squared_arm(const Sym3x8& m, Vec3x8 r) {
     // The columns of m [r], m (r x e_i) negated, and again crossed with r.
     const Vec3x8 x = {m.xy * r.z - m.xz * r.y, m.yy * r.z - m.yz * r.y, m.yz * r.z - m.zz * r.y};
@@ -36,21 +37,22 @@ CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
 }
 CAIRN_INLINE Sym3x8 zero6() { return {zero(), zero(), zero(), zero(), zero(), zero()}; }
 
-// Of 32-bit floats, with the operations that are between: what is smaller beside what it is subtracted from is not
-// known.
+// Relative error of a difference of 32-bit floats after the operations here: differences that are smaller, relative to
+// the operands, are noise.
 constexpr float rounding = 1e-6f;
 
-// The arms from the centers of mass to the point at which a joint holds its bodies.
+// The arms from the centers of mass to the joint's point.
 struct Arms8 {
     Vec3x8 a, b;
 };
-// K_pp: the slip at the point, by an impulse there.
+// K_pp: the relative velocity at the point per unit impulse there.
 CAIRN_INLINE Sym3x8 slip_by_push(const Massesx8& m, const Arms8& arm) {
     const f32x8 both = m.mass_a + m.mass_b;
     const Sym3x8 linear = {both, zero(), zero(), both, zero(), both};
     return sum(linear, sum(squared_arm(m.inertia_a, arm.a), squared_arm(m.inertia_b, arm.b)));
 }
-// K_pt and its transpose: the slip by an angular impulse, and the turning by one at the point.
+// K_pt and its transpose: the relative velocity at the point by an angular impulse p, and the relative angular velocity
+// by an impulse p at the point.
 CAIRN_INLINE Vec3x8 slip_by_turn(const Massesx8& m, const Arms8& arm, Vec3x8 p) {
     return cross(m.inertia_b * p, arm.b) + cross(m.inertia_a * p, arm.a);
 }
@@ -58,14 +60,14 @@ CAIRN_INLINE Vec3x8 turn_by_push(const Massesx8& m, const Arms8& arm, Vec3x8 p) 
     return m.inertia_b * cross(arm.b, p) + m.inertia_a * cross(arm.a, p);
 }
 
-// How the point of a joint goes with its turn: an impulse p at the point comes with the angular impulse -D^T p, which
-// keeps the turn as it was. `slip` is what is then left of K_pp.
+// The elimination of a joint's turn from its point: an impulse p at the point acts together with the angular impulse
+// -D^T p, which keeps the relative angular velocity unchanged. `slip` is the remainder of K_pp.
 struct HeldTurn {
     Mat3x8 d;    // D = K_pt K_tt^-1
     Sym3x8 slip; // K_pp - D K_tp
 };
-// `turn`: K_tt^-1, zero about an axis that is left free. Where the arms are so long beside the bodies that nothing
-// would be left of `slip` but rounding, the point is taken alone.
+// `turn`: K_tt^-1, zero about a free axis. Where the arms are so long relative to the bodies that `slip` would be
+// nothing but rounding, the point is solved alone.
 CAIRN_INLINE HeldTurn hold_turn(const Massesx8& m, const Arms8& arm, const Sym3x8& turn) {
     const Sym3x8 k = slip_by_push(m, arm);
     const Mat3x8 by_turn = {slip_by_turn(m, arm, {turn.xx, turn.xy, turn.xz}),
@@ -80,7 +82,7 @@ CAIRN_INLINE HeldTurn hold_turn(const Massesx8& m, const Arms8& arm, const Sym3x
              select(is_known, by_turn.c2, zero3())},
             select(is_known, left, k)};
 }
-// The impulses at the point by slip, zero along an axis that is left free.
+// The impulse at the point per relative velocity there; zero along a free axis.
 CAIRN_INLINE Sym3x8 response_of(const HeldTurn& held, Vec3x8 free_axis) {
     return inverse_across(held.slip, free_axis, [](const Sym3x8& q) { return inverse_by_pivots(q); });
 }

@@ -1,7 +1,9 @@
-// Points: the anchors of two bodies are kept together, in all directions or across an axis of A. With p the impulse on
-// B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B].
-// Where an axis is left free, r_A reaches to the anchor of B along it, and both c and p are taken across it. Where the
-// joint has a turn, p comes with what keeps that as it is (joint_locks.h): the moments are r x p - D^T p.
+// Points: the anchors of two bodies are kept together, in all directions or perpendicular to an axis of A. With p the
+// impulse on B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and
+// K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B]. If an axis is free, r_A extends to the anchor of B
+// along it, and only the components of c and p perpendicular to it count. If the joint has a turn, p acts together with
+// the angular impulse that keeps the relative angular velocity unchanged (joint_locks.h): the moments are r x p - D^T
+// p.
 #include "kernels/solve/joint_locks.h"
 
 #include <type_traits>
@@ -16,7 +18,7 @@ template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& 
 template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
     return Isotropic ? load(b.isotropic_b) * u : load6(b.rest.inertia_b) * u;
 }
-// The moment of an impulse at that arm.
+// The moment of an impulse p at that arm.
 template <bool Turns> CAIRN_INLINE Vec3x8 moment_of(const PointBlock& b, Vec3x8 arm, Vec3x8 p) {
     if constexpr (Turns) return cross(arm, p) - transposed_times(load9(b.by_turn), p);
     return cross(arm, p);
@@ -32,8 +34,8 @@ CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
     return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));
 }
 
-// A block as it lies between two loads and stores: arms, gap, the axis that is left free, and that about which the
-// joint may turn, of the poses now.
+// The geometry of a block at the current poses: arms, gap, the free axis, and the axis about which the joint is free to
+// rotate.
 struct Pointx8 {
     Vec3x8 arm_a, arm_b, gap, axis, turn_axis;
 };
@@ -99,7 +101,7 @@ template <bool FreeAxis, bool Isotropic, bool Turns> CAIRN_INLINE void keep(Poin
 template <class F> CAIRN_INLINE void as_constant(bool condition, F&& f) {
     condition ? f(std::true_type{}) : f(std::false_type{});
 }
-// Calls f with whether an axis is left free, whether tensors are isotropic, and whether the joint has a turn.
+// Calls f with constants: whether an axis is free, whether tensors are isotropic, and whether the joint has a turn.
 template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
     as_constant(b.free_axis != 0, [&](auto free_axis) {
         as_constant(b.isotropic != 0, [&](auto isotropic) {
@@ -108,7 +110,7 @@ template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
     });
 }
 
-// Poses are those of the start of the step.
+// Prepares a block at the poses of the start of the step.
 template <bool FreeAxis, bool Isotropic, bool Turns> void begin_block(PointBlock& b) {
     const Pointx8 point = point_at_start<FreeAxis, Turns>(b);
     keep<FreeAxis, Isotropic, Turns>(b, point);
@@ -163,8 +165,8 @@ void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness
     });
 }
 
-// The change of what a torque does is what the change of the torque does, and what the change of the inertia does: for
-// isotropic bodies nothing, to the bit, whether all bodies of the block are isotropic or not.
+// The change of a torque's effect is that due to the change of the torque plus that due to the change of the inertia.
+// For isotropic bodies the latter is exactly zero, whether all bodies of the block are isotropic or not.
 template <bool Isotropic>
 CAIRN_INLINE void leave_change_of_arms(PointBlock& b, Vec3x8 change_a, Vec3x8 change_b, Vec3x8 torque_a,
                                        Vec3x8 torque_b, const SolverInertia* inertia) {
@@ -179,7 +181,8 @@ CAIRN_INLINE void leave_change_of_arms(PointBlock& b, Vec3x8 change_a, Vec3x8 ch
     }
 }
 
-// What the new arms, axis and D change of the impulse that is carried, `p` of `old`, is left for the next solve.
+// Updates the block to the new poses. The change of the carried-over impulse's effect by the new arms, axis and D is
+// left for the next solve; `p` is the part of the impulse `old` that is carried on.
 template <bool FreeAxis, bool Isotropic, bool Turns>
 CAIRN_INLINE void follow_point(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
                                const SolverInertia* inertia) {
@@ -200,7 +203,7 @@ CAIRN_INLINE void follow_point(PointBlock& b, const Pointx8& point, Vec3x8 p, Ve
     }
 }
 
-// The impulse without softness that stops what slips.
+// Applies the rigid impulse that stops the relative velocity at the point.
 template <bool Isotropic, bool Turns, class Lanes>
 CAIRN_INLINE void stop_slip(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
     const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), carried = load3(b.impulse), total = load3(b.total);
@@ -238,7 +241,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         Ends8 e = gather_ends(velocity, b);
         for_form(b, [&](auto, auto isotropic, auto turns) {
             Vec3x8 slip = slip_at(e, arm_a, arm_b);
-            if constexpr (turns) slip = slip - load9(b.by_turn) * (e.b.w - e.a.w); // what is left when the turn stops
+            if constexpr (turns) slip = slip - load9(b.by_turn) * (e.b.w - e.a.w); // what remains when the turn stops
             const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip);
             const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
             store3(b.total, load3(b.total) + d);

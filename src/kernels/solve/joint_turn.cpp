@@ -1,5 +1,5 @@
-// Turns: B's frame is kept from turning against A's, about all axes or about those across one. With p the angular
-// impulse on B, c = w_B - w_A and K = I_A^-1 + I_B^-1.
+// Turns: B's frame is kept from rotating relative to A's, about all axes or about those perpendicular to one. With p
+// the angular impulse on B, c = w_B - w_A and K = I_A^-1 + I_B^-1.
 #include "kernels/solve/joint.h"
 
 namespace cairn::CAIRN_ISA {
@@ -11,7 +11,7 @@ CAIRN_INLINE void apply(const TurnBlock& b, Vec3x8 p, Ends8& e) {
     e.b.w = e.b.w + turned_b(b, p);
 }
 
-// Error and response of the poses now; the axis that is left free, if any.
+// Computes error and response at the current poses; returns the free axis, or zero.
 template <bool FreeAxis> CAIRN_INLINE Vec3x8 refresh(TurnBlock& b, const Posesx8& poses, const Massesx8& masses) {
     const Sym3x8 &i = masses.inertia_a, &j = masses.inertia_b;
     const Sym3x8 k = {i.xx + j.xx, i.xy + j.xy, i.xz + j.xz, i.yy + j.yy, i.yz + j.yz, i.zz + j.zz};
@@ -62,7 +62,7 @@ void solve(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness
     });
 }
 
-// The impulse without softness that stops what turns.
+// Applies the rigid impulse that stops the relative rotation.
 template <class Lanes> CAIRN_INLINE void stop_turn(TurnBlock& b, Lanes lanes, const SolverBodies& bodies) {
     const Vec3x8 carried = load3(b.impulse), total = load3(b.total);
     Ends8 e = gather_ends(bodies.velocity, b);

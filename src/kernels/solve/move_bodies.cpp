@@ -1,4 +1,4 @@
-// Bodies out of their rows at the end of a step, 8 at a time.
+// Writes the motion of solver rows back to bodies at the end of a step, 8 at a time.
 #include "kernels/solve/body_motion.h"
 #include "kernels/solve/solver.h"
 #include "simd/f64x4.h"
@@ -18,7 +18,7 @@ CAIRN_INLINE void transpose(f64x4& a, f64x4& b, f64x4& c, f64x4& d) {
     b = __builtin_shufflevector(ba, dc, 0, 1, 4, 5), d = __builtin_shufflevector(ba, dc, 2, 3, 6, 7);
 }
 
-// The product dq q, of unit length.
+// The normalized product a b.
 CAIRN_INLINE Quatx4 turned_on(const Quatx4& a, const Quatx4& b) {
     const Quatx4 q = {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
                       a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
@@ -36,7 +36,7 @@ CAIRN_INLINE void turn_bodies(BodyMotion* const* body, const SolverPose* pose) {
     store4(&body[0]->q.x, q.x), store4(&body[1]->q.x, q.y), store4(&body[2]->q.x, q.z), store4(&body[3]->q.x, q.w);
 }
 
-// What all of is finite, and not near a limit.
+// Bits of the lanes whose motion is finite and not near a limit.
 CAIRN_INLINE int plain_lanes(const SolverVelocity* velocity, const SolverPose* pose, const HalfLimits& half) {
     std::uint32_t offset[8];
     for (std::uint32_t i = 0; i < 8; ++i) offset[i] = i * row_bytes;

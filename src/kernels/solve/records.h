@@ -1,4 +1,4 @@
-// Contact records as eight of them are read side by side.
+// Reading eight contact records side by side.
 #pragma once
 
 #include "core/cache.h"
@@ -32,7 +32,7 @@ alignas(64) inline const ContactRecord empty_record = {
     .more_padding = 0,
 };
 
-// Where a point is in a record.
+// Byte offset of a point in a record.
 CAIRN_INLINE std::size_t point_offset(int i) {
     return i == 0 ? offsetof(ContactRecord, first_point)
                   : offsetof(ContactRecord, more_points) + 16 * std::size_t(i - 1);
@@ -46,7 +46,7 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
     gather4(p, x, y, z, w);
 }
 
-// The contacts of one color lie scattered among the records.
+// The contacts of one color are scattered over the array of records.
 template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
     constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     for (int i = 0; i < 8; ++i) {

@@ -1,4 +1,4 @@
-// The solver kernels of one instruction set, and what they share.
+// The solver kernels of one instruction set, and the helpers that they share.
 #pragma once
 
 #include "kernels/solve/solver_data.h"
@@ -37,7 +37,7 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 int move_bodies(const std::int32_t* bodies, int lanes, const SolverVelocity* velocity, const SolverPose* pose,
                 BodyMotion* motion, const HalfLimits& half);
 
-// Over-relaxation of the passes of an impact: they converge several times as fast as with 1.
+// Over-relaxation factor of the impact passes: they converge several times as fast as with 1.
 inline constexpr float impact_relaxation = 1.5f;
 
 // Velocities of 8 bodies.
@@ -45,7 +45,7 @@ struct Velocityx8 {
     Vec3x8 v, w;
 };
 
-// The row at an offset in bytes: counting rows would take a shift for every lane.
+// The row at a byte offset: an index would need a shift for every lane.
 template <class Row> CAIRN_INLINE Row& row_at(Row* rows, std::uint32_t offset) {
     static_assert(sizeof(Row) == row_bytes);
     using Byte = std::conditional_t<std::is_const_v<Row>, const char, char>;
@@ -70,7 +70,7 @@ CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* of
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
 }
 
-// Of rows of velocities, or of what is like them: what turns.
+// Gathers or scatters the angular parts of rows of SolverVelocity, or of a struct with the same layout.
 template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
     const float* p[8];
     Vec3x8 w;
@@ -105,16 +105,16 @@ CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
     return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
 }
 
-// tan |u| in the direction of u: with x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...). The quaternion
-// (t, 1) of that, unnormalized, turns by 2 x up to O(x^9), and its square (2 t, 1 - t^2) by 4 x. Beyond four radians
-// the axis is all that counts.
+// tan |u| in the direction of u: with x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...). With t the result,
+// the unnormalized quaternion (t, 1) is a rotation by 2 x up to O(x^9), and its square (2 t, 1 - t^2) one by 4 x. For
+// rotations beyond four radians only the axis matters.
 CAIRN_INLINE Vec3x8 half_tangent(Vec3x8 u) {
     const f32x8 x2 = min(dot(u, u), one());
     const f32x8 series = splat(1.0f / 3.0f) + x2 * (splat(2.0f / 15.0f) + x2 * splat(17.0f / 315.0f));
     return (one() + x2 * series) * u;
 }
 
-// q turned on by the rotation vector 4 u.
+// The rotation q followed by one by the rotation vector 4 u.
 CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
     const Vec3x8 t = half_tangent(u);
     const Quatx8 r = multiply({t + t, one() - dot(t, t)}, q);
@@ -122,13 +122,14 @@ CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
     return {scale * r.v, scale * r.w};
 }
 
-// R(q)^T n - n, with the part of second order in the rotation times `bend`.
+// R(q)^T n - n, with the part that is of second order in the rotation multiplied by `bend`.
 CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n, f32x8 bend) {
     const Vec3x8 g = cross(q.v, n);
     return splat(2.0f) * (bend * cross(q.v, g) - q.w * g);
 }
 
-// Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
+// Index in a block of the share K_ji / K_jj: by how much a unit impulse at point i reduces the wanted impulse of point
+// j.
 template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
 
 template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8 normal, int i) {
@@ -141,19 +142,19 @@ template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block
     return cross(load3(block.tangent), normal);
 }
 
-// Where the load is, beside the friction center: along the two tangents. With t2 = t1 x n and j = r x n,
-// r.t1 = j.t2 and r.t2 = -j.t1.
+// Offset of the load from the friction center, along the two tangents. With t2 = t1 x n and j = r x n, r.t1 = j.t2 and
+// r.t2 = -j.t1.
 struct LoadOffset {
     f32x8 x, y;
 };
-// `torque`: the sum of impulse times arm (j_i) over the points; `inverse`: one over that of the impulses.
+// `torque`: the sum of impulse times arm (j_i) over the points; `inverse`: the reciprocal of the sum of the impulses.
 CAIRN_INLINE LoadOffset load_offset(Vec3x8 center, f32x8 inverse, Vec3x8 torque, Vec3x8 t1, Vec3x8 t2) {
     return {inverse * dot(torque, t2) - dot(center, t1), -(inverse * dot(torque, t1)) - dot(center, t2)};
 }
-// The moment about the normal, at the friction center, of an impulse at the load.
+// The moment about the normal at the friction center of a tangential impulse (p1, p2) that acts at the load.
 CAIRN_INLINE f32x8 moment_at(const LoadOffset& e, f32x8 p1, f32x8 p2) { return e.y * p1 - e.x * p2; }
 
-// Opening velocities of the points; c = d x normal.
+// Normal velocities of the contact points, positive where they separate; c = d x normal.
 template <int N>
 CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
                                     Vec3x8 normal, Vec3x8 c, f32x8* v) {
@@ -162,17 +163,17 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
     for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
 }
 
-// The only point of a contact moves within the step, with what it is a corner of or as what it is part of rolls, and
-// the velocity of the bodies there by `turning` times the time since the moment that the contact is of. Bodies that
-// move by the velocities of a substep have those that they should have in its middle: then what turns from substep to
-// substep takes as much from them as it gives. Kept where they are in the middle of the step, the arms of Euler's disk
-// take a third of its energy in a second.
+// The change of the relative velocity at a contact point that moves within the step, with a corner of a body or because
+// a round body rolls: `turning` times the time from the moment at which the contact was found to `middle`, the middle
+// of the substep. Bodies move during a substep by its velocities, which should therefore be those of its middle; then
+// the rotation takes as much energy from the bodies as it gives back, from substep to substep. With arms fixed at the
+// middle of the step, Euler's disk loses a third of its energy in a second.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<N>& block, float middle) {
     const mask8 turns = mask_from_bits(block.turns);
     return (splat(middle) - load(block.found)) * select(turns, load3(block.turning), zero3());
 }
 
-// Inverse inertia times a vector, of A and of B.
+// The inverse inertia tensor of A or of B times a vector.
 CAIRN_INLINE Vec3x8 inertia_times(bool isotropic, const float (*inertia)[8], Vec3x8 u) {
     return isotropic ? load(inertia[0]) * u : load6(inertia) * u;
 }
@@ -183,8 +184,8 @@ template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3
     return inertia_times(block.isotropic, block.inertia_b, u);
 }
 
-// Against relative rolling: one mass for all directions, the smallest effective one that the trace guarantees, so that
-// it never overshoots.
+// Effective mass of rolling resistance. One mass for all directions: the smallest that the trace of the inverse inertia
+// permits, so that the row never overshoots.
 template <int N> CAIRN_INLINE f32x8 rolling_mass(const ContactBlock<N>& block) {
     constexpr int xx = 0, yy = 3, zz = 5;
     auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
@@ -206,19 +207,19 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
 CAIRN_INLINE bool has_rounds(const ContactBlock<1>& block) { return block.rounds != 0; }
 CAIRN_INLINE bool has_rounds(const ContactBlock<4>&) { return false; }
 template <int N> CAIRN_INLINE bool is_all_round(const ContactBlock<N>& block) { return block.rounds == 0xff; }
-// By how much farther than their radii both centers are from the place of round surfaces, as far as these are apart
-// now.
+// How much farther than its radius each center of curvature of two round surfaces is from the contact point, at this
+// separation.
 CAIRN_INLINE f32x8 half_gap(const ContactBlock<1>& block, f32x8 separation) {
     const f32x8 apart = load(block.rim_radius) + separation;
     return splat(0.5f) * (apart - (load(block.radius_a) + load(block.radius_b)));
 }
-// d where the normal is of.
+// d at the poses that the block's normal belongs to.
 template <int N> CAIRN_INLINE Vec3x8 d_of_normal(const ContactBlock<N>& block) {
     const Vec3x8 d = load3(block.d_touch);
     return has_rounds(block) ? select(mask_from_bits(block.rounds), load3(block.d), d) : d;
 }
 
-// The impulse along the tangents that stops a slip, at `center`, in the impact of a whole contact: that of the load.
+// The tangential impulse that stops the slip (x, y) at `center`, the load of the whole contact in an impact.
 struct SlipStop {
     f32x8 p1, p2;
 };
@@ -226,7 +227,7 @@ template <int N>
 CAIRN_INLINE SlipStop slip_stop(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 t1, Vec3x8 t2, f32x8 x,
                                 f32x8 y) {
     f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
-    if constexpr (N > 1) { // else it is the friction center
+    if constexpr (N > 1) { // else `center` is the friction center, whose masses the block stores
         const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = a1 + cross(d, t1), b2 = a2 + cross(d, t2);
         const Vec3x8 ia_2 = turned_a(block, a2), ib_2 = turned_b(block, b2);
         const f32x8 mass = load(block.mass_a) + load(block.mass_b);

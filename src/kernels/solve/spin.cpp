@@ -1,9 +1,9 @@
-// The torque-free turning of bodies with unequal moments of inertia that touch something, 8 at a time. (Free bodies are
-// turned in double, in bodies/integrators.cpp.) The angular momentum L is followed through the step: contacts act on
-// the inertia that the solver has, of the start of the step, and what they add to L is that inertia times what they add
-// to the angular velocity w. Taking I w with the inertia of now instead would lose a part of every impulse.
+// The torque-free rotation of bodies with unequal moments of inertia that touch something, 8 at a time. (Free bodies
+// are rotated in double, in bodies/integrators.cpp.) The angular momentum L is followed through the step: contacts act
+// on the solver's inertia, that of the start of the step, and they add to L this inertia times their change of the
+// angular velocity w. Taking I w with the current inertia instead would lose a part of every impulse.
 //
-// The turn is the midpoint rule on L: w = R I^-1 R^T L at the rotation R half a substep ahead.
+// The rotation is integrated by the midpoint rule on L: w = R I^-1 R^T L at the rotation R half a substep ahead.
 #include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {
@@ -32,12 +32,12 @@ CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
             select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
 }
 
-// The diagonal tensor in the axes q, times v.
+// The tensor with this diagonal in the axes q, times v.
 CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
     return rotate(q, scaled(diagonal, rotate_back(q, v)));
 }
 
-// Into the rows: the inverse inertia of a diagonal one in those axes.
+// Writes to the rows of `lanes` the inverse inertia that is diagonal in these axes.
 CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& axes, mask8 lanes, SolverInertia* rows) {
     float *low[8], *high[8];
     for (int lane = 0; lane < 8; ++lane) {
@@ -53,19 +53,19 @@ CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& ax
     scatter4(high, now.yy, now.yz, now.zz, zero());
 }
 
-// Lanes that have turned so little in the step that w answers to what contacts add to L at most twice as much as these
-// are told by the inertia of the start of the step: beyond, each substep would overshoot by more than what it is to
-// correct, and thin rods that something hits would set off whole heaps. Turned by an angle a from an axis of the
-// smallest moment toward that of another one, it is 1 + sin^2 a (other / smallest - 1) times as much. A turn about an
-// axis of symmetry, as that of a top, is none.
+// Lanes that have rotated so little in the step that the change of w by an impulse is at most twice what the inertia of
+// the start of the step predicts: beyond that, each substep would overshoot by more than the error that it corrects,
+// and thin rods hit by something would set whole heaps in motion. For a rotation by an angle a from an axis of the
+// smallest moment toward another one, the ratio is 1 + sin^2 a (other / smallest - 1). A rotation about an axis of
+// symmetry, as that of a top, does not count.
 CAIRN_INLINE mask8 answer_as_told(const SpinBlock& block, Quatx8 turn, Quatx8 axes) {
-    const Vec3x8 i = load3(block.moments), v = rotate_back(axes, turn.v); // sines of half of the angle
+    const Vec3x8 i = load3(block.moments), v = rotate_back(axes, turn.v); // axis times the sine of half the angle
     const f32x8 least = min(min(i.x, i.y), i.z);
     const Vec3x8 mixed = {abs(i.y - i.z), abs(i.z - i.x), abs(i.x - i.y)};
     return splat(4.0f) * dot(scaled(v, v), mixed) <= least;
 }
 
-// L now, with what the contacts have added since the last free motion.
+// The current L, including what contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
     if (first) return tensor(axes, load3(block.moments), w);
     mask8 followed = answer_as_told(block, turn, axes);
@@ -76,8 +76,8 @@ CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axe
     return select(followed, tracked, momentum);
 }
 
-// In the frame of the principal axes: the angular velocity that goes with the momentum once the axes have turned by the
-// rotation vector 4 u.
+// In the frame of the principal axes: the angular velocity that belongs to the momentum after the axes have rotated by
+// the rotation vector 4 u.
 CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 momentum) {
     const Vec3x8 t = half_tangent(u);
     const f32x8 square = dot(t, t), scale = one() / (one() + square);
@@ -85,19 +85,20 @@ CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 mome
     return rotate(turn, scaled(inverse_moments, rotate_back(turn, momentum)));
 }
 
-// A block at work.
+// The working state of a block.
 struct Spinning {
-    Vec3x8 w, factor; // of damping
+    Vec3x8 w, factor; // damping factors
     mask8 calm;
     Quatx8 q;
     Vec3x8 momentum;
-    Vec3x8 l, middle, end; // in the frame of the principal axes: the momentum, and angular velocities
+    Vec3x8 l, middle, end; // in the frame of the principal axes: momentum, and angular velocities at the midpoint and
+                           // the end
 };
 
 CAIRN_INLINE Spinning look_at(const SpinBlock& block, const SolverBodies& bodies) {
     Spinning s;
     s.w = gather_angular(bodies.velocity, block.row);
-    // What is calm is left as it is until the end of the step.
+    // Lanes below calm_speed are not rotated until the end of the step.
     s.calm = and_not(dot(s.w, s.w) < splat(calm_speed * calm_speed), load(block.renewed) > zero());
     if (bodies.damping) {
         s.factor = gather_angular(bodies.damping, block.row);
@@ -106,8 +107,9 @@ CAIRN_INLINE Spinning look_at(const SpinBlock& block, const SolverBodies& bodies
     return s;
 }
 
-// Half a substep ahead: by Euler's equations to first order, and from there once more. M blocks at once: each is a
-// chain of dependent operations, and chains side by side take little more than the time of one.
+// The angular velocity half a substep ahead: by Euler's equations to first order, then one fixed-point iteration. M
+// blocks are interleaved: each is a chain of dependent operations, and chains side by side take little more than the
+// time of one.
 template <int M> CAIRN_INLINE void turn_freely(const SpinBlock* blocks, Spinning* s, float h) {
 #pragma GCC unroll 2
     for (int m = 0; m < M; ++m) {
@@ -124,8 +126,8 @@ template <int M> CAIRN_INLINE void turn_freely(const SpinBlock* blocks, Spinning
         s[m].end = velocity_after(splat(0.25f * h) * s[m].middle, load3(blocks[m].inverse_moments), s[m].l);
 }
 
-// `turns`: whether any lane is not calm. What a substep adds to the angular velocities, and what the midpoint differs
-// from the end, go to the rows.
+// Writes to the rows the change of the angular velocity in the substep, and the difference of the midpoint's from the
+// end's. `turns`: whether any lane is not calm.
 CAIRN_INLINE void write_turn(SpinBlock& block, const Spinning& s, const SolverBodies& bodies, SolverTwist* drive,
                              SolverTwist* correction, bool turns, bool first) {
     Vec3x8 change = zero3(), beyond = zero3();
@@ -136,13 +138,13 @@ CAIRN_INLINE void write_turn(SpinBlock& block, const Spinning& s, const SolverBo
     block.turns = turns;
     scatter_angular(drive, block.row, change);
     scatter_angular(correction, block.row, beyond);
-    // To the bit what integrate_velocities will make of it.
+    // The same operations as in integrate_velocities, so that the bits are the same.
     Vec3x8 free = s.w + change, left = s.momentum;
     if (bodies.damping) {
         free = scaled(free, s.factor);
         left = scaled(left, s.factor);
     }
-    const mask8 kept = first ? mask_from_bits(0) : s.calm; // what contacts add to them is added later
+    const mask8 kept = first ? mask_from_bits(0) : s.calm; // contact impulses of calm lanes are added later
     store3(block.momentum, select(kept, load3(block.momentum), left));
     store3(block.free_w, select(kept, load3(block.free_w), free));
 }
@@ -204,7 +206,7 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
         if (!any(renewed)) continue;
         const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
         const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
-        // What has been added so far was added with the old one.
+        // Impulses up to now acted on the old inertia.
         const Vec3x8 w = gather_angular(velocity, block.row), before = load3(block.free_w),
                      was_l = load3(block.momentum);
         store3(block.momentum, select(renewed, was_l + old * (w - before), was_l));
