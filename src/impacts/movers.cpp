@@ -86,7 +86,7 @@ namespace {
 
 // The axis through the center of mass, in the body's frame, about which all shapes of a body are round.
 std::optional<math::Vec3> axis_of_symmetry(const Bodies& bodies, const Shapes& shapes, std::int32_t b) {
-    constexpr float sine = 1e-3f; // of the angle by which axes may deviate
+    constexpr float sine = 1e-3f; // greatest sine of the angle between axes that count as parallel
     std::optional<math::Vec3> axis;
     for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next) {
         const Geometry& g = shapes.geometry[s];
