@@ -347,7 +347,7 @@ void SweptPairs::note_way(const SweptBounds& way) {
 void SweptPairs::find_near(std::int32_t mover, double from) {
     list_ways();
     const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
-    std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
+    std::vector<std::uint32_t>& near = scratch_.near; // pairs are added after the query
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     list_pairs_of(mover);

@@ -78,7 +78,7 @@ class SweptPairs {
     Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
-    std::vector<std::int32_t> without_axis_; // on several ranks: pairs whose contact's owner has not been asked yet
+    std::vector<std::int32_t> without_axis_; // on several ranks: pairs whose normal the owner has not sent yet
 };
 
 } // namespace cairn

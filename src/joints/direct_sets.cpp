@@ -171,8 +171,8 @@ class Finder {
     // --- the rule for joints whose solver the engine chooses
 
     bool rule_takes(const DirectSet& set) {
-        // A body with joints that are solved in two ways is thrown about when it is hit: where users ask for the direct
-        // solver at one joint, connected joints whose solver the engine chooses are included.
+        // A body with joints that are solved by two methods gets excessive velocities when it is hit: where users ask
+        // for the direct solver at one joint, connected joints whose solver the engine chooses are included.
         bool is_asked_for = false;
         for (const std::uint32_t joint : set.joints)
             is_asked_for |= JointSolver(joints_.info[joint].solver) == JointSolver::direct;

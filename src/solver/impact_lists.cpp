@@ -291,8 +291,8 @@ template <class Block> bool is_hit(const BatchScratch& scratch, const Block& b, 
         else
             arm = math::cross(at(b.center), normal);
         const float s = b.separation[i][lane];
-        if (s < -impact_speed * h) continue;                                         // it is pushed out
-        if (b.restitution[lane] > 0 && s > 0 && !(b.impulse[i][lane] > 0)) continue; // it will bounce
+        if (s < -impact_speed * h) continue;                                         // the penetration is pushed out
+        if (b.restitution[lane] > 0 && s > 0 && !(b.impulse[i][lane] > 0)) continue; // the point will bounce
         if (common + math::dot(arm, turning) + std::max(s, 0.0f) / h < -impact_speed) return true;
     }
     return false;
