@@ -1,4 +1,4 @@
-// Bodies that joints hold together, as far as impacts ask for them.
+// Assemblies: bodies that joints connect, found on demand while impacts are resolved.
 #pragma once
 
 #include "state/state.h"
@@ -13,9 +13,9 @@ class Assemblies {
     Assemblies(const Assemblies&) = delete;
     Assemblies& operator=(const Assemblies&) = delete;
 
-    // Equal for bodies of one assembly; none: no joint holds the body.
+    // Number of the body's assembly, the same for all of its bodies; none: the body has no joints.
     std::int32_t of(std::int32_t body);
-    // f(body) for all of the assembly of a body, or for that alone.
+    // Calls f(body) for all bodies of a body's assembly, or for the body alone if it has none.
     template <class F> void for_each_beside(std::int32_t body, F&& f) {
         const std::int32_t assembly = of(body);
         if (assembly == none) return f(body);

@@ -11,10 +11,10 @@ using math::DVec3;
 
 namespace {
 
-constexpr int max_sweeps = 200;            // over all points: each comes nearer to the solution
-constexpr double precision = 1e-9;         // of the greatest approach: changes smaller than that end the sweeps
-constexpr double min_friction_share = 0.1; // is halved once more before there is none
-constexpr double rounding_gain = 1e-9;     // of the energy: what is more has been gained
+constexpr int max_sweeps = 200;            // over all points; each sweep approaches the solution
+constexpr double precision = 1e-9;         // of the greatest approach speed: smaller changes end the sweeps
+constexpr double min_friction_share = 0.1; // a smaller share of friction is set to 0 rather than halved
+constexpr double rounding_gain = 1e-9;     // of the energy: a greater gain does not come from rounding
 
 double velocity_along(const ImpactRow& row, std::span<const ImpactBody> bodies) {
     const ImpactBody &a = bodies[std::size_t(row.a)], &b = bodies[std::size_t(row.b)];
@@ -56,11 +56,12 @@ DVec3 any_tangent(DVec3 n) {
     return math::normalized(cross(n, axis));
 }
 
-// Rows of a point: the normal, two tangents, and couples about all three.
+// Rows per point: the normal, two tangents, and couples about all three.
 constexpr std::size_t rows_per_point = 6;
 
-// `share`: of friction and couples that acts. Gauss-Seidel from the velocities before, to those of `bodies`. Returns
-// the energy that the impulses have added, by their work: half of the velocities before and after.
+// Gauss-Seidel iteration from the velocities before the impact to those in `bodies`. `share`: the fraction of friction
+// and couples that acts. Returns the energy added, which is the work of the impulses with the mean of the velocities
+// before and after.
 double solve(std::span<ImpactBody> bodies, std::span<const ImpactPoint> points, ImpactBuffer& buffer, double share,
              double scale) {
     std::vector<ImpactRow>& rows = buffer.rows;
@@ -74,7 +75,7 @@ double solve(std::span<ImpactBody> bodies, std::span<const ImpactPoint> points, 
             row.impulse = next;
             change = std::max(change, std::fabs(by) * row.inverse_effective_mass);
         };
-        // What stops the motion along rows, or as much of it as the limit allows.
+        // Total impulse that stops the motion along a row; resist_one and resist limit it.
         const auto stop = [&](const ImpactRow& row) {
             const double mass = row.inverse_effective_mass;
             return mass > 0 ? row.impulse - velocity_along(row, bodies) / mass : 0.0;
@@ -108,7 +109,7 @@ double solve(std::span<ImpactBody> bodies, std::span<const ImpactPoint> points, 
     return work;
 }
 
-// Of the points that approach; of a pair that rests, of all that may.
+// Creates rows for the approaching points; for a resting pair, for all points, as they may come to approach.
 ImpactOutcome make_rows(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
                         std::span<const ImpactPoint> points, std::vector<ImpactRow>& rows, double& greatest) {
     ImpactOutcome outcome;
@@ -153,7 +154,7 @@ ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> 
     buffer.before.assign(bodies.begin(), bodies.end());
     for (double share = 1;; share = share > min_friction_share ? 0.5 * share : 0) {
         const double work = solve(bodies, points, buffer, share, greatest);
-        double scale = 0, given = 0; // of the energies along the normals; what rebounds add
+        double scale = 0, given = 0; // sum of the energies along the normals; energy that rebounds may add
         outcome.impulse = 0;
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             if (rows[k].pair == 0) outcome.impulse += rows[k].impulse;
@@ -164,7 +165,7 @@ ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> 
         if (work <= given + rounding_gain * scale) return outcome;
         if (share > 0) continue;
         if (pairs.size() == 1) return outcome;
-        // What bounces off something that is leaving may gain: then that is pushed later.
+        // A bounce off a supported body that is leaving may gain energy: the bodies beneath are then pushed later.
         std::copy(buffer.before.begin(), buffer.before.end(), bodies.begin());
         return collide(bodies, pairs.first(1), points.first(std::size_t(pairs.front().points)), buffer);
     }

@@ -1,13 +1,15 @@
-// What an impact makes of the velocities of two bodies, and of what these lie on.
+// The velocities of two bodies after an impact, and those of the bodies that they rest on.
 //
-// Restitution acts at the points that approach, all at once (Newton): each of them leaves at `restitution` times the
-// speed at which it came, and no impulse pulls. With the impulses p and the normal velocities v before and u after, the
+// Restitution acts at all approaching points at once (Newton): each point separates at `restitution` times its approach
+// speed, and no impulse pulls. With the impulses p and the normal velocities v before and u after the impact, the
 // energy changes by sum p (u + v) / 2. Where p > 0, u = -e v and v < 0, so that no term is positive: energy never
-// grows, and is kept where e = 1. A point with a `rebound` leaves as fast as that at least, and may gain so much.
+// grows, and is conserved where e = 1. A point with a `rebound` separates at least at that speed, and may gain the
+// energy for it.
 //
-// Friction stops the slip of each point within Coulomb's cone; couples stop that the bodies spin about the normal and
-// roll on each other, up to the friction times `torsion_radius`, and `rolling_radius`, times the impulse. With friction
-// and unequal arms Newton's law may gain energy (Kane 1984): then friction is halved until it does not, at last to 0.
+// Friction stops the slip of each point within Coulomb's cone. Couples resist spinning about the normal, up to
+// `torsion_radius` times the friction, and rolling, up to `rolling_radius` times the normal impulse. With friction and
+// unequal arms Newton's law may gain energy (Kane 1984): friction is then halved until it does not, and finally set to
+// 0.
 #pragma once
 
 #include "math/vec.h"
@@ -18,14 +20,15 @@
 namespace cairn {
 
 struct ImpactOutcome {
-    double approach = 0;                // m/s: the greatest, before; 0: nothing approached, and nothing was changed
-    bool bounces = false;               // some point leaves faster than it has to
+    double approach = 0;                // m/s: greatest approach speed before; 0: nothing approached or changed
+    bool bounces = false;               // some point separates because of its restitution
     double impulse = 0;                 // N s: along the normals
     math::DVec3 position, normal;       // of the fastest point
-    std::uint16_t surface_material = 0; // likewise
+    std::uint16_t surface_material = 0; // of the fastest point
 };
-// Changes the velocities of bodies. `points`: of one pair after another. The outcome is that of the first pair; the
-// others are what its bodies lie on, which is pushed at the same time unless energy would grow by that.
+// Changes the velocities of `bodies`. `points`: those of one pair after another. The outcome is that of the first pair;
+// the other pairs are contacts with bodies that the first two rest on, which are pushed at the same time unless that
+// would increase the energy.
 ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
                       std::span<const ImpactPoint> points, ImpactBuffer& buffer);
 

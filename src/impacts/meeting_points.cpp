@@ -19,7 +19,7 @@ struct Placed {
     ShapePose pose;
 };
 
-// Seen from `origin`, for precision far from that of the world.
+// Pose relative to `origin`, for precision far from the origin of the world.
 Placed placed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const MovingState& body,
                  DVec3 origin) {
     const Geometry& g = shapes.geometry[shape];

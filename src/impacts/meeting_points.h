@@ -1,4 +1,4 @@
-// Where two shapes touch at given poses of their bodies.
+// The contact points of two shapes at given poses of their bodies.
 #pragma once
 
 #include "impacts/impact_law.h"
@@ -8,8 +8,8 @@
 
 namespace cairn {
 
-// Appends all points in which the shapes touch, within the tolerance of touches (core_sweep.h): those are struck at
-// once. `axis`: from A to B, where they are nearest, or zero.
+// Appends all points at which the shapes touch within the touch tolerance (core_sweep.h); one impact acts at all of
+// them. `axis`: from A to B, where they are nearest, or zero.
 void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape_a, const MovingState& a,
                          std::uint32_t shape_b, const MovingState& b, math::DVec3 axis, NarrowBatch& scratch,
                          std::vector<ImpactPoint>& points);

@@ -20,14 +20,14 @@ using math::to_double;
 
 namespace {
 
-// Where a body was at the start of the step.
+// The pose of a body at the start of the step.
 CountedPose pose_before(const Bodies& bodies, const Islands& islands, std::int32_t b) {
     if (bodies.settings[b].type == BodyType::kinematic || is_awake(bodies, islands, b)) return bodies.counted[b];
     return {bodies.motion[b].x, bodies.motion[b].q};
 }
 
-// Velocity of the path behind the stored one at the end of a substep, in substeps of acceleration: paths are parabolas
-// through the poses (kernels/solve/bounce.cpp).
+// Path velocity minus stored velocity at the end of a substep, in units of substep times acceleration: paths are
+// parabolas through the poses (kernels/solve/bounce.cpp).
 double path_offset(Integrator integrator) {
     switch (integrator) {
     case Integrator::semi_implicit_euler:
@@ -40,15 +40,15 @@ double path_offset(Integrator integrator) {
     return 0;
 }
 
-// What turns farther, rad, is looked at in parts; and what tumbles, in parts in which its axis turns so little that the
-// body is nowhere farther than `max_bend`, rad, from the one rotation that leads from the first pose to the last.
+// Limits of one part of a path: `max_turn`, the angle (rad) by which a body rotates, and `max_bend`, the deviation
+// (rad) of a tumbling body from the single rotation that leads from the first to the last pose of the part.
 constexpr double max_turn = 1, max_bend = 1e-4;
-// But no part is shorter, as part of a step: of what turns over in it, the ball that is in it however it lies is held.
+// Shortest part, as a fraction of the step. Of a body that turns over within it, only the inner ball is swept.
 constexpr double min_part = 1.0 / 64;
 
 constexpr int movers_per_chunk = 32; // for threads
 
-// The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
+// Scales v so that its square is `square`; a zero vector is returned as it is.
 DVec3 with_square(DVec3 v, double square) {
     const double now = dot(v, v);
     return now > 0 ? std::sqrt(std::max(square, 0.0) / now) * v : v;
@@ -73,7 +73,7 @@ int Movers::substeps_in(double duration) const {
     return std::max(int(std::ceil(substeps_of(s.settings, dt_) * duration / double(dt_))), 1);
 }
 
-// Of what is free: by its angular momentum, which torque alone changes.
+// The spin of a free body follows from its angular momentum, which only torque changes.
 DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double duration) const {
     if (s.bodies.mass[m.body].isotropic && !s.bodies.is_pushed(m.body)) return w;
     const Spin spin = spin_of(s.bodies.mass[m.body]);
@@ -86,7 +86,7 @@ namespace {
 
 // The axis through the center of mass, in the body's frame, about which all shapes of a body are round.
 std::optional<math::Vec3> axis_of_symmetry(const Bodies& bodies, const Shapes& shapes, std::int32_t b) {
-    constexpr float sine = 1e-3f; // by which axes may be off
+    constexpr float sine = 1e-3f; // greatest sine of the angle between axes that count as parallel
     std::optional<math::Vec3> axis;
     for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next) {
         const Geometry& g = shapes.geometry[s];
@@ -125,7 +125,7 @@ bool Movers::is_round(std::int32_t b) const {
     return s.bodies.mass[b].isotropic && links.joint_count == 0 && !(links.radius > links.inner_radius);
 }
 
-// How long a path of what is free may be, s, so that its two poses tell how it turned in between.
+// Greatest duration (s) of one part of a free body's path for which its two poses determine its rotation.
 double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
     if (is_round(b)) return std::numeric_limits<double>::infinity();
     const double speed = math::length(w);
@@ -135,7 +135,7 @@ double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
     return part;
 }
 
-// How long the chord of a parabola may be, s, so that it is nowhere as far from it as a core is deep.
+// Greatest duration (s) of a chord that deviates from its parabola by less than the depth of a core.
 double Movers::longest_chord(const Mover& m) const {
     const double pull = math::length(m.acceleration);
     const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
@@ -165,7 +165,7 @@ std::int32_t Movers::append(std::int32_t b) {
     return i;
 }
 
-// None if it would have been faster than the world allows: then its speed was cut, and is about the same all along.
+// Zero if the body would have exceeded the world's greatest speed: its speed was clamped, and is nearly constant.
 DVec3 Movers::acceleration_on(const RigidPath& path, std::int32_t b) const {
     const DVec3 a = acceleration_at(s.bodies, s.fields, s.settings, b, path.start);
     const DVec3 mean = (1 / double(dt_)) * path.translation, change = (0.5 * double(dt_)) * a;
@@ -173,7 +173,7 @@ DVec3 Movers::acceleration_on(const RigidPath& path, std::int32_t b) const {
     return math::length(mean - change) <= most && math::length(mean + change) <= most ? a : DVec3{};
 }
 
-// By the poses that the solver has given it.
+// Initializes a mover from the poses that the solver has given the body.
 void Movers::set_out(std::int32_t i) {
     Mover& m = (*this)[i];
     const std::int32_t b = m.body;
@@ -186,14 +186,15 @@ void Movers::set_out(std::int32_t i) {
     m.turns_over = !end && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, end.value_or(m.turns_over ? from.q : to.q));
     if (is_awake(s.bodies, s.islands, b)) m.acceleration = acceleration_on(m.path, b);
-    // What is free has gone by its velocity at the start, which the mean and the change along the path give.
+    // A free body has started at this velocity, which follows from the mean velocity and the change along the path.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
     if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
     if (m.is_led) lead_on(i, 0);
     m.gyrates = m.is_free && gyrates(s.bodies, b, m.spin, from.q, double(dt_));
     if (flies_anew) {
-        // How the solver turned it its poses do not tell: from where it was, it flies as fast as that made it.
+        // The poses do not determine how the solver has rotated the body: it moves freely from its first pose, at the
+        // velocities that the solver gave it.
         m.is_free = m.is_redirected = true;
         const DVec3 v = to_double(to.v) + to_double(to.v_rest), w = to_double(to.w) + to_double(to.w_rest);
         redirect(i, 0, {from.x, from.q, v - double(dt_) * m.acceleration, w});
@@ -208,12 +209,13 @@ void Movers::follow_parabola(std::int32_t i) {
     redirect(i, 0, {m.path.first().x, m.path.rotation, m.velocity, m.spin});
 }
 
-// Joints turn a body about the axis of the screw that leads from its first pose to its last (Chasles): it is led by a
-// body on that axis. Where the way about it is nowhere as far as a core is deep from a straight one, it is left so.
+// Joints rotate a body about the axis of the screw motion that leads from its first to its last pose (Chasles): an
+// imaginary body on that axis guides it. Where the arc deviates from a straight line by less than the depth of a core,
+// the path stays straight.
 void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const {
     const DQuat by = RigidPath::between(from.x, from.q, to.x, to.q).by;
     const DVec3 way = to.x - from.x;
-    const double sine = math::length(by.vector()); // of half of the angle
+    const double sine = math::length(by.vector()); // of half the angle
     if (!(sine > 0)) return;
     const DVec3 axis = (1 / sine) * by.vector(), slide = dot(way, axis) * axis, across = way - slide;
     if (!(math::length(across) * sine > 4 * core_depth_of(double(s.bodies.links[m.body].inner_radius)))) return;
@@ -248,8 +250,8 @@ void Movers::carry(std::int32_t i, double time, std::int32_t carrier, DVec3 axis
     lead_on(i, time);
 }
 
-// Straight parts that are nowhere as far from the arc as a core is deep; no more of them than arcs take that a step of
-// usual length has.
+// Advances along the arc in straight parts that deviate from it by less than the depth of a core. Their number is
+// limited to that of arcs that occur in a step of usual length.
 void Movers::lead_on(std::int32_t i, double time) {
     Mover& m = (*this)[i];
     const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
@@ -283,7 +285,7 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     }
     if (!m.is_free) {
         const DVec3 end_v = to_double(end.v) + to_double(end.v_rest);
-        // Less the work of its forces along the way that it has still to go; it gains nothing.
+        // Kinetic energy at the end less the work of forces along the remaining path; it is never increased by that.
         const double square = dot(end_v, end_v), left = square - 2 * dot(m.acceleration, end.x - pose.x);
         now.v = with_square(end_v, std::min(left, square));
         now.w = to_double(end.w) + to_double(end.w_rest);
@@ -291,12 +293,12 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     }
     const RigidPath::Pose first = m.path.first();
     const double passed = (time - m.path.begin) * double(dt_), left = (m.path.until - time) * double(dt_);
-    // The path is the chord of a parabola. What gyrates is on that, as its parts are so short that it is the same
-    // touch.
+    // The path is the chord of a parabola. A gyrating body is placed on the parabola itself; its parts are so short
+    // that it touches at the same place.
     if (m.gyrates) now.x = pose.x - (0.5 * passed * left) * m.acceleration;
     now.v = with_square(m.velocity + passed * m.acceleration,
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, now.x - first.x));
-    if (left <= 0 && !m.turns_over) { // fly has moved it there
+    if (left <= 0 && !m.turns_over) { // fly has moved it to this pose
         now.q = end.q, now.w = to_double(end.w) + to_double(end.w_rest);
         return now;
     }
@@ -305,11 +307,12 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     return now;
 }
 
-// By the integrator of free bodies.
+// Moves the body by the integrator of free bodies.
 void Movers::fly(const Mover& m, const MovingState& from, double duration) const {
     BodyMotion& motion = s.bodies.motion[m.body];
     const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
-    // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
+    // Substeps of the integrator are shorter here; stored and path velocities differ by a fraction of a substep's
+    // change.
     const int substeps = substeps_in(duration);
     const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
@@ -317,7 +320,8 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
     motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
     if (duration > 0) note_clamped(move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps));
-    // What it lies on bears a part of that. Where the integrator has cut the speed, the two do not add up.
+    // The bodies beneath carry a part of that acceleration. If the integrator has clamped the speed, the two do not add
+    // up.
     const DVec3 borne = m.acceleration - real;
     DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
     if (math::length(real) * duration <= double(s.settings.max_linear_speed)) {
@@ -331,7 +335,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     keep_in_range(m.body, from, duration);
 }
 
-// To what the world's greatest speeds allow; what is not finite any more stays where it was.
+// Limits the motion to the world's greatest speeds; a body whose values are not finite stays where it was.
 void Movers::keep_in_range(std::int32_t b, const MovingState& from, double duration) const {
     BodyMotion& motion = s.bodies.motion[b];
     const bool is_finite = math::is_finite(motion.x) && math::is_finite(motion.q) && math::is_finite(motion.v) &&
@@ -359,7 +363,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         until = std::min(time + part, 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
-    } else if (m.is_led) { // no longer
+    } else if (m.is_led) { // it leaves its arc
         motion.x = now.x + left * now.v;
         motion.q = turned_by(left * now.w, now.q);
         motion.v = math::to_float(now.v), motion.w = math::to_float(now.w);
@@ -377,7 +381,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     lead_to_end(m, now, time, until);
 }
 
-// The pose in which something that the solver has moved arrives.
+// Changes the pose in which a body that the solver has moved ends the step.
 void Movers::push_end(std::int32_t b, const MovingState& now, double left, DVec3 dv, DVec3 dw) const {
     BodyMotion& motion = s.bodies.motion[b];
     motion.x += left * dv;
@@ -421,11 +425,11 @@ DVec3 Movers::arm_of(std::uint32_t shape, DQuat q) const {
 
 void Movers::rest_on(std::int32_t i, DVec3 down) {
     Mover& m = (*this)[i];
-    if (m.gyrates) return; // it is pressed down all the time, and rubs
+    if (m.gyrates) return; // it stays pressed down, with friction
     m.acceleration = m.acceleration - std::max(dot(m.acceleration, down), 0.0) * down;
 }
 
-// Of what is free, up to the end of the step, though its path may end before.
+// Bounds of a path to the end of the step, even where the present part of a free body's path ends before.
 DBounds Movers::bounds_of_way(const Mover& m, double from) const {
     const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
     const double later = (1 - m.path.until) * double(dt_);
@@ -451,7 +455,7 @@ void Movers::put_back(std::int32_t i) {
         const MovingState then = state_at(i, m.until);
         const DVec3 v = to_double(motion.v);
         const double square = dot(v, v), left = square - 2 * dot(m.acceleration, motion.x - then.x);
-        motion.v = math::to_float(with_square(v, std::min(left, square))); // it gains nothing: it was pushed
+        motion.v = math::to_float(with_square(v, std::min(left, square))); // no gain in speed: it was pushed
         motion.x = then.x;
         if (!m.turns_over) {
             motion.q = then.q;
@@ -460,7 +464,7 @@ void Movers::put_back(std::int32_t i) {
     }
     motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s.bodies, s.islands, m.body).q));
     if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;
-    spend_budget(s.bodies, m.body); // the solver has moved its contacts along elsewhere
+    spend_budget(s.bodies, m.body); // its contacts were stored for the solver's pose
     place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
 }
 

@@ -12,7 +12,7 @@ using math::DVec3;
 
 namespace {
 
-// The way of a body through the step, of pieces that follow each other.
+// The path of a body through the step, in consecutive pieces.
 class Way {
   public:
     Way(const Movers& movers, std::span<const PathPiece> pieces, std::int32_t body)
@@ -23,15 +23,15 @@ class Way {
         if (mover_ != none) pieces_ = {first, last};
     }
     std::span<const PathPiece> pieces() const { return pieces_; }
-    // At a time, on the piece that goes on up to another one.
+    // The pose at a time, on the first piece that extends to the time `up_to`.
     RigidPath::Pose at(double time, double up_to) const {
         if (mover_ == none) return rest_.at(time);
         for (const PathPiece& piece : pieces_)
             if (up_to <= piece.until) return piece.path.at(time);
-        return pieces_.back().path.at(pieces_.back().until); // it has stopped
+        return pieces_.back().path.at(pieces_.back().until); // the body has stopped
     }
-    // From one time to another, as a path of its own that leads from 0 to 1; or from 1 to 0. No piece ends between
-    // them.
+    // The path between two times as a path of its own, parametrized from 0 to 1, or reversed. No piece ends between the
+    // two times.
     RigidPath between(double from, double to, DVec3 origin, bool backwards) const {
         RigidPath::Pose first = at(from, to), last = at(to, to);
         if (backwards) std::swap(first, last);
@@ -78,7 +78,7 @@ class PassedTriggers {
   private:
     std::int32_t body_of(std::uint32_t shape) const { return shapes_.links[shape].body; }
 
-    // With the last one of each mover that is asked for, side by side.
+    // Appends the last piece of each mover that is needed, and groups the pieces by mover.
     void complete_pieces() {
         std::vector<std::int32_t>& asked = scratch_.asked;
         asked.clear();
@@ -97,18 +97,19 @@ class PassedTriggers {
         const Geometry& g = shapes_.geometry[shape];
         return {g, shapes_.data[shape], math::to_double(g.position - bodies_.mass[body_of(shape)].center), path};
     }
-    // When the two first overlap between two times, or last, which is first on the way back; `never`: they do not.
+    // The first time at which the two overlap between two times, or the last one, which is the first on the reversed
+    // path; `never`: they do not overlap.
     double time_of_overlap(const NearTrigger& t, const Way& way, const Way& other, double from, double to,
                            bool last) const {
         const DVec3 origin = way.between(from, to, {}, last).start;
         const RigidPath path = way.between(from, to, origin, last), of_other = other.between(from, to, origin, last);
-        const bool is_first = !is_surface(shapes_.geometry[t.trigger].type); // the first is no surface
+        const bool is_first = !is_surface(shapes_.geometry[t.trigger].type); // the first argument must not be a surface
         const SweptShape trigger = swept(t.trigger, path), body = swept(t.other, of_other);
         const Nearness found = is_first ? nearness_of(trigger, body, 0, {}) : nearness_of(body, trigger, 0, {});
         if (found.distance > 0) return never;
         return from + (last ? 1 - found.time : found.time) * (to - from);
     }
-    // As the narrow phase tests it.
+    // Whether the two overlap by the test of the narrow phase.
     bool is_inside(const NearTrigger& t, const RigidPath::Pose& at, const RigidPath::Pose& other) const {
         std::vector<ImpactPoint>& points = scratch_.points;
         points.clear();
@@ -116,8 +117,8 @@ class PassedTriggers {
                             other.x - at.x, narrow_, points);
         return std::any_of(points.begin(), points.end(), [](const ImpactPoint& p) { return p.depth >= 0; });
     }
-    // Each time that it comes in and that it leaves; none if it is inside at one of the ends of the step: the narrow
-    // phase sees that.
+    // Lists each entry and exit; none if the two overlap at the start or end of the step, as the narrow phase reports
+    // that.
     void list_passages(const NearTrigger& t) {
         const Way way(movers_, scratch_.pieces, body_of(t.trigger)), other(movers_, scratch_.pieces, body_of(t.other));
         if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return;
@@ -126,7 +127,7 @@ class PassedTriggers {
             for (const PathPiece& piece : w->pieces()) times.push_back(std::min(piece.until, 1.0));
         std::sort(times.begin(), times.end());
         times.erase(std::unique(times.begin(), times.end()), times.end());
-        bool inside = false; // as the piece before ended
+        bool inside = false; // at the end of the previous piece
         for (std::size_t i = 1; i < times.size(); ++i) {
             const double begin = times[i - 1], end = times[i];
             double time = begin;
@@ -146,7 +147,7 @@ class PassedTriggers {
     const Shapes& shapes_;
     const Movers& movers_;
     SweepScratch& scratch_;
-    NarrowBatch& narrow_; // that of a test
+    NarrowBatch& narrow_; // working memory of the pair test
     const float dt_;
     std::vector<TriggerPassage> passages_;
 };

@@ -1,5 +1,5 @@
-// Triggers that something flies through within a step: at its beginning and at its end it is outside, so that the
-// narrow phase never sees it in there.
+// Triggers that a body passes through within a step: it is outside at the beginning and at the end, so that the narrow
+// phase never sees the overlap.
 #pragma once
 
 #include "impacts/movers.h"
@@ -7,8 +7,8 @@
 
 namespace cairn {
 
-// What came into one of the triggers near its way and left it again: both events, with their times, all in the order of
-// those. Changes the lists of `scratch` and `narrow` alone.
+// Reports the bodies that have entered and left a trigger near their path: both events with their times, sorted by
+// time. Changes only the lists of `scratch` and `narrow`.
 void report_passed_triggers(const Bodies& bodies, const Shapes& shapes, const Movers& movers, SweepScratch& scratch,
                             NarrowBatch& narrow, StepEvents& events, float dt);
 

@@ -17,8 +17,9 @@ namespace {
 
 DVec3 velocity_of(const TouchingBody& body) { return body.now.v + cross(body.now.w, body.middle - body.now.x); }
 
-// Of the height of its surface along `outward`, the normal that points out of it. That of a rim is R sqrt(1 - s^2) more
-// than that of its middle, s the cosine between axis and normal, which turns with the other.
+// Acceleration of the height of the body's surface along `outward`, the normal out of the body. The height of a rim is
+// that of its middle plus R sqrt(1 - s^2), with s the cosine between axis and normal; the normal rotates with the other
+// body.
 double acceleration_along(const TouchingBody& body, DVec3 outward, const TouchingBody& other) {
     const DVec3 arm = body.middle - body.now.x, w = body.now.w;
     const double middle = dot(outward, body.pull + cross(body.spin_change, arm) + cross(w, cross(w, arm)));
@@ -30,7 +31,7 @@ double acceleration_along(const TouchingBody& body, DVec3 outward, const Touchin
     return middle - body.radius / std::sqrt(square) * (rate * rate / square + cosine * growth);
 }
 
-// What of a shape touches there; `outward`: out of it.
+// The feature of a shape that touches at a point; `outward`: normal out of the shape.
 TouchingBody touching_body(const Movers& movers, const Shapes& shapes, std::int32_t mover, std::uint32_t shape,
                            const MovingState& now, DVec3 point, DVec3 outward) {
     const Geometry& g = shapes.geometry[shape];

@@ -23,8 +23,8 @@ using math::to_double;
 
 namespace {
 
-constexpr int pairs_per_chunk = 16, questions_per_chunk = 4; // for threads: of all, and after an impact
-// Of one body in a step. More than a room of its size leaves time for, or it is wedged in: then it stops.
+constexpr int pairs_per_chunk = 16, questions_per_chunk = 4; // for threads: first pass over all pairs; after an impact
+// Greatest number of impacts of one body in a step. A body with more is in a narrow space or wedged in; it is stopped.
 constexpr int max_impacts = 64;
 
 math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
@@ -71,12 +71,12 @@ class ImpactQueue {
             meetings_.pop_back();
             if (m.pair == none)
                 renew(std::int32_t(m.shape), m.time);
-            else if (m.time == pairs_[m.pair].time) // else it was asked again
+            else if (m.time == pairs_[m.pair].time) // otherwise the time was recomputed since then
                 meet(m.pair, m.time);
         }
         report_passed_triggers(s.bodies, s.shapes, movers_, step.solver.sweep, scratch_, s.events, dt_);
         s.statistics.stopped_bodies += movers_.put_back();
-        std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has been told
+        std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has their bounds already
             return movers_.is_put_back(s.shapes.links[e.shape].body);
         });
     }
@@ -89,7 +89,7 @@ class ImpactQueue {
         std::push_heap(meetings_.begin(), meetings_.end());
     }
 
-    // Where the path of a mover ends before the step.
+    // Schedules a new path for a mover whose path ends before the step does.
     void expect_renewal(std::int32_t i) {
         if (!(movers_[i].path.until < 1)) return;
         meetings_.push_back({movers_[i].path.until, std::uint32_t(i), 0, none});
@@ -99,10 +99,10 @@ class ImpactQueue {
         if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
         go_to_next_part(i, time);
         expect_renewal(i);
-        ask_again(i, time); // its way has been looked at up to the end
+        ask_again(i, time); // no new pairs: its path was searched up to the end of the step
     }
 
-    // Before it goes another way.
+    // Records the path that a mover took until it is redirected.
     void end_path(std::int32_t i, double time) {
         step.solver.sweep.pieces.push_back({i, movers_[i].path, std::min(time, movers_[i].until)});
     }
@@ -124,7 +124,7 @@ class ImpactQueue {
         } else if (ends) {
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
         } else {
-            // They touch, and nothing approaches: asked again when they go deeper.
+            // The bodies touch and nothing approaches: the next meeting is when they sink deeper.
             pairs_[k].touches = pairs_[k].has_stayed = true;
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second})
                 if (i != none) ++movers_[i].impacts;
@@ -135,15 +135,15 @@ class ImpactQueue {
     bool is_kinematic(std::uint32_t shape) const {
         return s.bodies.settings[s.shapes.links[shape].body].type == BodyType::kinematic;
     }
-    // Its joints act in the solver alone: what strikes it is the next step's.
+    // Joints act in the solver only, so impacts on jointed bodies are left to the next step.
     bool is_jointed(std::uint32_t shape) const {
         const std::int32_t b = s.shapes.links[shape].body;
         return s.bodies.is_dynamic(b) && s.bodies.links[b].joint_count > 0;
     }
-    // A pair of which the first went along with the other, or with something else since then, until something struck
-    // it.
+    // Whether the first body of a pair was carried along by the other one, and since then nothing has struck it, even
+    // if another body carries it by now.
     bool is_carried(const SweptPair& pair) const { return pair.was_carried && movers_[pair.first].carrier != none; }
-    // What would stop at something that moves on goes along with it.
+    // A body that would stop at a kinematic body is carried along by it.
     void carry(std::int32_t k, double time) {
         const std::int32_t i = pairs_[k].first;
         if (movers_[i].has_stopped()) return;
@@ -156,7 +156,7 @@ class ImpactQueue {
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
 
-    // All that joints hold together stops together: its joints stay closed.
+    // Stops all bodies of an assembly together, so that its joints stay closed.
     void stop(std::int32_t i, double time) {
         if (i == none || movers_[i].has_stopped()) return;
         assemblies_.for_each_beside(movers_[i].body, [&](std::int32_t body) {
@@ -166,14 +166,14 @@ class ImpactQueue {
             ask_again(k, time);
         });
     }
-    // Of a body that may not have been one, under way.
+    // Mover of a body, which is created if necessary and advanced to the time.
     std::int32_t mover_at(std::int32_t body, double time) {
         const std::int32_t i = pairs_.add_mover(body);
         while (movers_[i].path.until < time) go_to_next_part(i, movers_[i].path.until);
         return i;
     }
 
-    // The pairs of what goes another way from now on. Each looks at its own two bodies alone.
+    // Recomputes the times of all pairs of redirected movers. Each computation reads only the two bodies of its pair.
     void ask_again(std::span<const std::int32_t> changed, double time) {
         asked_.clear();
         for (std::size_t n = 0; n < changed.size(); ++n)
@@ -219,7 +219,7 @@ class ImpactQueue {
         return b;
     }
 
-    // Of the surface of what does not move by forces, along it (at the first of the points).
+    // Tangential surface velocity, at the first of the points, of a body that forces do not move.
     DVec3 surface_velocity(std::uint32_t shape, std::span<const ImpactPoint> points) const {
         const ShapeTraits& traits = s.shapes.traits[shape];
         if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points.empty())
@@ -233,7 +233,7 @@ class ImpactQueue {
         return cairn::half_width_of(s.shapes.geometry[shape], s.shapes.data[shape], s.shapes.geometry[other],
                                     s.shapes.data[other]);
     }
-    // Whether it was; then the body does not turn faster or slower.
+    // Clamps the spin and returns whether it was too high; if so, the impact does not change it any further.
     bool cut_spin(ImpactBody& b) const {
         const double most = double(s.settings.max_angular_speed), speed = math::length(b.w);
         if (!(b.inverse_mass > 0) || !(speed > most)) return false;
@@ -242,8 +242,8 @@ class ImpactQueue {
         return true;
     }
 
-    // Its place among the bodies of the impact. What no impact moves has one for each pair, as it has another surface
-    // there.
+    // Index of a body in the lists of the impact. A body that no impact moves has an entry for each pair, because its
+    // surface velocity differs.
     std::int32_t add_struck(std::int32_t mover, std::int32_t body, double time) {
         for (std::size_t i = 0; mover != none && i < struck_.size(); ++i)
             if (struck_[i].mover == mover) return std::int32_t(i);
@@ -279,7 +279,7 @@ class ImpactQueue {
             struck_[std::size_t(place)].belt += belt, bodies_[std::size_t(place)].v += belt;
         }
     }
-    // The two that meet, and what they have met in this step and lie on.
+    // Gathers the two bodies that meet, and those that they have met in this step and rest on.
     void gather_struck(const SweptPair& pair, std::int32_t k, double time) {
         struck_.clear(), bodies_.clear(), touching_.clear(), points_.clear();
         add_touching(pair, time, false);
@@ -294,18 +294,18 @@ class ImpactQueue {
         }
     }
 
-    // False if nothing approaches.
+    // Resolves an impact. Returns false if nothing approaches.
     bool collide(std::int32_t k, double time) {
         const std::int32_t body_b = s.shapes.links[pairs_[k].other].body;
         if (pairs_[k].second == none && can_go_on(body_b)) expect_renewal(mover_at(body_b, time));
         const SweptPair pair = pairs_[k];
         gather_struck(pair, k, time);
         ImpactOutcome outcome = cairn::collide(bodies_, touching_, points_, buffer_);
-        // What would not be seen in the rest of the step is none: forces press them together. Of a pair that meets for
-        // the first time, in a whole step: what is left of this one may be next to nothing.
+        // An approach too small to be noticed in the rest of the step is due to forces, and is no impact. For a pair
+        // that meets for the first time it is measured over a whole step, as the rest of this one may be very short.
         const double time_to_see = pair.has_begun || pair.rests ? (1 - time) * double(dt_) : double(dt_);
         const bool is_impact = outcome.approach * time_to_see > impact_tolerance(half_width_of(pair.shape, pair.other));
-        // Spins beyond the world's limit are cut: what then still approaches is stopped by its velocity alone.
+        // Spins beyond the world's limit are clamped; linear velocities alone then stop the approach that remains.
         if (is_impact) {
             bool was_cut = false;
             for (ImpactBody& body : bodies_) was_cut |= cut_spin(body);
@@ -336,9 +336,9 @@ class ImpactQueue {
         return true;
     }
 
-    // What the solver has moved goes straight from its first pose to its last, not as fast as it is in the end: two
-    // that do not approach by their velocities may come nearer on their ways all the same. Those are parted, as by an
-    // impact without a bounce. False if they do not come nearer.
+    // A body moved by the solver goes straight from its first to its last pose, not at its final velocity: two bodies
+    // whose velocities do not approach may still come nearer on their paths. The paths are then separated as by an
+    // impact without bounce. Returns false if they do not come nearer.
     bool part_ways(std::int32_t k, double time) {
         const SweptPair pair = pairs_[k];
         if (points_.empty() || (!is_moved_by_solver(pair.first) && !is_moved_by_solver(pair.second))) return false;
@@ -360,7 +360,8 @@ class ImpactQueue {
         if (!(outcome.approach * (1 - time) * double(dt_) > impact_tolerance(half_width_of(pair.shape, pair.other))))
             return false;
         pairs_[k].touches = true;
-        // What is free has one velocity on its way and in the end: it takes it from the other.
+        // A free body has the same velocity on its path and at the end, so its change must be taken from the other
+        // body.
         const bool one_is_free = is_free(pair.first) || is_free(pair.second);
         push(pair.first, time, after[0].v - before[0].v, after[0].w - before[0].w, one_is_free);
         push(pair.second, time, after[1].v - before[1].v, after[1].w - before[1].w, one_is_free);
@@ -382,13 +383,13 @@ class ImpactQueue {
         if (std::find(changed_.begin(), changed_.end(), i) == changed_.end()) changed_.push_back(i);
     }
 
-    // What is near the new ways, and all pairs of those that have them.
+    // Searches near the new paths of redirected movers, and recomputes all of their pairs.
     void follow(double time) {
         for (const std::int32_t i : changed_) look_near(i, time);
         ask_again(changed_, time);
     }
 
-    // With the velocities after the impact.
+    // Continues a body with its velocities after the impact.
     void go_on(std::size_t struck, double time) {
         const std::int32_t mover = struck_[struck].mover, body = struck_[struck].body;
         if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return;
@@ -398,7 +399,7 @@ class ImpactQueue {
         if (!is_of_the_two && v == now.v && w == now.w) return;
         now.v = v, now.w = w;
         if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
-        if (mover == none) { // asleep, or on joints: those act in the next step
+        if (mover == none) { // asleep, or on joints, which act in the next step
             s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
             s.bodies.links[body].quiet_time = 0;
             return;
@@ -413,10 +414,10 @@ class ImpactQueue {
         pairs_.find_near(i, time);
     }
 
-    // The shapes touch up to the next step, where the narrow phase says whether they still do.
+    // Reports an impact. The shapes count as touching until the narrow phase tests them in the next step.
     void report(const SweptPair& pair, const ImpactOutcome& outcome, double time) {
         const std::int32_t id = pair.contact;
-        const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // A of contacts comes first
+        const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // as A of the contact
         const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
         const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
         const ShapeId a = s.shapes.slots.id(first), b = s.shapes.slots.id(second);
@@ -438,9 +439,10 @@ class ImpactQueue {
                                  float(moment),
                                  outcome.surface_material});
     }
-    // The record of the contact gets the point that was struck. `normal`: from its A.
+    // Writes the struck point to the contact's record. `normal`: from A of the contact. Returns whether touching
+    // begins.
     bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
-        drop_answer(s.bodies, s.contacts, id); // the next step looks at the pair in any case
+        drop_answer(s.bodies, s.contacts, id); // so that the next step tests the pair in any case
         bool has_touched = s.contacts.info[id].touching;
         if (is_group(s.contacts.info[id])) {
             for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
@@ -448,7 +450,7 @@ class ImpactQueue {
             id = patch_along(s.shapes, s.contacts, id, normal, outcome.surface_material, s.ranks);
         }
         s.contacts.info[id].touching = 1;
-        if (s.contacts.info[id].point_count > 0) { // the solver has had it, and will report what it bore
+        if (s.contacts.info[id].point_count > 0) { // the solver has solved it and reports its impulse
             step.solver.reports[id].impulse += float(outcome.impulse);
             return !has_touched;
         }
@@ -472,7 +474,7 @@ class ImpactQueue {
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
     std::vector<ImpactPoint>& points_ = step.solver.sweep.points;
-    std::vector<StruckBody>& struck_ = step.solver.sweep.struck; // the first two are those that meet
+    std::vector<StruckBody>& struck_ = step.solver.sweep.struck; // the first two are the bodies that meet
     std::vector<ImpactBody>& bodies_ = step.solver.sweep.struck_motions;
     std::vector<ImpactPair>& touching_ = step.solver.sweep.touching;
     std::vector<std::int32_t>& changed_ = step.solver.sweep.changed;

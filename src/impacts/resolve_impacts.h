@@ -1,4 +1,4 @@
-// Impacts within a step, when and where they happen (docs/decisions/impacts_in_flight.md).
+// Resolves impacts within a step, at the time and place at which they happen (docs/decisions/impacts_in_flight.md).
 #pragma once
 
 #include "state/state.h"
@@ -6,7 +6,8 @@
 
 namespace cairn {
 
-// What impacts read, and what they change: ways of bodies, contacts that begin to touch, what wakes, events, counts.
+// State that impacts read and modify: motion of bodies, contacts that begin to touch, waking bodies, events,
+// statistics.
 struct ImpactContext {
     const WorldDef& settings;
     const Joints& joints;
@@ -19,14 +20,15 @@ struct ImpactContext {
     StepEvents& events;
     Statistics& statistics;
     std::uint64_t& clamped_speeds;
-    Communicator* ranks; // that step this world together; null: none but this one
+    Communicator* ranks; // ranks that step this world together; null: this process alone
 };
 
-// After the solver has moved all bodies by what holds or touches them. Of what flies, and of what moved so far that its
-// core may have passed another, the earliest meeting changes the velocities of both, which go on from there; their
-// pairs are asked again, and so on until the end of the step. Where the solver knew the contact, or nothing approaches,
-// both stop: poses at the start were valid, so that stopping cannot fail. No core passes another. The
-// broad phase has the boxes of the step's start until then, which hold all ways that were expected; then it is told.
+// Called after the solver has moved all bodies. Considers bodies in free flight, and bodies that have moved so far that
+// their core may have passed another. The earliest meeting changes the velocities of both bodies, which continue from
+// there; the times of their pairs are recomputed, and so on until the end of the step. Jointed bodies, and bodies with
+// too many impacts, stop where they meet: the poses at the start were valid, so that stopping cannot fail. No core
+// passes another. Until the end, the broad phase has the boxes of the step's start, which contain all expected paths;
+// then it gets the new ones.
 void resolve_impacts(const ImpactContext& context, StepScratch& step, float dt);
 
 } // namespace cairn

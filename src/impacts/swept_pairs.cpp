@@ -18,7 +18,7 @@ namespace {
 
 constexpr int bodies_per_chunk = 16, pairs_per_chunk = 256; // for threads
 
-// About the center of mass.
+// The inner ball of a body, about its center of mass.
 Geometry inner_ball(const Bodies& bodies, std::int32_t b) {
     Geometry ball;
     ball.size = {bodies.links[b].inner_radius, bodies.links[b].inner_radius, bodies.links[b].inner_radius};
@@ -63,13 +63,13 @@ bool SweptPairs::note_trigger(std::uint32_t a, std::uint32_t b) {
     return a_is_trigger || b_is_trigger;
 }
 
-// Joints keep the bodies of an assembly from meeting, or bring them together, and act in the solver alone.
+// Joints keep the bodies of an assembly apart, or bring them together, and act in the solver only.
 bool SweptPairs::are_joined(std::int32_t a, std::int32_t b) {
     const std::int32_t assembly = assemblies_.of(a);
     return assembly != none && assembly == assemblies_.of(b);
 }
 
-// What something kinematic passes: what moves by forces, and is slow; triggers, or what is in it as one.
+// Lists the dynamic bodies that a kinematic body passes, even slow ones, and notes the triggers among the shapes.
 void SweptPairs::find_struck(std::int32_t kinematic) {
     const BodyMotion& motion = in.bodies.motion[kinematic];
     const double radius = double(in.bodies.links[kinematic].radius);
@@ -79,7 +79,7 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
     const DVec3 from = in.bodies.counted[kinematic].x;
     for (int k = 0; k < 3; ++k)
         bounds.lo[k] = std::min(from[k], motion.x[k]) - radius, bounds.hi[k] = std::max(from[k], motion.x[k]) + radius;
-    std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
+    std::vector<std::uint32_t>& near = scratch_.near; // pairs are added after the query
     near.clear();
     in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) { near.push_back(other); });
     for (const std::uint32_t other : near) {
@@ -93,7 +93,8 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
     }
 }
 
-// Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is fast.
+// Whether two bodies have moved so far relative to each other that a core may have passed the other one, and have come
+// near each other. The first one is fast.
 bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& other) const {
     if (in.bodies.settings[b].type == BodyType::kinematic) return true;
     const Mover& m = movers_[mover];
@@ -104,11 +105,11 @@ bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& ot
                  radius_b = double(in.bodies.links[b].radius);
     const double free =
         free_share * double(std::min(in.bodies.links[m.body].inner_radius, in.bodies.links[b].inner_radius));
-    const bool is_whole = is_one_part(m) && (!second || is_one_part(*second)); // else the paths do not lead to the end
+    const bool is_whole = is_one_part(m) && (!second || is_one_part(*second)); // else paths end before the step
     const double turned = math::length(m.path.turn) * radius_a + math::length(path_b.turn) * radius_b;
     if (is_whole && std::sqrt(square) + turned <= free) return false;
-    if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
-    // Along the straight way.
+    if (other.type == ShapeType::plane || is_strip(other)) return true; // unbounded
+    // Least distance along the straight relative path.
     const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = start + time * way;
     return math::dot(nearest, nearest) <= (radius_a + radius_b) * (radius_a + radius_b);
@@ -129,13 +130,13 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
     return found;
 }
 
-// The search for a meeting begins along the normal of the contact.
+// The search for a meeting starts along the normal of the contact.
 void SweptPairs::set_axis(SweptPair& pair, math::Vec3 normal) const {
     const DVec3 n = math::to_double(normal);
     pair.axis = in.contacts.info[std::size_t(pair.contact)].shape_a == pair.shape ? n : -n;
 }
 
-// On several ranks, of the pairs that were found last.
+// On several ranks: gets the normals for the pairs that were added last from the owners of their contacts.
 void SweptPairs::ask_for_axes() {
     if (without_axis_.empty()) return;
     std::vector<ContactNormal> normals;
@@ -145,7 +146,7 @@ void SweptPairs::ask_for_axes() {
     without_axis_.clear();
 }
 
-// In one order, whichever of two movers was looked at first.
+// Adds a pair; its order does not depend on which of two movers was visited first.
 void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact) {
     SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact};
     bool has_axis = false;
@@ -204,7 +205,7 @@ void SweptPairs::find() {
     ask_for_axes();
 }
 
-// Of the pairs that the narrow phase had, those of a fast body that may pass the other.
+// Lists the pairs of the narrow phase in which a fast body may pass the other one.
 void SweptPairs::list_passing() {
     const auto write = [&](int begin, int end, PassingPair* next) {
         for (int i = begin; i < end; ++i) {
@@ -225,7 +226,8 @@ void SweptPairs::list_passing() {
                   write);
 }
 
-// Each looks for itself; then they are listed in order.
+// Chunks search independently; their results are then concatenated in a fixed order, so that they do not depend on the
+// number of threads.
 void SweptPairs::find_near_strayed() {
     list_ways();
     const int count = int(in.strayed.size());
@@ -250,7 +252,7 @@ void SweptPairs::find_near_strayed() {
         }
 }
 
-// By which the solver has moved the two bodies, or none.
+// The contact by which the solver has moved two shapes' bodies, or none.
 std::int32_t SweptPairs::known_contact(std::uint32_t a, std::uint32_t b) {
     if (!scratch_.has_known) list_known();
     const auto contact_of = [&](std::uint32_t first, std::uint32_t second) {
@@ -297,7 +299,7 @@ void SweptPairs::list_ways() {
 
 namespace {
 
-// f(way) of a run by x whose ranges along x meet those bounds; none is wider than that.
+// Calls f(path) for the entries, sorted by x, whose ranges along x may overlap the bounds; no range exceeds `widest`.
 template <class Ways, class F> void for_each_beside(const Ways& run, double widest, const DBounds& bounds, F&& f) {
     const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
     auto way = std::lower_bound(run.begin(), run.end(), bounds.lo.x - widest, begins_before);
@@ -306,15 +308,15 @@ template <class Ways, class F> void for_each_beside(const Ways& run, double wide
 
 } // namespace
 
-// f(shape) of all other bodies near bounds: what has neither strayed nor been redirected is where the broad phase has
-// it.
+// Calls f(shape) for the shapes of all other bodies near the bounds. Bodies that have neither strayed nor been
+// redirected are where the broad phase has them.
 template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) const {
     in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         const std::int32_t i = movers_.of_body(in.shapes.links[other].body);
         if (i == mover) return;
         if (i != none) {
             if (movers_[i].has_strayed || movers_[i].is_redirected) return;
-            const bool is_listed = std::size_t(i) < scratch_.bounds_of_ways.size(); // not what was struck since then
+            const bool is_listed = std::size_t(i) < scratch_.bounds_of_ways.size(); // not movers added since then
             if (is_listed && !meet(bounds, scratch_.bounds_of_ways[std::size_t(i)])) return;
         }
         f(other);
@@ -333,7 +335,7 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
     }
 }
 
-// Runs that have become equally long are merged: all n take n log^2 n operations, and looking at one log^2 n.
+// Merges runs of equal length, so that n insertions take n log^2 n operations, and a query log^2 n.
 void SweptPairs::note_way(const SweptBounds& way) {
     std::vector<SweptBounds>& redirected = scratch_.redirected;
     redirected.push_back(way);
@@ -345,7 +347,7 @@ void SweptPairs::note_way(const SweptBounds& way) {
 void SweptPairs::find_near(std::int32_t mover, double from) {
     list_ways();
     const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
-    std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
+    std::vector<std::uint32_t>& near = scratch_.near; // pairs are added after the query
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     list_pairs_of(mover);
@@ -370,7 +372,7 @@ void SweptPairs::list_pairs_of(std::int32_t mover) {
     std::sort(listed.begin(), listed.end());
 }
 
-// Each shape once, after list_pairs_of.
+// Adds the pairs with a near shape that are not listed yet; call list_pairs_of before.
 void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
     const std::vector<std::uint64_t>& listed = scratch_.listed;
     const std::int32_t body = movers_[mover].body;
@@ -382,11 +384,11 @@ void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
     });
 }
 
-// Whether balls around the two bodies stay apart on their ways, which their centers of mass go straight: cheap, and so
-// of a third of all pairs.
+// Whether the bounding balls of the two bodies stay apart while their centers of mass move straight. The test is cheap,
+// and holds for a third of all pairs.
 bool SweptPairs::stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const {
     const Geometry& other = in.shapes.geometry[pair.other];
-    if (other.type == ShapeType::plane || is_strip(other)) return false; // without an end
+    if (other.type == ShapeType::plane || is_strip(other)) return false; // unbounded
     const double end = std::min(a.until, b.until);
     const DVec3 start = b.start - a.start, speed = b.translation - a.translation;
     const double square = math::dot(speed, speed);
@@ -404,7 +406,7 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
         return SweptShape{g, in.shapes.data[shape], math::to_double(g.position - in.bodies.mass[body].center), path,
                           until};
     };
-    // Seen from the first, for precision far from the origin.
+    // Relative to the start of the first path, for precision far from the origin.
     const DVec3 origin = first.path.start;
     const auto seen = [&](RigidPath p) {
         p.start = p.start - origin;
@@ -429,11 +431,11 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     };
     if (!pair.is_known && !pair.touches && (lets_through(a, b, pair.other) || lets_through(b, a, pair.shape)))
         return never;
-    // What something holds is pressed into it a little, and would catch at the edges of what lies beside. (A pair that
-    // flies may have a body that got hold of something else in this step.)
+    // A body held by a contact is pressed in slightly, and would catch at the edges of adjacent shapes. (A pair in
+    // flight may have a body that has come into contact with another one in this step.)
     const bool catches = !pair.flies && !first.is_free && !(second && in.bodies.is_dynamic(second->body));
     const bool gyrates = first.gyrates || (second && second->gyrates);
-    // What turned over flies anew, whatever the solver knew of it.
+    // A body that turned over moves freely from its first pose, whatever contacts the solver had.
     const bool is_held = pair.is_known && !first.is_free && !(second && second->is_free);
     const Held by = gyrates ? Held::by_nothing : Held::perhaps;
     const Held held = !is_held ? by : pair.touches ? Held::by_struck_contact : Held::by_contact;

@@ -1,4 +1,4 @@
-// Which shapes may meet in a step, and when: pairs of movers with each other and with all else.
+// Pairs of shapes that may meet in a step, and when they do: movers with each other and with all other bodies.
 #pragma once
 
 #include "contacts/record_owners.h"
@@ -7,7 +7,7 @@
 
 namespace cairn {
 
-// What the search for pairs reads. It changes movers and its own working memory alone.
+// State that the search for pairs reads. Only movers and the search's own working memory are modified.
 struct SweptInput {
     const Bodies& bodies;
     const Shapes& shapes;
@@ -29,15 +29,15 @@ class SweptPairs {
     SweptPairs(const SweptPairs&) = delete;
     SweptPairs& operator=(const SweptPairs&) = delete;
 
-    // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
-    // are not where they were expected.
+    // Lists the pairs in flight, and those pairs of the narrow phase whose bodies may pass each other; then all shapes
+    // near the paths of bodies that are not where the broad phase expected them.
     void find();
-    // All that is near the way of a mover that was redirected, from a time on.
+    // Lists pairs with all shapes near the path of a redirected mover, from a time on.
     void find_near(std::int32_t mover, double from);
 
     SweptPair& operator[](std::int32_t k) { return pairs_[std::size_t(k)]; }
     std::int32_t count() const { return std::int32_t(pairs_.size()); }
-    // f(pair) for all pairs of a mover.
+    // Calls f(index of a pair) for all pairs of a mover.
     template <class F> void for_each_of(std::int32_t mover, F&& f) {
         for (std::int32_t k = movers_[mover].first_pair; k != none;) {
             const SweptPair& pair = (*this)[k];
@@ -46,9 +46,9 @@ class SweptPairs {
             k = next;
         }
     }
-    // A body becomes a mover, if it is none yet: all pairs with it are the mover's.
+    // Makes a body a mover, if it is none yet, and assigns all pairs with it to the mover.
     std::int32_t add_mover(std::int32_t body);
-    // When the two meet, from a time on up to which they are known to be apart.
+    // The time at which the two meet; up to the time `from` they are known to be apart.
     double time_of(SweptPair& pair, double from) const;
 
   private:
@@ -67,7 +67,7 @@ class SweptPairs {
     void list_known();
     void list_passing();
     void list_ways();
-    void note_way(const SweptBounds& way); // of what was redirected
+    void note_way(const SweptBounds& way); // of a redirected mover
     void find_near_strayed();
     void list_pairs_of(std::int32_t mover);
     void add_near(std::int32_t mover, std::uint32_t other);
@@ -78,7 +78,7 @@ class SweptPairs {
     Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
-    std::vector<std::int32_t> without_axis_; // pairs, on several ranks, until their owners are asked
+    std::vector<std::int32_t> without_axis_; // on several ranks: pairs whose normal the owner has not sent yet
 };
 
 } // namespace cairn

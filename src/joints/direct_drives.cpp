@@ -1,7 +1,7 @@
-// Drives, friction and soft limits of joints that are solved directly. A drive that is a row of its own sees the two
-// bodies of its joint alone: where these are light beside what hangs on them, its impulse turns them by far too much,
-// and the joints pass that on. So drives are rows among the equations, each with the softness of its spring. Their
-// Jacobians and positions are those of the axis blocks (kernels/solve/joint_axis.cpp).
+// Drives, friction and soft limits of directly solved joints. A drive that is a separate row acts on the two bodies of
+// its joint alone: where these are light compared to the bodies attached to them, its impulse turns them by far too
+// much, and the joints pass that on. Drives are therefore rows of the joint system, each with the softness of its
+// spring. Their Jacobians and positions are those of the axis blocks (kernels/solve/joint_axis.cpp).
 #include "joints/direct_view.h"
 
 #include <algorithm>
@@ -13,10 +13,10 @@ using math::DVec3;
 
 namespace {
 
-// m/s or rad/s: what lacks less stays at its bound.
+// m/s or rad/s: a drive whose speed falls short by less stays at its bound.
 constexpr double settled = 1e-9;
 
-// The nearer one of the two bounds of a soft limit. One that gave nothing takes no part.
+// Selects the nearer bound of a soft limit. A limit with zero impulse starts inactive.
 void choose_limit(DirectDrive& d, double position, double impulse) {
     const double all = std::numeric_limits<double>::infinity();
     const bool is_lower = position - d.lower < d.upper - position;
@@ -25,7 +25,7 @@ void choose_limit(DirectDrive& d, double position, double impulse) {
     d.bound = impulse != 0 ? 0 : is_lower ? -1 : 1;
 }
 
-// A motor leads no farther than the rigid limits of its axis: as an equation it would hold what they are to push back.
+// Limits a motor's velocity to what reaches the rigid limits of its axis: as an equation, the motor would resist them.
 double motor_velocity(const DirectDrive& d, double position, double h) {
     const double least = std::min((d.least_position - position) / h, fastest_return),
                  most = std::max((d.most_position - position) / h, -fastest_return);
@@ -60,7 +60,7 @@ void refresh_drive(const SetView& v, std::size_t node, double h) {
     if (is_range) choose_limit(d, position, d.impulse);
     const double missing = d.target_position - position;
     if (is_range && (d.most > 0 ? missing < 0 : missing > 0)) {
-        d.pull = missing / h; // it is not reached: the position goes no farther than there
+        d.pull = missing / h; // not reached: the position may go no farther than the bound
         return;
     }
     const double unit = d.is_relative ? double(b.moved_mass[lane]) : 1, k = unit * d.stiffness, c = unit * d.damping;

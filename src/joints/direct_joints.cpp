@@ -16,22 +16,22 @@ using math::put;
 
 namespace {
 
-// Share of an error that is taken back in a substep. The more, the less energy is lost; but with it the heavy end of a
-// chain of light links gains some.
+// Fraction of an error that is corrected in a substep, for equal and unequal masses. A higher one loses less energy,
+// but lets the heavy end of a chain of light links gain some.
 constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
-// Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
+// Fraction of angular velocity lost per substep, of the share that the added geometric stiffness has in the moment.
 constexpr double stiffness_damping = 0.02;
-// Of the diagonal: in loops some rows say what others say already.
+// Relative increase of the diagonal in sets with loops, where some rows are redundant.
 constexpr double loop_compliance = 1e-6;
-constexpr int max_bound_rounds = 8; // in which drives are put at their bounds, or freed
+constexpr int max_bound_rounds = 8; // rounds of fixing drives at their bounds, or freeing them
 
 DVec3 vector_of(const float* p) { return math::to_double(math::to_vec(p)); }
 
 // --- bodies
 
-// A body under tension resists turning away from it: with the impulse p on it at the arm r, a turn by u changes the
-// torque by (u x r) x p = (r.p) u less r (p.u). In a velocity solver that acts a substep late, and makes it unstable
-// where h^2 times the stiffness exceeds the inertia. The inertia is raised to that.
+// Geometric stiffness: a body under tension resists rotation away from it. With the impulse p on it at the arm r, a
+// rotation by u changes the torque by (u x r) x p = r (p.u) - (r.p) u. A velocity solver applies this a substep late,
+// which is unstable where h^2 times the stiffness exceeds the inertia. The inertia is raised to that value.
 void add_stiffness(DirectBody& body, DVec3 arm, DVec3 impulse, double h) {
     const auto along = [&](DVec3 v) {
         return DVec3{math::dot(body.axes.c0, v), math::dot(body.axes.c1, v), math::dot(body.axes.c2, v)};
@@ -44,7 +44,7 @@ void add_stiffness(DirectBody& body, DVec3 arm, DVec3 impulse, double h) {
     }
 }
 
-// The linear impulse on B.
+// The linear impulse of a row on body B.
 DVec3 force_of(const DirectRow& row, DVec3 impulse) {
     return row.is_plain ? impulse : math::transposed_times(row.linear, impulse);
 }
@@ -73,7 +73,7 @@ void place_bodies(const SetView& v, const BatchScratch& scratch) {
     }
 }
 
-// The inertia with its geometric stiffness, and the loss of turning that goes with what that adds.
+// Computes the inverse inertia with geometric stiffness, and the angular velocity that is lost by stiffness_damping.
 void stiffen_bodies(const SetView& v) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
@@ -90,7 +90,7 @@ void stiffen_bodies(const SetView& v) {
     }
 }
 
-// What the rows' bodies have gained goes to velocity and reference alike: it is not carried.
+// Adds the changes of velocity to velocities and reference velocities alike, so that they are not carried over.
 void write_velocities(const SetView& v, BatchScratch& scratch) {
     auto write = [](float* velocity, float* reference, float* rounding, DVec3 change) {
         const DVec3 was = vector_of(velocity), base = vector_of(reference);
@@ -109,7 +109,7 @@ void write_velocities(const SetView& v, BatchScratch& scratch) {
 
 // --- rows
 
-// The directions that a node leaves free have a diagonal of their own.
+// Diagonal entries for the directions that a node leaves free.
 Block free_directions(const DirectNode& node, const JointLocks& rules, const DirectRow& r, const Block& k) {
     const double size = k.m[0] + k.m[4] + k.m[8];
     const double scale = size > 0 ? size : 1.0;
@@ -123,9 +123,9 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
 
 // Whether a node is nothing but a drive, friction or a soft limit.
 bool is_drive(const SetView& v, std::size_t i) { return is_bounded(v.set.nodes[i].rows); }
-// Whether a turn holds the axis that it leaves free, by its drive.
+// Whether a turn also holds the axis that it leaves free, by its drive.
 bool holds_its_drive(const SetView& v, std::size_t i) { return v.set.nodes[i].is_driven && v.rows[i].drive.bound == 0; }
-// Whether such a node gives all that it can: then it is no row.
+// Whether such a node is at its bound, and is therefore not a row.
 bool is_bound(const SetView& v, std::size_t i) { return is_drive(v, i) && v.rows[i].drive.bound != 0; }
 
 void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
@@ -177,7 +177,7 @@ void assemble(const Joints& joints, const SetView& v) {
     }
 }
 
-// The blocks of the diagonal become the inverses of the pivots.
+// Replaces the diagonal blocks by the inverses of the pivots.
 void factorize(const SetView& v) {
     const DirectPlan& plan = v.set.plan;
     const std::uint32_t* product = plan.products.data();
@@ -290,7 +290,7 @@ void apply_drive(const SetView& v, std::size_t i, double impulse) {
     b.dw += impulse * (b.inverse_inertia * v.rows[i].axis);
 }
 
-// Puts drives at their bounds, or frees them. Whether any changed: then the matrix is made anew.
+// Fixes drives at their bounds, or frees them. Returns whether any changed; then the matrix is assembled again.
 bool bound_drives(const Joints& joints, const SetView& v) {
     bool any = false;
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
@@ -336,7 +336,7 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     const std::size_t n = v.set.nodes.size();
     place_bodies(v, scratch);
     for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i, h);
-    if (first && v.is_new) { // the tension must be known before anything turns
+    if (first && v.is_new) { // the tension must be known before any body rotates
         stiffen_bodies(v);
         assemble(joints, v);
         factorize(v);
@@ -363,7 +363,7 @@ void begin_limits_of(const SetView& v, BatchScratch& scratch) {
     write_velocities(v, scratch);
 }
 
-// Of the rows of a node, and of its drive.
+// Adds the impulses of a node's rows and of its drive to its total.
 void count_impulse(const SetView& v, std::size_t i, DVec3 impulse, double drive) {
     DirectRow& r = v.rows[i];
     const bool is_turning = r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
@@ -378,7 +378,7 @@ void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     read_velocities(v, scratch);
     solve_rows(joints, v, rate);
     hold_limits(v, rate, h);
-    if (bound_drives(joints, v)) { // by what the limits asked for
+    if (bound_drives(joints, v)) { // because of the limits' impulses
         solve_rows(joints, v, rate);
         hold_limits(v, rate, h);
     }
@@ -389,7 +389,7 @@ void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     write_velocities(v, scratch);
 }
 
-// The velocities that the joints allow: what that changes is in dv and dw.
+// Finds the velocities that the joints allow: the changes are in dv and dw.
 void join_set(const Joints& joints, const SetView& v, const BatchScratch& scratch, double h) {
     const double rate = return_rate(v, h);
     read_velocities(v, scratch);
@@ -436,7 +436,7 @@ SetView view_of(const DirectSets& direct, BatchScratch& scratch, std::size_t pla
 
 template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
-    if (w.sets.empty()) return; // as most batches have it: nothing need be ready for threads
+    if (w.sets.empty()) return; // in most batches: avoids the overhead of threads
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) work(view_of(direct, scratch, std::size_t(k)));
     });
@@ -474,7 +474,7 @@ void join_velocities(const Joints& joints, const DirectSets& direct, BatchScratc
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
         count_impulse(v, i, r.given, r.drive.given);
-        r.drive.impulse += std::exchange(r.drive.given, 0); // else it would give that again
+        r.drive.impulse += std::exchange(r.drive.given, 0); // otherwise it would be given again
     }
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         const DirectBody& b = v.bodies[i];

@@ -1,8 +1,8 @@
-// Rigid limits of joints that are solved directly. A row of its own sees the two bodies of the joint alone: where one
-// is light and carries a heavy one, it stops the light one and the joints push it on, substep after substep, and what
-// takes the error back then throws the heavy one. So impulses of limits go through all that hangs together, and those
-// that act at once are found at once: W x >= b, x >= 0, one of the two with equality, where W is how the speeds of the
-// limits answer their impulses.
+// Rigid limits of directly solved joints. A limit that is a separate row acts on the two bodies of its joint alone:
+// where one is light and carries a heavy one, the limit stops the light body and the joints push it on, substep after
+// substep, until the correction of the error throws the heavy body. The impulses of limits therefore act on all
+// connected bodies, and those of all active limits are found together, as a linear complementarity problem: W x >= b, x
+// >= 0, one of the two with equality, where W is the response of the limits' speeds to their impulses.
 #include "joints/direct_view.h"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ using math::DVec3;
 
 namespace {
 
-// Bounds that are found at once, in 13 kB of the stack; of more, one block after the other.
+// Greatest number of bounds that are solved together, in 13 kB of stack; further ones follow in separate blocks.
 constexpr std::size_t block_size = 24;
-// m/s or rad/s: what a limit changes by less is settled.
+// m/s or rad/s: a limit whose speed is wrong by less is settled.
 constexpr double settled = 1e-6;
-// Of the response of the two bodies alone: below that, the joints hold what the limit would.
+// Fraction of the response of the two bodies alone below which the joints already hold what the limit would.
 constexpr double held_response = 1e-9;
 
 struct LimitRow {
@@ -46,7 +46,7 @@ double speed_of(const SetView& v, const DirectLimit& limit, const LimitRow& row)
     return speed;
 }
 
-// Of its speed to an impulse of its own, with the two bodies alone.
+// Response of a limit's speed to its own impulse, with its two bodies alone.
 double own_response(const SetView& v, const DirectLimit& limit, const LimitRow& row) {
     double response = 0;
     for (int side = 0; side < 2; ++side) {
@@ -65,19 +65,19 @@ void apply(const SetView& v, const DirectLimit& limit, const LimitRow& row, doub
     }
 }
 
-// One bound of a limit that is at work, or is to be.
+// One bound of a limit that is active, or is to become active.
 struct Bound {
     DirectLimit* limit;
     LimitRow row;
     int side;
-    double sign, wanted; // the speed away from it, at least
+    double sign, wanted; // wanted: the least speed away from it
 };
 
 double speed_of(const SetView& v, const Bound& b) { return b.sign * speed_of(v, *b.limit, b.row); }
 
 class BoundBlock {
   public:
-    // Takes bounds from the limit of that number on. Returns that of the first one that is left.
+    // Collects bounds, starting with the limit `next`. Returns the number of the first limit that is left.
     std::size_t gather(const SetView& v, std::size_t next, double rate, double h) {
         count_ = 0;
         for (; next < v.limit_count && count_ + 2 <= block_size; ++next) {
@@ -122,7 +122,7 @@ class BoundBlock {
     double& factor(std::size_t row, std::size_t column) { return factors_[row * block_size + column]; }
     double impulse_of(std::size_t i) const { return bounds_[i].limit->impulse[bounds_[i].side]; }
 
-    // The responses of all to each of them. Those that the joints hold are taken out.
+    // Measures the response of all bounds to an impulse at each one. Bounds that the joints hold already are removed.
     void measure(const SetView& v, double rate) {
         const std::size_t bodies = v.set.bodies.size();
         for (std::size_t i = 0; i < bodies; ++i)
@@ -161,8 +161,8 @@ class BoundBlock {
         count_ = kept;
     }
 
-    // Principal pivoting, all that are wrong at once as long as they become fewer, else the last of them alone, which
-    // ends for every such W (Judice and Pires 1994).
+    // Block principal pivoting: exchanges all wrong bounds at once as long as their number falls, otherwise the last of
+    // them alone, which terminates for every such W (Judice and Pires 1994).
     void find_impulses() {
         std::size_t fewest = count_ + 1;
         int tries = 3;
@@ -187,7 +187,7 @@ class BoundBlock {
         for (std::size_t i = 0; i < count_; ++i) impulses_[i] = std::max(impulses_[i], 0.0);
     }
 
-    // By Cholesky's factors; of those that say what others say already, none.
+    // Solves for the active bounds by Cholesky factorization; redundant bounds get zero impulse.
     void solve_those_at_work() {
         std::array<std::size_t, block_size> used;
         std::size_t n = 0;
@@ -224,7 +224,7 @@ class BoundBlock {
 };
 
 void hold_all(const SetView& v, double rate, double h, bool keeps) {
-    // What one pass gives may bring others to work, but no more often than there are any.
+    // The impulses of one pass may activate other limits, but at most as many times as there are limits.
     for (std::size_t pass = 0; pass <= v.limit_count; ++pass) {
         bool are_settled = true;
         for (std::size_t next = 0; next < v.limit_count;) {

@@ -9,7 +9,7 @@ namespace cairn {
 
 namespace {
 
-// A symmetric relation of n things, as bits.
+// An undirected graph of n vertices, as a bit matrix.
 class Graph {
   public:
     explicit Graph(std::size_t n) : words_((n + 63) / 64), bits_(n * words_), degrees_(n) {}
@@ -27,7 +27,7 @@ class Graph {
                 found.push_back(std::uint32_t(w * 64 + std::size_t(__builtin_ctzll(left))));
         return found;
     }
-    // Takes i out, and links all its neighbors with each other.
+    // Removes vertex i, and links all its neighbors with each other.
     void eliminate(std::size_t i, const std::vector<std::uint32_t>& neighbors) {
         for (const std::uint32_t j : neighbors) flip(i, j), flip(j, i), --degrees_[j];
         for (std::size_t a = 0; a < neighbors.size(); ++a)
@@ -43,7 +43,7 @@ class Graph {
 
 using NodeEnd = std::array<std::uint32_t, 2>; // node, side
 
-// The ends at each body.
+// Lists the ends of nodes at each body.
 std::vector<std::vector<NodeEnd>> ends_by_body(const std::vector<DirectEnds>& nodes) {
     std::vector<std::vector<NodeEnd>> ends;
     for (std::uint32_t i = 0; i < nodes.size(); ++i)

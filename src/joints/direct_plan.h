@@ -1,5 +1,5 @@
-// The symbolic part of the direct solver: in which order the rows of a set of joints are eliminated, and which blocks
-// of the factor L that fills.
+// The symbolic part of the direct solver: the elimination order of the rows of a set of joints, and the blocks of the
+// factor L that fill in.
 #pragma once
 
 #include "state/direct_sets.h"
@@ -10,8 +10,8 @@
 
 namespace cairn {
 
-// Minimum degree, the lowest number first among equals. Fills `order` with the nodes in their order of elimination.
-// Returns false where that takes more than so many blocks or products.
+// Minimum-degree ordering, with the lowest number first among equals. Fills `order` with the nodes in their order of
+// elimination. Returns false if more than `max_blocks` blocks or `max_products` products of blocks are needed.
 bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t max_blocks, std::size_t max_products,
                       DirectPlan& plan, std::vector<std::uint32_t>& order);
 

@@ -1,4 +1,4 @@
-// Rows of joints that are solved directly, as the poses are now: Jacobians and errors, in double.
+// Jacobians and errors of directly solved rows at the present poses, in double.
 #include "joints/direct_sets.h"
 #include "joints/direct_view.h"
 #include "math/rotation.h"
@@ -32,7 +32,7 @@ void refresh_turn(const JointLocks& rules, DVec3 axis_a, DVec3 axis_b, const mat
     r.linear = {};
     r.angular[1] = math::identity_block();
     if (rules.turn == JointLock::across) {
-        r.angular[1] = math::across_block(axis_a); // of a driven one see aim_driven_turn
+        r.angular[1] = math::across_block(axis_a); // for a driven turn see aim_driven_turn
         r.error = math::cross(axis_a, axis_b);
         r.impulse = r.angular[1] * r.impulse;
     } else {

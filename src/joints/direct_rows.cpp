@@ -1,4 +1,4 @@
-// What goes into the direct solver at the start of a step, and what comes out at its end.
+// Fills the direct solver at the start of a step, and stores its results at the end.
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
 #include "joints/direct_joints.h"

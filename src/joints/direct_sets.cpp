@@ -10,12 +10,14 @@ namespace cairn {
 
 namespace {
 
-// Where the direct solver pays by itself. Beyond these nodes, without what is bounded, and blocks the iterative one is
-// cheaper by far: of blocks, for each joint with so many nodes, as many as those times 4, or 3 times their square.
+// Greatest number of nodes, not counting bounded ones, for which the engine chooses the direct solver by itself. Beyond
+// these limits the iterative solver is far cheaper.
 constexpr std::ptrdiff_t max_nodes = 240;
+// Greatest number of blocks of L for a joint with n nodes: the greater of `max_blocks_per_node` n and
+// `max_blocks_per_pair` n^2. A set may have the sum over its joints.
 constexpr std::size_t max_blocks_per_node = 4, max_blocks_per_pair = 3;
-constexpr int min_chain = 8; // joints
-// What it takes where users ask for it.
+constexpr int min_chain = 8; // joints; longer chains are solved directly
+// Greatest numbers of blocks of L, and of products of blocks, for sets that users ask for.
 constexpr std::size_t max_blocks = std::size_t(1) << 18, max_products = std::size_t(1) << 22;
 
 bool moves_by_forces(const Bodies& bodies, std::int32_t body) { return body != none && bodies.is_dynamic(body); }
@@ -36,7 +38,7 @@ bool may_be_direct(const Bodies& bodies, const Joints& joints, std::uint32_t ind
     return holds;
 }
 
-// Finds the sets: those of joints that are connected through bodies that move by forces.
+// Finds the sets: joints that are connected through bodies that forces move.
 class Finder {
   public:
     Finder(const Bodies& bodies, const Joints& joints, DirectSets& direct)
@@ -52,7 +54,7 @@ class Finder {
         for (std::uint32_t joint = 0; joint < joints_.info.size(); ++joint) {
             if (seen_[joint] || !may_be_direct(bodies_, joints_, joint)) continue;
             gather(joint);
-            // Where the rule says no to the whole, what users ask for remains.
+            // If the rule rejects the whole set, the joints that users ask for are still solved directly.
             if (rule_takes(set_))
                 take();
             else
@@ -74,7 +76,7 @@ class Finder {
         return may_be_direct(bodies_, joints_, joint) && (!only_asked_for_ || is_asked_for);
     }
 
-    // The set of a joint, into set_.
+    // Gathers the set of a joint into set_.
     void gather(std::uint32_t first) {
         set_ = {};
         std::vector<std::int32_t> open;
@@ -137,7 +139,7 @@ class Finder {
         }
     }
 
-    // Of the drive about the axis that a hinge leaves free: it needs no row of its own.
+    // The axis of the drive about the axis that a hinge leaves free; it needs no row of its own. None: no such drive.
     std::int32_t axis_of_driven_turn(std::uint32_t joint) const {
         const JointLocks& rules = joints_.info[joint].rules;
         for (std::int32_t i = 0; rules.turn == JointLock::across && i < rules.axis_count; ++i) {
@@ -147,7 +149,7 @@ class Finder {
         return none;
     }
 
-    // All that does not move counts as one body.
+    // Finds loops and the mass ratio. All bodies that forces do not move count as one.
     void measure() {
         std::size_t moving = 0;
         float least = 0, greatest = 0;
@@ -166,11 +168,11 @@ class Finder {
         set_.mass_ratio = least > 0 ? greatest / least : 1;
     }
 
-    // --- the rule for joints that leave it to the engine
+    // --- the rule for joints whose solver the engine chooses
 
     bool rule_takes(const DirectSet& set) {
-        // Joints of one body that are solved in two ways throw it about when it is hit: where users ask for it at one,
-        // those that leave it to the engine come along.
+        // A body with joints that are solved by two methods gets excessive velocities when it is hit: where users ask
+        // for the direct solver at one joint, connected joints whose solver the engine chooses are included.
         bool is_asked_for = false;
         for (const std::uint32_t joint : set.joints)
             is_asked_for |= JointSolver(joints_.info[joint].solver) == JointSolver::direct;
@@ -183,7 +185,7 @@ class Finder {
 
     static std::size_t most_blocks(const DirectSet& set) {
         std::size_t most = 0;
-        for (std::size_t begin = 0, end = 0; begin < set.found.size(); begin = end) { // a joint's lie side by side
+        for (std::size_t begin = 0, end = 0; begin < set.found.size(); begin = end) { // nodes of a joint are adjacent
             while (end < set.found.size() && set.found[end].joint == set.found[begin].joint) ++end;
             const std::size_t nodes = end - begin;
             most += std::max(max_blocks_per_node * nodes, max_blocks_per_pair * nodes * nodes);
@@ -192,7 +194,7 @@ class Finder {
     }
 
     bool pays(const DirectSet& set) {
-        // Ends of the joints at each body that moves by forces.
+        // The joints at each body that forces move.
         std::vector<std::vector<std::uint32_t>> at(set.bodies.size());
         bool turns = false;
         for (const std::uint32_t joint : set.joints) {
@@ -201,7 +203,7 @@ class Finder {
             for (const std::int32_t body : {info.body_a, info.body_b})
                 if (moves_by_forces(bodies_, body)) at[place_of(set, body)].push_back(joint);
         }
-        if (set.has_loops && turns) return true; // a machine
+        if (set.has_loops && turns) return true; // a mechanism
         float heaviest = 0;
         for (const std::int32_t body : set.bodies)
             if (moves_by_forces(bodies_, body)) heaviest = std::max(heaviest, bodies_.mass[body].mass);
@@ -210,12 +212,12 @@ class Finder {
             if (heaviest > max_equal_mass_ratio * bodies_.mass[set.bodies[i]].mass) return true;
             const auto holding =
                 std::count_if(at[i].begin(), at[i].end(), [&](std::uint32_t joint) { return holds_all(joint); });
-            if (holding >= 2) return true; // in series
+            if (holding >= 2) return true; // two in series
         }
         return longest_chain(set, at) > min_chain;
     }
 
-    // Whether a joint lets nothing move: it is fixed, or a servo holds the angle that it leaves.
+    // Whether a joint allows no motion: it is fixed, or a servo holds the angle that it leaves free.
     bool holds_all(std::uint32_t joint) const {
         const JointLocks& rules = joints_.info[joint].rules;
         if (rules.point != JointLock::full) return false;
@@ -231,8 +233,8 @@ class Finder {
         return std::size_t(std::lower_bound(set.bodies.begin() + 1, set.bodies.end(), body) - set.bodies.begin());
     }
 
-    // Joints between the two bodies furthest from each other, found by two searches (exact in trees), and one more
-    // where the end of it is held.
+    // Number of joints between the two bodies farthest from each other, found by two breadth-first searches (exact in
+    // trees).
     int longest_chain(const DirectSet& set, const std::vector<std::vector<std::uint32_t>>& at) {
         std::size_t end = 1;
         while (!moves_by_forces(bodies_, set.bodies[end])) ++end;
@@ -294,7 +296,7 @@ class Finder {
 
 namespace {
 
-// Drives and friction along other axes have no direction where their position is 0, or depend on more than two bodies.
+// Axes of other kinds have no direction where their position is 0, or depend on more than two bodies.
 bool is_linear_enough(AxisKind kind) {
     switch (kind) {
     case AxisKind::linear:

@@ -1,4 +1,4 @@
-// Which joints are solved directly.
+// Selects the joints that are solved directly.
 #pragma once
 
 #include "state/body_state.h"
@@ -7,21 +7,22 @@
 
 namespace cairn {
 
-// Of a body to a lighter one that hangs between others: up to that they count as equally heavy.
+// Mass ratio up to which bodies of a set count as equally heavy: of the heaviest to the lightest, or to one between
+// joints.
 inline constexpr float max_equal_mass_ratio = 10;
 
-// Finds them anew where joints, or the masses of what is jointed, have changed.
+// Finds the sets again if joints, or the masses of jointed bodies, have changed.
 void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& direct);
 
-// Whether an axis row of a joint belongs to what a direct solver holds: it is a rigid equation, and linear enough.
+// Whether the direct solver takes an axis row of a joint: a rigid equation that is linear enough.
 bool is_direct_axis(const JointAxisRule& rule);
-// Whether its Jacobian and position are those of its axis block.
+// Whether the Jacobian and position of such a row are those of its axis block.
 bool has_direct_lane(AxisKind kind);
-// Whether its drive does, and its friction.
+// Whether the direct solver takes the drive of an axis row, its friction, or its soft limit.
 bool is_direct_drive(const JointAxisRule& rule);
 bool is_direct_friction(const JointAxisRule& rule);
 bool is_direct_soft_limit(const JointAxisRule& rule);
-// Whether the limits of an axis row do: they are rigid.
+// Whether the direct solver takes the limits of an axis row, which must be rigid.
 bool is_direct_limit(const JointAxisRule& rule);
 
 } // namespace cairn

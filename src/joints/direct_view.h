@@ -1,4 +1,4 @@
-// What the parts of the direct solver share: one set, and the numbers of it.
+// Shared by the parts of the direct solver: a view of one set and of its data.
 #pragma once
 
 #include "kernels/solve/joint_data.h"
@@ -8,8 +8,8 @@
 
 namespace cairn {
 
-// m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
-// chain would set it whirling without end.
+// Greatest speed (m/s or rad/s) at which an error is corrected. Without it, a heavy mass that falls into a slack chain
+// sets the chain spinning without end, as its joints are torn apart and return too fast.
 inline constexpr double fastest_return = 4;
 
 struct SetView {
@@ -24,32 +24,33 @@ struct SetView {
     AxisBlock* axes;
 };
 
-// Impulses that take the velocities of the rows to -rate x error, and drives to where they yield; their bodies gain
-// what they give. They are `given` beside the rows' impulses, until those are to have them.
+// Finds the impulses that take the velocities of the rows to -rate x error, and those of drives to their softened
+// targets, and applies them to the bodies. They are kept as `given`, apart from the rows' impulses, until keep_given
+// adds them.
 void seek_impulses(const SetView& v, double rate);
 void keep_given(const SetView& v);
 
-// Jacobian and error of a node by the poses now; of a drive, how it yields.
+// Computes the Jacobian and error of a node at the present poses; for a drive, also its softness and target.
 void refresh_row(const Joints& joints, const SetView& v, std::size_t node, double h);
-// Of one whose Jacobian is that of its axis block; returns the position.
+// Copies the Jacobian of a node from its axis block; returns the position.
 double refresh_from_lane(const SetView& v, std::size_t node);
 void refresh_drive(const SetView& v, std::size_t node, double h);
-// The speed that the row of a drive lacks.
+// The speed that the row of a drive is short of.
 double lack_of_drive(const DirectDrive& drive, double velocity);
-// A drive that gives more than it can is held at that bound; one that is held and would give less is set free. Returns
+// Fixes a drive that exceeds one of its bounds at that bound, or frees one that would give less than its bound. Returns
 // whether that changed; `change`: of its impulse.
 bool bound_drive(DirectDrive& drive, double velocity, double& change);
-// Of a turn that is driven: it holds the axis that it leaves free, too, unless the drive is at its bound.
+// Jacobian of a driven turn: it includes the axis that the turn leaves free, unless the drive is at its bound.
 void aim_driven_turn(DirectRow& row);
 
-// At the start of a substep: the impulses of the last one.
+// At the start of a substep: applies the limits' impulses of the last one.
 void begin_limits(const SetView& v);
 void forget_limits(const SetView& v);
-// After the rows: what else the limits need, each with all that hangs together.
+// After the rows: solves for the missing impulses of limits, each with its effect on all connected bodies.
 void hold_limits(const SetView& v, double rate, double h);
-// Likewise, but impulses stay as they are.
+// Solves the limits in the same way, but leaves the stored impulses unchanged.
 void hold_limits_for_now(const SetView& v, double rate, double h);
-// At the end: what they gave goes to the totals of their blocks.
+// At the end of a substep: adds the limits' impulses to the totals of their blocks.
 void count_limits(const SetView& v);
 
 } // namespace cairn

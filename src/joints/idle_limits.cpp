@@ -1,5 +1,5 @@
-// Limits that are out of reach. Most limits of a heap of ragdolls bear nothing: their rows are left out of the solver
-// as long as the bodies have not turned far enough against each other to come near them.
+// Joint limits that are out of reach. Most limits in a heap of ragdolls have zero impulse: their rows are left out of
+// the solver until the bodies may have rotated far enough relative to each other to come near the limits.
 #include "joints/idle_limits.h"
 
 #include "collision/core_sweep.h"
@@ -24,8 +24,8 @@ const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) 
     return nullptr;
 }
 
-// What the bodies of a joint have moved in all, what they will have after this step, at most, and the radius of the
-// smaller one: none of them turns by more than it moves over its radius.
+// The total travel of the bodies of a joint up to now, its greatest value after this step, and the radius of the
+// smaller body: a body rotates (rad) by at most its travel over its radius.
 struct JointTravel {
     Travel now = 0, ahead = 0;
     float radius = std::numeric_limits<float>::infinity();
@@ -40,7 +40,7 @@ JointTravel travel_of(const Bodies& bodies, const JointInfo& joint) {
     return travel;
 }
 
-// Asks the cache for what is looked at of a joint here.
+// Prefetches the data of a joint that are needed here.
 void prefetch(const Joints& joints, std::uint32_t joint) {
     ask_cache(&joints.info[joint]);
     const JointAxes& axes = joints.axes[joint];
@@ -48,7 +48,7 @@ void prefetch(const Joints& joints, std::uint32_t joint) {
     ask_cache(&axes.states[max_joint_axes - 1]);
 }
 
-// Whether the row need not be solved.
+// Whether the row need not be solved in this step.
 bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, const JointTravel& travel) {
     if (state.is_idle) {
         state.is_idle = is_before(travel.ahead, state.until);
@@ -57,23 +57,23 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
     }
     const Travel known_at = state.until;
     state.until = travel.now;
-    const bool is_known = is_before(travel.now, known_at + budget_of(max_leap / 2)); // else they were put elsewhere
+    const bool is_known = is_before(travel.now, known_at + budget_of(max_leap / 2)); // else the bodies were teleported
     if (!is_known || state.lower != 0 || state.upper != 0) return false;
-    // A twist is counted on from the last known one, which must be less than half a turn away.
+    // A twist angle is counted from the last known one, which must be less than half a turn away.
     const float room = std::min({state.position - rule.lower, rule.upper - state.position, half_turn});
     const Travel until = travel.now + budget_of(double(room) * double(travel.radius) / double(by_turn));
-    // Some more room, so that rows do not come and go.
+    // Requires a margin, so that rows are not left out and solved in turns.
     if (!is_before(travel.ahead + (travel.ahead - travel.now), until)) return false;
     state.until = until;
     state.is_idle = 1;
     return true;
 }
 
-// How much its position changes at most, by the angle that the bodies turn by against each other; 0: by no such bound.
+// Greatest change of the position per angle by which the bodies rotate relative to each other; 0: not bounded.
 float change_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
     if (rule.kind == AxisKind::swing || rule.kind == AxisKind::turn) return 1;
     if (rule.kind != AxisKind::twist) return 0;
-    // The twist of what swings changes faster than the bodies turn, by 1 / cos of half the swing.
+    // The twist of a swinging joint changes faster than the bodies rotate, by 1 / cos of half the swing.
     const JointAxisRule* swing = swing_rule(locks, axes);
     const bool is_held = locks.turn == JointLock::across;
     if (!is_held && !(swing && swing->has_limits && swing->rigid_limit)) return 0;

@@ -1,4 +1,4 @@
-// Limits that are out of reach.
+// Joint limits that are out of reach, and are left out of the solver.
 #pragma once
 
 #include "jobs/thread_pool.h"
@@ -7,10 +7,10 @@
 
 namespace cairn {
 
-// By how much the position of an axis changes, at most, by the angle that the bodies turn by against each other. Of
-// mere limits of an angle; 0: of all else, that is not looked at.
+// Greatest change of an axis position per angle by which the bodies rotate relative to each other. For axes that have
+// only limits of an angle; 0 for all others, which are always solved.
 float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
-// Once in a step. True if other rows than before are left out of the solver.
+// Called once per step. Returns true if the rows that are left out of the solver have changed.
 bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// The layout of joint rows: blocks of one color, phase and form.
+// The layout of joint rows: runs of one color, phase and form, in blocks of one form.
 
 #include "joints/joint_layout.h"
 
@@ -15,18 +15,18 @@ namespace cairn {
 
 namespace {
 
-// Within a color, rows of one joint come in phases: its axes one after the other, then its turn, then its point, which
-// so has the last word. Rows of one phase and form share blocks.
+// Within a color, the rows of a joint are solved in phases: its axes one after the other, then its turn, and last its
+// point, so that no other row disturbs the point. Rows of one phase and form share blocks.
 constexpr std::uint32_t turn_phase = max_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1, forms = 16,
                         keys_per_color = phases * forms;
 
-// First those that found no color, of which each is solved alone, then the colors.
+// Sort key of a row: overflow joints, each of which is solved alone, come first, then the colors.
 std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t form) {
     const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
     return (rank * phases + phase) * forms + form;
 }
 bool stands_alone(std::uint32_t key) { return key < keys_per_color; }
-// Points of joints that have a turn are solved with it.
+// Points of joints that also have a turn are solved together with it.
 std::uint32_t point_form(const JointLocks& rules) {
     return std::uint32_t(rules.point) | (rules.turn != JointLock::none ? form_with_turn : 0);
 }
@@ -39,7 +39,7 @@ void name_body(const Bodies& bodies, std::int32_t body, JointLayout& layout) {
     if (body != none && bodies.settings[body].type == BodyType::kinematic) layout.kinematic_bodies.push_back(body);
 }
 
-// The rows of one joint.
+// Collects the rows of one joint.
 void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets& direct, std::uint32_t joint,
                    JointLayout& layout) {
     const JointInfo& info = joints.info[joint];
@@ -92,7 +92,8 @@ void collect_rows(const Bodies& bodies, const Joints& joints, const DirectSets& 
     layout.first_row.push_back(std::uint32_t(layout.rows.size()));
 }
 
-// Of the many keys that there could be, those that occur, ascending. Rows get the numbers of theirs among them.
+// Numbers the keys that occur, out of many possible ones, in ascending order, and replaces the rows' keys by their
+// numbers.
 void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
     layout.keys.clear();
     std::uint32_t least = ~0u, most = 0;
@@ -112,11 +113,11 @@ void number_keys(JointLayout& layout, std::vector<std::uint32_t>& numbers) {
     for (JointRow& row : layout.rows) row.key = std::uint16_t(numbers[row.key - least]);
 }
 
-// By type and form: the lane behind those that rows were last given; none is open there if it is the first of a block.
+// By type and form: the lane after the last one assigned. If it is the first of a block, no block is open.
 using OpenLanes = std::array<std::uint32_t, joint_row_types * forms>;
 
-// The first of the lanes for so many rows. They begin a block, unless all of them fit into one that is open: so they
-// are not spread over more blocks than they must be.
+// Returns the first of the lanes for a number of rows. They begin a new block unless all of them fit into the open one,
+// so that they are not spread over more blocks than necessary.
 std::uint32_t take_lanes(JointLayout& layout, std::uint32_t& open, JointRowType type, std::uint32_t rows) {
     const bool fits = open % 8 != 0 && open % 8 + rows <= 8;
     std::uint32_t& blocks = layout.blocks[std::size_t(type)];
@@ -137,8 +138,8 @@ void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t lane, std::ui
         {type_of(key), std::uint8_t(8 * count - rows), std::uint16_t(key), lane / 8, count, first_lane, part});
 }
 
-// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. That is done
-// whenever a limit comes within reach or leaves it, so it must not cost more than the rows do.
+// Assigns lanes to the rows, sorted by their keys (a stable counting sort). This is done whenever a limit comes within
+// reach or leaves it, so it must not take longer than solving the rows.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
     layout.runs.clear(), layout.parts.clear();
     layout.blocks = {};
@@ -152,7 +153,7 @@ void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
         std::uint32_t& open = open_lanes[std::size_t(type_of(key)) * forms + joint_form_of(key)];
         const std::uint32_t first = take_lanes(layout, open, type_of(key), count);
         lanes[number] = first; // from now on: the next free lane
-        if (stands_alone(key)) // they may share bodies
+        if (stands_alone(key)) // overflow rows may share bodies
             for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, first + k, 1);
         else
             add_run(layout, key, first, count);

@@ -1,4 +1,4 @@
-// Where a joint's frames are, in double.
+// Anchors and frames of a joint in world space, in double.
 #pragma once
 
 #include "state/state.h"
@@ -6,7 +6,7 @@
 namespace cairn {
 
 struct JointAnchors {
-    math::DVec3 arm_a, arm_b, gap; // from centers of mass to anchors (of the world: zero); from anchor A to anchor B
+    math::DVec3 arm_a, arm_b, gap; // center of mass to anchor (of the world: zero); anchor A to anchor B
 };
 struct JointPlacement : JointAnchors {
     math::DQuat frame_a, frame_b; // in the world
@@ -33,10 +33,10 @@ inline math::DVec3 exact_frame_axis(const math::DQuat& frame, int i) {
 }
 inline math::Vec3 frame_axis(const math::DQuat& frame, int i) { return math::to_float(exact_frame_axis(frame, i)); }
 
-// Of frame B against A, in world axes.
+// The rotation of frame B relative to frame A, in world axes.
 inline math::DQuat turn_of(const JointPlacement& p) { return math::normalized(p.frame_b * math::conjugate(p.frame_a)); }
 
-// From the ground point of a pulley to the anchor of that side.
+// The vector from the ground point of a pulley to the anchor on that side.
 math::Vec3 pulley_reach(const Bodies& bodies, const JointInfo& joint, int side, const JointPlacement& p);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// What the positions of a joint's axes are, outside of a step.
+// Positions of a joint's axes, computed outside of a step.
 #include "joints/joint_positions.h"
 
 #include "joints/joint_placement.h"
@@ -15,12 +15,12 @@ namespace {
 double angle_of(double y, double x) {
     const double length = std::sqrt(x * x + y * y);
     if (!(length > 0)) return 0;
-    // As twice the angle of (x + length, y); where that vanishes it is pi.
+    // Twice the angle of (x + length, y); where that vector vanishes, the angle is pi.
     if (x < 0 && std::fabs(y) < 1e-12 * length) return 3.14159265358979323846;
     return math::to_rotation_vector(math::normalized(DQuat{y, 0, 0, x + length})).x;
 }
 
-// The one of the angles, whole turns apart, that is nearest to the last known.
+// Adds whole turns to an angle, so that it is nearest to the last known one.
 double counted_angle(double angle, double last) {
     constexpr double whole = 2 * 3.14159265358979323846;
     return angle + whole * std::floor((last - angle) / whole + 0.5);
@@ -48,7 +48,7 @@ double turning_position(const JointAxisRule& rule, const DQuat& turn, DVec3 a, D
     case AxisKind::perpendicular:
         return math::dot(a, b);
     default:
-        return last; // gears and racks are counted from step to step
+        return last; // for gears and racks, accumulated from step to step
     }
 }
 

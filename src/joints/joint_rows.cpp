@@ -1,4 +1,4 @@
-// The rows of joints in a solver batch: what is put into them, and what comes out.
+// Transfers joints into the rows of a solver batch, and their results back.
 
 #include "joints/joint_rows.h"
 
@@ -40,7 +40,7 @@ void set_lane(float (*p)[8], std::size_t lane, const DQuat& q) {
 }
 math::Vec3 get_lane(const float (*p)[8], std::size_t lane) { return {p[0][lane], p[1][lane], p[2][lane]}; }
 
-// The row of a joint's end, as an offset. What does not move by forces is read, if it moves at all, but not written to.
+// The body row of a joint's end, as an offset. If forces do not move the body, its row is read at most, not written.
 struct JointEnd {
     std::uint32_t row = std::uint32_t(fixed_row) * row_bytes;
     bool is_written = false;
@@ -52,10 +52,10 @@ JointEnd joint_end(const Bodies& bodies, const BatchScratch& scratch, std::int32
     return {std::uint32_t(scratch.row_of_body[body]) * row_bytes, type == BodyType::dynamic};
 }
 
-// Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
+// Whether anything but the point of a joint gives it a torque; otherwise its torque members are never accessed.
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
-// Asks the cache for what is needed of the joint at that place of the layout.
+// Prefetches the data of the joint at this place of the layout.
 void prefetch_joint(const Joints& joints, const JointLayout& layout, std::size_t place) {
     if (place >= layout.joints.size()) return;
     const std::uint32_t joint = layout.joints[place];
@@ -66,8 +66,8 @@ void prefetch_joint(const Joints& joints, const JointLayout& layout, std::size_t
     ask_cache(&joints.axes[joint].states[0]);
 }
 
-// Where a joint is at the start of the step, for all of its rows: with its frames, or where those are not needed, only
-// its anchors.
+// Placement of a joint at the start of the step, for all of its rows: with its frames, or with only its anchors if the
+// frames are not needed.
 struct FramedPlacement : JointPlacement {
     DQuat turn;
 };
@@ -175,7 +175,7 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
     b.lower_impulse[lane] = b.upper_impulse[lane] = 0;
 }
 
-// The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.
+// Fills the rows of the joint at this place of the layout. `first_discard`: the first discard rows, by JointRowType.
 template <class Placement>
 void fill_rows_of(const Bodies& bodies, const Joints& joints, BatchScratch& scratch,
                   const std::array<std::int32_t, joint_row_types>& first_discard, std::size_t place,
@@ -191,14 +191,14 @@ void fill_rows_of(const Bodies& bodies, const Joints& joints, BatchScratch& scra
             fill_lane(bodies, joints, row, joint, blocks[block], lane, h);
         };
         if constexpr (std::is_same_v<Placement, JointAnchors>)
-            fill(scratch.point_blocks); // nothing else does without frames
+            fill(scratch.point_blocks); // only points do without frames
         else
             for_blocks_of(scratch, row.type, fill);
     }
 }
 
-// Before their lanes are filled: what a block says of all of its lanes, and for lanes that stay empty, what fill_lane
-// fills in. All else is set before it is read.
+// Before lanes are filled: sets the members that all lanes of a block share, and in lanes that stay empty, those that
+// fill_lane sets. All other members are set before they are read.
 template <class... Members> void clear(Members&... members) { (std::memset(members, 0, sizeof(members)), ...); }
 void clear_lanes(PointBlock& b) { clear(b.arm_a0, b.arm_b0, b.gap0, b.impulse, b.axis0, b.turn_axis0); }
 void clear_lanes(TurnBlock& b) { clear(b.turn0, b.impulse, b.axis_a0, b.axis_b0); }
@@ -267,7 +267,7 @@ void open_blocks(const Joints& joints, BatchScratch& scratch) {
     }
 }
 
-// What the kernels need to know of each run, once its lanes are filled.
+// Describes a run for the kernels, once its lanes are filled.
 template <class Block>
 JointCall call_of(BatchScratch& scratch, const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
     JointCall call{run.type, sizeof(Block), {blocks.data() + run.first, int(run.count), nullptr}};
@@ -297,7 +297,7 @@ void list_calls(BatchScratch& scratch) {
         });
 }
 
-// Impulses are those of one substep. Forces are counted anew.
+// Rescales impulses, which are those of one substep, and resets the forces.
 void begin_joint(Joints& joints, std::uint32_t index, float h) {
     JointInfo& joint = joints.info[index];
     joint.force = {};
@@ -313,7 +313,7 @@ void begin_joint(Joints& joints, std::uint32_t index, float h) {
     joint.substep_time = h;
 }
 
-// --- and out again
+// --- results
 
 void take_lane(Joints& joints, const JointRow& row, const PointBlock& b, std::size_t lane) {
     JointInfo& joint = joints.info[row.joint];
@@ -350,8 +350,8 @@ bool is_sound(const Joints& joints, std::uint32_t index) {
     return std::isfinite(sum);
 }
 
-// Whether a body has become faster than the world allows. It will be slowed down: what made it so must not be carried
-// into the next step.
+// Whether a body exceeds the world's greatest speeds. It will be slowed down, and the impulses that accelerated it must
+// not be carried into the next step.
 bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
     const float v_max = settings.max_linear_speed, w_max = settings.max_angular_speed;
     const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
@@ -379,7 +379,7 @@ void forget_impulses(Joints& joints, std::uint32_t index) {
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
 }
 
-// All its impulses are counted. `may_be_fast`: some body of the batch is too fast.
+// Finishes a joint whose impulses have all been added up. `may_be_fast`: some body of the batch is too fast.
 void end_joint(Joints& joints, const WorldDef& settings, BatchScratch& scratch, std::uint32_t index, float rate,
                bool may_be_fast) {
     JointInfo& joint = joints.info[index];
@@ -399,7 +399,7 @@ void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& d
     open_blocks(joints, scratch);
     const JointLayout& layout = *scratch.joint_layout;
     const auto discard = scratch.first_joint_discard_rows();
-    // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
+    // Joint by joint, as neighboring joints share bodies, and rows go to one block of each color at a time.
     for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             prefetch_joint(joints, layout, k + joints_ahead);
@@ -435,7 +435,7 @@ void store_joints(Joints& joints, const WorldDef& settings, const DirectSets& di
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(joints, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
+        if (direct.set_of_joint[layout.joints[k]] != none) continue; // finished below
         end_joint(joints, settings, scratch, layout.joints[k], rate, may_be_fast);
     }
     store_direct_rows(joints, direct, scratch);

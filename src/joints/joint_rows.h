@@ -1,4 +1,4 @@
-// The rows of joints in a solver batch: what is put into them, and what comes out.
+// Transfers joints into the rows of a solver batch, and their results back.
 #pragma once
 
 #include "state/state.h"
@@ -6,10 +6,10 @@
 
 namespace cairn {
 
-// Positions, axes and impulses of the lanes; `h`: the substep.
+// Fills positions, axes and impulses of the lanes; `h`: the substep.
 void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                        ThreadPool* thread_pool, float h);
-// After the last substep: impulses and forces back to the joints.
+// After the last substep: stores impulses and forces in the joints.
 void store_joints(Joints& joints, const WorldDef& settings, const DirectSets& direct, BatchScratch& scratch, float dt);
 
 } // namespace cairn

@@ -40,7 +40,7 @@ void remove_end(Bodies& bodies, Joints& joints, std::int32_t body, std::int32_t 
 
 bool is_solved(const Bodies& bodies, std::int32_t body) { return body != none && bodies.is_dynamic(body); }
 
-// The lowest color that is free at both bodies; joints with what does not move have colors of their own, solved last.
+// The lowest color free at both bodies. Joints with bodies that forces do not move have separate colors, solved last.
 std::uint8_t free_color(const Bodies& bodies, const JointInfo& joint) {
     const bool a = is_solved(bodies, joint.body_a), b = is_solved(bodies, joint.body_b);
     std::uint64_t used = 0;
@@ -102,7 +102,7 @@ void deactivate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEven
 
 namespace {
 
-// Calls f(island) for those of what hangs on a body; more than once if it hangs on it by several joints.
+// Calls f(island) for the islands of the bodies that joints connect to a body, once for each joint.
 template <class F> void for_joined_islands(const Bodies& bodies, const Joints& joints, std::int32_t body, F&& f) {
     for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int side) {
         const std::int32_t other = other_body(joints.info[joint], side);

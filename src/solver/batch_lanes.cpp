@@ -14,9 +14,9 @@ namespace cairn {
 namespace {
 
 constexpr int contacts_per_chunk = 1024; // for threads
-constexpr std::int32_t no_row = -1;      // of a body that gets its row later
+constexpr std::int32_t no_row = -1;      // row of a body that gets its row later
 
-// B of a contact with a surface that moves.
+// Creates the row of body B for a contact with a moving surface.
 std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
     const std::int32_t row = std::int32_t(scratch.row_bodies.size());
     scratch.row_bodies.push_back(none);
@@ -24,7 +24,7 @@ std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
     return row;
 }
 
-// Sorted contacts, and of each key where they end.
+// Sorted contacts, and for each key the end of its contacts.
 struct ByKey {
     const SortedContact* contacts;
     const std::uint32_t* ends;
@@ -32,7 +32,7 @@ struct ByKey {
 
 class LaneFiller {
   public:
-    // `all`: of the batch; `own`: of these, those that are solved here.
+    // `all`: the contacts of the batch; `own`: those of them that this process solves.
     LaneFiller(BatchScratch& scratch, ThreadPool* thread_pool, ByKey all, std::uint32_t all_begin, ByKey own,
                std::uint32_t own_begin)
         : scratch_(scratch), thread_pool_(thread_pool), all_(all), all_begin_(all_begin), own_(own),
@@ -43,7 +43,7 @@ class LaneFiller {
         scratch_.conveyor_rows.clear();
         const std::uint32_t begin = own_begin_;
         lay_out_overflow();
-        const std::uint32_t first = own_begin_; // that has a color
+        const std::uint32_t first = own_begin_; // first contact that has a color
         lay_out_colors();
         for (const bool four_points : {false, true}) open_lanes(four_points);
         fill_overflow(begin, first);
@@ -60,7 +60,7 @@ class LaneFiller {
         if (blocks.size() * 8 < lanes.record.size()) set_size_anew(blocks, lanes.record.size() / 8);
     }
 
-    // Whole blocks of so many lanes behind those that are there; the last of them are empty.
+    // Appends whole blocks for `count` lanes; the last block may have empty lanes.
     BlockRun add_run(bool four_points, std::size_t count) {
         std::size_t& lanes = lane_count_[four_points];
         const std::size_t first = lanes;
@@ -68,7 +68,7 @@ class LaneFiller {
         return {four_points, std::int32_t(first / 8), std::int32_t((lanes - first) / 8)};
     }
 
-    // All of them empty, when it is known how many there are.
+    // Sizes the lane lists once the number of lanes is known; all lanes are empty.
     void open_lanes(bool four_points) {
         LaneLists& lanes = four_points ? scratch_.four_lanes : scratch_.one_lanes;
         const std::size_t count = lane_count_[four_points];
@@ -79,7 +79,7 @@ class LaneFiller {
         open(lanes.record, -1), open(lanes.row_a, fixed_row), open(lanes.row_b, fixed_row);
     }
 
-    // What found no color may share bodies with the next: it is alone in its run.
+    // An overflow contact may share bodies with the next one, so each is a run of its own.
     void lay_out_overflow() {
         for (std::uint32_t key = 0; key < keys_per_color; ++key)
             for (; all_begin_ < all_.ends[key]; ++all_begin_) {
@@ -110,7 +110,7 @@ class LaneFiller {
             std::size_t count[2] = {0, 0};
             for (std::uint32_t k = key; k < key + keys_per_color; ++k) {
                 const bool four_points = !has_one_point(k);
-                // The first contact of the key, number `own_begin_`, has this lane.
+                // Lane of the key's first contact, whose number is `own_begin_`.
                 first_lane_[k] =
                     std::ptrdiff_t(lane_count_[four_points] + count[four_points]) - std::ptrdiff_t(own_begin_);
                 count[four_points] += own_.ends[k] - own_begin_;
@@ -163,8 +163,8 @@ class LaneFiller {
     std::uint32_t all_begin_;
     const ByKey own_;
     std::uint32_t own_begin_;
-    std::size_t lane_count_[2] = {};            // of contacts with one point, with four
-    std::ptrdiff_t first_lane_[keys_per_batch]; // by key, of those that occur: added to the number of a contact
+    std::size_t lane_count_[2] = {};            // with one contact point, with four
+    std::ptrdiff_t first_lane_[keys_per_batch]; // by key, for keys that occur: offset from contact number to lane
     bool has_late_rows_ = false;
 };
 
@@ -178,7 +178,7 @@ void sort_contacts(SolverScratch& solver, const IslandBatch& batch, BatchScratch
         thread_pool, batch.contact_count, contacts_per_chunk, keys_per_batch, std::uint32_t(batch.first_contact), ends,
         scratch.key_counts, [&](int k) { return std::size_t(first[k].key); },
         [&](int k, std::uint32_t place) { solver.sorted[place] = first[k]; });
-    // Those that are solved one by one: their order until here depends on all the world.
+    // Overflow contacts are solved one at a time, and their order so far depends on the whole world.
     const auto comes_before = [](const SortedContact& a, const SortedContact& b) {
         return std::tie(a.body_a, a.body_b, a.id) < std::tie(b.body_a, b.body_b, b.id);
     };

@@ -1,4 +1,4 @@
-// The rows and lanes of a batch: bodies and contacts in, and bodies out again.
+// Gathers the bodies and contacts of a batch into rows and lanes, and scatters the bodies after solving.
 #include "solver/batch_rows.h"
 
 #include "bodies/bodies.h"
@@ -29,13 +29,13 @@ namespace {
 
 constexpr int rows_per_chunk = 128; // for threads
 
-// Without negative zeros: sums do not bring any about, so that it cannot be seen from a row whether a contact added
-// nothing to it, or was left out as nothing in its block had anything to add.
+// Adding 0 removes negative zeros, which sums do not produce. A row is then the same whether a contact added zero to it
+// or was skipped because no contact of its block had anything to add.
 SolverVelocity to_row(math::Vec3 v, math::Vec3 w) {
     return {{v.x + 0.0f, v.y + 0.0f, v.z + 0.0f}, 0, {w.x + 0.0f, w.y + 0.0f, w.z + 0.0f}, 0};
 }
 
-// Sums that threads share out are made of so many bodies each, whatever the number of threads.
+// Bodies per partial sum, whatever the number of threads, so that the result does not depend on it.
 constexpr int bodies_per_sum = 256;
 
 void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float weight, math::DVec3 origin,
@@ -49,7 +49,7 @@ void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float w
     sum.energy += double(mass.mass) * math::dot(v, v);
 }
 
-// The weight of an island, how it moves, and how far it reaches.
+// Computes the weight, agitation and extent of an island.
 void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, const BodyWeights& weights,
            std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
     const math::DVec3 origin = bodies.motion[members.front()].x;
@@ -83,12 +83,12 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
     island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));
 }
 
-// Of a batch that is cut: the bodies of this rank, and those of others that its contacts name.
+// For a batch that is cut: keeps the bodies of this rank and the ghosts that its contacts refer to.
 void keep_needed_bodies(const RankBorder& border, BatchScratch& scratch) {
     std::erase_if(scratch.touching_bodies, [&](std::int32_t b) { return !is_needed(border, b); });
 }
 
-// Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
+// Numbers rows in the order of body indices, which is that of memory (decisions/cache.md).
 void number_rows(BatchScratch& scratch, ThreadPool* thread_pool) {
     sort_distinct(scratch.touching_bodies, scratch.row_marks);
     const int count = int(scratch.touching_bodies.size());
@@ -103,7 +103,7 @@ void number_rows(BatchScratch& scratch, ThreadPool* thread_pool) {
     });
 }
 
-// The velocity of a moving surface along itself: that across does not count, the shape itself stays where it is.
+// The tangential velocity of a moving surface. Its normal component is ignored, as the shape itself does not move.
 math::Vec3 belt_velocity(const Shapes& shapes, const Contacts& contacts, std::uint32_t contact) {
     const math::Vec3 n = math::to_vec(contacts.records[contact].normal);
     const std::uint32_t shape = contacts.info[contact].shape_b;
@@ -119,13 +119,13 @@ void fill_conveyor_rows(const Bodies& bodies, const Shapes& shapes, const Contac
     }
 }
 
-// One body into its row; rows that are no bodies are all zero.
+// Fills the row of one body; rows without a body stay all zero.
 void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, std::size_t row,
               std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
     if (b == none) return;
     BodyMotion& motion = bodies.motion[b];
-    const bool is_dynamic = bodies.is_dynamic(b); // kinematic ones may be in other batches as well
+    const bool is_dynamic = bodies.is_dynamic(b); // kinematic bodies may be in other batches as well
     if (is_dynamic && clamp_velocity(settings, motion.v, motion.w))
         clamped_speeds += !scratch.border || is_own(*scratch.border->cut, b);
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
@@ -133,15 +133,15 @@ void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, s
     const BodyMass& mass = bodies.mass[b];
     const std::uint8_t traits = row_traits(bodies, settings, b);
     SolverInertia inertia{mass.inverse_mass, 0, 0, 0, 0, 0, 0, 0};
-    if (!(traits & spins_wide)) { // else the kernel finds it (prepare_free_motion)
+    if (!(traits & spins_wide)) { // otherwise the kernel computes it (prepare_free_motion)
         const math::Sym3 i = contact_inverse_inertia(motion, mass);
         inertia = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
     }
     scratch.inertia[row] = inertia;
-    scratch.row_traits[row] = traits; // a byte, which may be anything for the compiler: last
+    scratch.row_traits[row] = traits; // last, since a byte store may alias anything for the compiler
 }
 
-// Rows of no body, and discard rows, which have no traits, stay as they are then.
+// Rows without a body, and discard rows, which have no traits, keep these values.
 void clear_rows(BatchScratch& scratch, std::size_t begin, std::size_t end) {
     const auto clear = [=](auto& rows, std::size_t last, auto value) {
         std::fill(rows.data() + std::min(begin, last), rows.data() + std::min(end, last), value);
@@ -180,8 +180,8 @@ void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, c
     fill_conveyor_rows(bodies, shapes, contacts, scratch);
 }
 
-// Cuts a way to what the world's greatest speed allows. Within a step nothing else bounds it: joints that contradict
-// each other, or whose bodies were put far apart, pull without limit.
+// Limits a displacement to that of the world's greatest speed. Nothing else bounds it within a step: joints that
+// contradict each other, or whose bodies were placed far apart, pull without limit.
 bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq) {
     const double most = double(settings.max_linear_speed) * double(dt), square = math::dot(dx, dx);
     const float turn = ((dq.x * dq.x + dq.y * dq.y) + dq.z * dq.z) + dq.w * dq.w;
@@ -191,7 +191,7 @@ bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq
     return is_far || !is_turn;
 }
 
-// Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
+// Moves a body by the displacement of its row. A body whose values are not finite stops where it was; it is counted.
 std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const BatchScratch& scratch, std::int32_t b,
                            std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
@@ -207,7 +207,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     if (!is_finite || !is_place(motion.x + dx)) {
         motion.v = motion.w = {};
         motion.turned = {};
-        spend_answers(bodies, b); // its contacts were moved along with the row
+        spend_answers(bodies, b); // its contacts were stored as if it had moved with its row
         return 1;
     }
     motion.x += dx;
@@ -217,11 +217,11 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     const bool clamped = clamp_velocity(settings, v, w);
     motion.v = v;
     motion.w = w;
-    if (was_cut) spend_answers(bodies, b); // likewise
+    if (was_cut) spend_answers(bodies, b); // for the same reason
     return clamped || was_cut ? 1 : 0;
 }
 
-// Of a list of bodies of which that at a place comes next; some are none.
+// Prefetches bodies ahead of a place in a list; some entries are none.
 void prefetch_ahead(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase,
                     const std::vector<std::int32_t>& list, std::size_t place) {
     const auto body_at = [&](std::size_t at) { return at < list.size() ? list[at] : none; };
@@ -230,7 +230,7 @@ void prefetch_ahead(const Bodies& bodies, const Shapes& shapes, const BroadPhase
         prefetch_shape_of(bodies, shapes, broad_phase, b);
 }
 
-// Those of other ranks end with what these say of them.
+// Clears the traits of ghosts, so that they are not moved here: their owners send the final state.
 void leave_out_ghosts(BatchScratch& scratch) {
     for (std::size_t row = first_body_row; row < scratch.row_count(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
@@ -271,7 +271,7 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fi
 
 namespace {
 
-// Of a batch that ranks share out, which `cut_batches` has gathered.
+// Copies the bodies of a batch that is distributed among ranks, which `cut_batches` has gathered already.
 bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const IslandBatch& batch,
                         BatchScratch& scratch) {
     const auto number = std::size_t(&batch - solver.batches.data());
@@ -279,7 +279,7 @@ bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const
     const std::span<const std::int32_t> touching = touching_of(solver.cut, number);
     scratch.row_of_body.resize(bodies.links.size(), none);
     scratch.touching_bodies.assign(touching.begin(), touching.end());
-    scratch.free_bodies.clear(); // all ranks move those
+    scratch.free_bodies.clear(); // all ranks move the free bodies
     return true;
 }
 
@@ -307,7 +307,7 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
         SolverPose& pose = scratch.pose[std::size_t(conveyor.row)];
         const math::Vec3 belt = belt_velocity(shapes, contacts, conveyor.contact);
         const math::Vec3 moved = b.v == math::Vec3{} ? math::Vec3{} : math::to_vec(pose.dx) - dt * belt;
-        // Up to the moment that the contact is of it counts as moving, in the contact's places as well.
+        // The belt counts as moving until the touch time of the contact, as it does for the contact points.
         math::put(pose.dx, moved + contacts.records[conveyor.contact].touch_time * belt);
     }
 }

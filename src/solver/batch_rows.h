@@ -1,4 +1,4 @@
-// The rows and lanes of a batch: bodies and contacts in, and bodies out again.
+// The body rows and contact lanes of a batch: gathers bodies and contacts, and scatters bodies after solving.
 #pragma once
 
 #include "state/state.h"
@@ -6,20 +6,20 @@
 
 namespace cairn {
 
-// Lists the bodies of the batch's islands; what the islands weigh, and how they move.
+// Lists the bodies of the batch's islands, and updates the weight and agitation of these islands.
 void gather_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fields, const WorldDef& settings,
                    const SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch,
                    ThreadPool* thread_pool);
 
-// Lays out the rows and lanes of a batch, and fills them, for substeps of h: of one that is cut (BatchScratch::border),
-// those that this rank needs.
+// Lays out and fills the rows and lanes of a batch, for substeps of h seconds. For a batch that is cut
+// (BatchScratch::border), only the rows and lanes that this rank needs.
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
                 const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h);
-// Takes the motion of moving surfaces off the poses of their rows, once the substeps are done.
+// Subtracts the motion of moving surfaces (belts) from the poses of their rows, after the last substep.
 void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch,
                           float dt);
-// Moves the bodies by what their rows have moved, and finalizes them.
+// Moves the bodies of a batch by the displacements of their rows, and finalizes them.
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
                  const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt);

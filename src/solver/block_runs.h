@@ -1,4 +1,4 @@
-// The blocks of a batch, color by color: how kernels are called for them, by one thread or by all.
+// Calls kernels for the blocks of a batch, color by color, on one thread or on all.
 #pragma once
 
 #include "jobs/thread_pool.h"
@@ -15,16 +15,17 @@ inline void* blocks_of(BatchScratch& scratch, const BlockRun& run) {
     if (run.four_points) return scratch.four_blocks.data() + run.first;
     return scratch.one_blocks.data() + run.first;
 }
-// Two chunks for each thread, so that they end together; whole groups of the four blocks that are solved side by side.
-// Handing out fewer blocks than these takes longer than solving them.
+// Blocks per chunk: two chunks for each thread, so that all threads finish at about the same time, in multiples of the
+// four blocks that are solved side by side. Distributing fewer than `min_handed_out` blocks takes longer than solving
+// them.
 inline int blocks_per_chunk(const ThreadPool* thread_pool, int count) {
     constexpr int side_by_side = 4, min_handed_out = 12;
     if (!thread_pool || count < min_handed_out) return count;
     return (count / (2 * thread_pool->threads()) + side_by_side) / side_by_side * side_by_side;
 }
 
-// Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them; after
-// each color after(its place among the colors).
+// Calls kernel(kernels of the run's type, run) for the blocks of every color, one color after the other, or for chunks
+// of these blocks; after each color, calls after(index of the color).
 template <class F, class After>
 void for_colors(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel, After&& after) {
     const SolverKernels& kernels_of = kernels().solver;
@@ -36,7 +37,7 @@ void for_colors(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel, Afte
     };
     for (std::size_t k = 0; k < scratch.colors.size(); ++k) {
         const ColorRun& color = scratch.colors[k];
-        if (!thread_pool) { // in small batches, cutting runs would take as long as much of what is in them
+        if (!thread_pool) { // in small batches, splitting runs takes about as long as solving them
             call(color.four_points), call(color.one_point);
             after(k);
             continue;
@@ -53,7 +54,7 @@ template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_poo
     for_colors(scratch, thread_pool, kernel, [](std::size_t) {});
 }
 
-// Calls kernel(its kernels, its blocks) for every run of joint rows, or for chunks of them.
+// Calls kernel(kernels of the call's type, blocks) for every run of joint rows, or for chunks of these runs.
 template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
     const JointKernels& k = kernels().joints;
     const JointKernels::ForRows* const kernels_of[joint_row_types] = {&k.point, &k.turn, &k.axis};

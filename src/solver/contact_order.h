@@ -1,4 +1,4 @@
-// In which order the contacts of a batch are solved.
+// The order in which the contacts of a batch are solved.
 #pragma once
 
 #include "islands/coloring.h"
@@ -8,9 +8,10 @@
 
 namespace cairn {
 
-// Overflow first, one contact after the other; then pairs that move by color; then pairs with what does not move.
-// Within a color no two share a body that moves: those that bore nothing in the last step come last, so that whole
-// blocks have nothing to do.
+// Sort keys per color: loaded or idle contacts, each with one contact point or with several. Overflow contacts come
+// first and are solved one at a time; then contacts between two moving bodies, by color; then contacts with bodies that
+// do not move. Within a color no two contacts share a moving body; contacts with zero impulse in the last step are
+// sorted to the end, so that whole blocks can be skipped.
 inline constexpr std::uint32_t keys_per_color = 4;
 static_assert(keys_per_batch == keys_per_color * (overflow_color + 1));
 

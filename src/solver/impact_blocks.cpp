@@ -11,7 +11,7 @@ namespace cairn {
 
 namespace {
 
-// Lanes of blocks of one form may lie in one block. What is not in it is the same in the whole run.
+// Block-wide options by which lanes may share a block. All other block-wide members are the same in the whole run.
 std::uint8_t form_of(const PointBlock& b) { return std::uint8_t(b.isotropic | b.has_turn << 1); }
 std::uint8_t form_of(const TurnBlock& b) { return b.isotropic; }
 std::uint8_t form_of(const AxisBlock& b) {
@@ -19,7 +19,7 @@ std::uint8_t form_of(const AxisBlock& b) {
 }
 template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.isotropic; }
 
-// Where a body's velocity goes that does not move by forces: none of its own business, but that of the block.
+// Redirects writes for a body that forces do not move from the source block's discard row to that of the copy.
 template <class Block> void redirect(Block& b, std::size_t lane, std::uint32_t first_discard, std::uint32_t discard) {
     const auto move = [&](std::uint32_t& row) {
         if (row >= first_discard) row = discard;
@@ -39,7 +39,8 @@ template <class Block> void empty_lanes(Block& b, std::uint32_t discard) {
     }
 }
 
-// What `strike` does not read: it is not copied. A new member of a block is, unless it is named here.
+// Members of a block that `strike` does not read, and that are therefore not copied. New members are copied unless
+// listed here.
 template <class Block> struct NotStruck { static constexpr std::tuple<> list{}; };
 template <> struct NotStruck<PointBlock> {
     using B = PointBlock;
@@ -51,7 +52,7 @@ template <> struct NotStruck<TurnBlock> {
     static constexpr auto list =
         std::tuple(&B::error, &B::impulse, &B::left_a, &B::left_b, &B::turn0, &B::axis_a0, &B::axis_b0);
 };
-template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and friction give no impulses
+template <> struct NotStruck<AxisBlock> { // springs in limits, drives and friction give no impulses
     using B = AxisBlock;
     static constexpr auto list =
         std::tuple(&B::left, &B::before, &B::limit_stiffness, &B::limit_damping, &B::limit_relative, &B::lower_impulse,
@@ -71,7 +72,7 @@ template <> struct NotStruck<PointRows<1>> {
     static constexpr auto list = std::tuple(&B::rim_axis, &B::rim_middle, &B::rim_radius, &B::face_arm, &B::rim_lead,
                                             &B::rim_moment, &B::separation0, &B::total_impulse);
 };
-template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
+template <int N> struct NotStruck<ContactBlock<N>> { // only friction at the friction center acts
     using B = ContactBlock<N>;
     static constexpr auto list = std::tuple(
         &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::turning, &B::sliding,
@@ -79,7 +80,7 @@ template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that a
         &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
 };
 
-// One lane of a row, or of rows of rows.
+// Copies one lane of an array, or of an array of arrays.
 template <class T> void take_lane(T (&to)[8], std::size_t lane, const T (&from)[8], std::size_t from_lane) {
     to[lane] = from[from_lane];
 }
@@ -89,7 +90,7 @@ void take_lane(Rows (&to)[N], std::size_t lane, const Rows (&from)[N], std::size
     for (std::size_t i = 0; i < N; ++i) take_lane(to[i], lane, from[i], from_lane);
 }
 
-// What `strike` reads of a lane. What a block has one of is that of the whole block, see form_of.
+// Copies the members of a lane that `strike` reads. Members that the whole block shares are not copied, see form_of.
 template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
     if constexpr (requires { typename BlockFields<Block>::Base; })
         copy_lane<typename BlockFields<Block>::Base>(to, lane, from, from_lane);
@@ -113,8 +114,8 @@ template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& 
     (std::make_index_sequence<count>{});
 }
 
-// Copies lanes of one run of the batch's blocks, by form and group. There are never more blocks than in the batch, so
-// that each has a discard row there.
+// Copies listed lanes of one run of the batch's blocks, sorted by form and group. The copy never has more blocks than
+// the batch, so each of its blocks can use a discard row of the batch.
 template <class Block, class Impact>
 void copy_run(BatchScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
               StruckBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
@@ -148,7 +149,7 @@ void copy_run(BatchScratch& scratch, const ImpactWork::ListedRun& run, const std
     work.runs.push_back({run.type, place, std::uint32_t(first), std::uint32_t(to.blocks.size() - first)});
 }
 
-// Adds what the impact gave to a contact or a joint to its sums over the step.
+// Adds the impulses that an impact gave to a contact or joint to its totals over the step.
 template <class Block>
 void add_total(Block& to, std::size_t lane, const Block& from, const JointImpact&, std::size_t from_lane) {
     take_lane(to.total, lane, from.total, from_lane);

@@ -1,4 +1,4 @@
-// The blocks of their own that the rows of an impact are copied into.
+// Separate blocks into which the rows of an impact are copied.
 #pragma once
 
 #include "solver/impact_lists.h"
@@ -7,7 +7,7 @@
 
 namespace cairn {
 
-// Calls f(its blocks in the batch, its struck blocks) for one type of blocks.
+// Calls f(the batch's blocks, the impact's blocks) for one type of blocks.
 template <class F> void with_type(BatchScratch& scratch, int type, F&& f) {
     auto& blocks = scratch.impact.blocks;
     switch (type) {
@@ -27,10 +27,11 @@ template <class F> void for_types(BatchScratch& scratch, F&& f) {
     for (int type = 0; type <= four_points_type; ++type) with_type(scratch, type, f);
 }
 
-// Copies what list_impact has listed, by run, form and group, with the masses by the inertia as it is now.
+// Copies the lanes that list_impact has listed, sorted by run, form and group, and recomputes effective masses from the
+// current inertia.
 void copy_listed(BatchScratch& scratch);
 
-// Adds what a round of an impact gave to the sums of the batch's blocks over the step.
+// Adds the impulses of one round of an impact to the totals that the batch's blocks keep over the step.
 void add_totals(BatchScratch& scratch);
 
 } // namespace cairn

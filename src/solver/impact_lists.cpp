@@ -1,6 +1,6 @@
-// An impact goes over what joints hold to the struck bodies, and over the contacts of that. A large batch has several
-// impacts in a step, each of which strikes few of its bodies. So what each row has is found once in a step, and an
-// impact looks only at what it strikes.
+// An impact involves the struck bodies, the bodies that joints connect to them, and the contacts of all these. A large
+// batch has several impacts in a step, each of which strikes few of its bodies. The joints and contacts of each row are
+// therefore listed once per step, and an impact visits only the rows that it involves.
 
 #include "solver/impact_lists.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr float unknown_speed = -1;
 enum StruckWhen : std::uint8_t { untouched, in_this_round, in_an_earlier_round };
 
-// --- once in a step
+// --- once per step
 
 void find_components(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
@@ -58,7 +58,7 @@ void find_sides(const LaneLists& lanes, std::size_t rows, RowLists& sides) {
     }
 }
 
-// Blocks from `first` on; the first of their lanes may be those of runs before it.
+// Adds a run of blocks from `first` on. The first `first_lane` of their lanes may belong to earlier runs.
 void add_run(ImpactWork& work, int type, std::size_t first, std::size_t count, std::size_t first_lane = 0) {
     std::vector<std::uint32_t>& run_of_lane = work.run_of_lane[std::size_t(type)];
     const std::size_t begin = 8 * first + first_lane, end = 8 * (first + count);
@@ -111,9 +111,9 @@ void empty_lists(ImpactWork& work) {
     work.measured.clear(), work.groups.clear(), work.rows.clear(), work.before.clear(), work.listed.clear();
 }
 
-// --- what is struck
+// --- struck bodies
 
-// none: the body has none here, as it moves by no force or is another rank's.
+// Row of a body; none if forces do not move the body, or another rank has it.
 std::int32_t held_row(const BatchScratch& scratch, std::int32_t body) {
     return body == none ? none : scratch.row_of_body[body];
 }
@@ -132,7 +132,7 @@ template <class Block> float least_separation(const Block& b, std::size_t lane) 
     return least;
 }
 
-// Whether a contact pushes its bodies apart faster than the speed at which that would be an impact.
+// Whether a contact pushes its bodies apart at more than `impact_speed`.
 template <class Block> bool pushes_out(const Block& b, std::size_t lane, const ContactSoftness& softness) {
     const float rate = (b.mass_b[lane] == 0 ? softness.on_immovable : softness.on_movable).push_rate;
     return rate * least_separation(b, lane) < -impact_speed;
@@ -148,7 +148,7 @@ bool is_pushed_out(const BatchScratch& scratch, std::int32_t row, const ContactS
     return pushed;
 }
 
-// Without the hits of what is pushed out.
+// Removes the hits of bodies that penetration pushes out.
 void keep_real_hits(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness) {
     std::vector<ImpactWork::Hit>& hits = scratch.impact.hits;
     if (scratch.border) share_hits(*ranks, hits);
@@ -170,7 +170,7 @@ void mark_hits(BatchScratch& scratch) {
             if (const std::int32_t row = held_row(scratch, body); row != none) mark_row(scratch.impact, row);
 }
 
-// Both bodies of the struck contacts.
+// Lists both bodies of each struck contact as a hit.
 template <class Block> void list_struck(BatchScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
     ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
@@ -197,7 +197,7 @@ void list_lane(ImpactWork& work, int type, std::size_t lane, std::int32_t row) {
 
 void list_joints(BatchScratch& scratch, std::int32_t row) {
     const std::vector<std::int32_t>& set_of_row = scratch.impact.set_of_row;
-    if (!set_of_row.empty() && set_of_row[std::size_t(row)] != none) return; // all of them act at once
+    if (!set_of_row.empty() && set_of_row[std::size_t(row)] != none) return; // the whole set is solved at once
     const JointLayout& layout = *scratch.joint_layout;
     scratch.impact.joints_of.for_each(row, [&](std::size_t joint) {
         for (std::uint32_t k = layout.first_row[joint]; k < layout.first_row[joint + 1]; ++k)
@@ -220,7 +220,7 @@ float measured_speed(BatchScratch& scratch, std::int32_t holder) {
                               [&](std::size_t row) { greatest = std::max(greatest, square_speed(scratch, row)); });
     return std::sqrt(greatest);
 }
-// Of the fastest body of its component, or of what no force moves.
+// Speed of the fastest body in the row's component, or of the row itself if forces do not move its body.
 float speed_of(BatchScratch& scratch, std::int32_t row) {
     const std::int32_t component = scratch.impact.component[row];
     const std::int32_t holder = component == fixed_row ? row : component;
@@ -229,7 +229,8 @@ float speed_of(BatchScratch& scratch, std::int32_t row) {
     return speed;
 }
 
-// Contacts are there for what may meet within the whole step; in this substep they close at the speeds of now only.
+// Whether a contact may close within this substep at the present speeds; contacts exist for pairs that may meet within
+// the whole step.
 template <class Block>
 bool may_close(BatchScratch& scratch, const Block& b, std::size_t lane, std::int32_t row, std::int32_t other, float h) {
     const bool is_struck = (b.struck >> lane & 1) != 0;
@@ -241,7 +242,7 @@ bool is_in_round(const ImpactWork& work, std::int32_t row) {
     return component != fixed_row && work.struck_when[component] == in_this_round;
 }
 
-// The contacts of a row that the impact may close.
+// Lists the contacts of a row that the impact may close.
 template <class Block>
 void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowLists& sides, const LaneLists& lanes,
                    const std::vector<Block>& blocks, float h) {
@@ -250,7 +251,7 @@ void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowL
         const std::size_t lane = side / 2;
         const bool is_b = side % 2 != 0;
         const std::int32_t other = is_b ? lanes.row_a[lane] : lanes.row_b[lane];
-        if (is_b && is_in_round(work, other)) return; // A lists it
+        if (is_b && is_in_round(work, other)) return; // listed by row A
         if (!may_close(scratch, blocks[lane / 8], lane % 8, row, other, h)) return;
         if (work.component[other] != fixed_row) {
             list_row(work, other, other);
@@ -272,9 +273,9 @@ void list_sets(BatchScratch& scratch) {
     work.sets.erase(std::unique(work.sets.begin(), work.sets.end()), work.sets.end());
 }
 
-// --- what is hit in turn
+// --- spreading of the impact
 
-// Whether something approaches a contact faster than the solver should stop it.
+// Whether the bodies of a contact approach each other so fast that this is an impact.
 template <class Block> bool is_hit(const BatchScratch& scratch, const Block& b, std::size_t lane, float h) {
     const auto at = [&](const auto& rows) { return math::Vec3{rows[0][lane], rows[1][lane], rows[2][lane]}; };
     const SolverVelocity& a = scratch.velocity[b.a[lane] / row_bytes];
@@ -290,14 +291,14 @@ template <class Block> bool is_hit(const BatchScratch& scratch, const Block& b, 
         else
             arm = math::cross(at(b.center), normal);
         const float s = b.separation[i][lane];
-        if (s < -impact_speed * h) continue;                                         // it is pushed out
-        if (b.restitution[lane] > 0 && s > 0 && !(b.impulse[i][lane] > 0)) continue; // it will bounce
+        if (s < -impact_speed * h) continue;                                         // the penetration is pushed out
+        if (b.restitution[lane] > 0 && s > 0 && !(b.impulse[i][lane] > 0)) continue; // the point will bounce
         if (common + math::dot(arm, turning) + std::max(s, 0.0f) / h < -impact_speed) return true;
     }
     return false;
 }
 
-// Whether a row was driven away from what joints hold to it, as they took no part.
+// Whether an impact has driven a body away from the bodies that joints connect to it, because they took no part.
 bool is_torn(const BatchScratch& scratch, std::int32_t row, const SolverVelocity& before) {
     const ImpactWork& work = scratch.impact;
     if (is_in_round(work, row) || work.rows_of.next[work.rows_of.first[work.component[row]]] < 0) return false;
@@ -305,7 +306,7 @@ bool is_torn(const BatchScratch& scratch, std::int32_t row, const SolverVelocity
     return math::dot(change, change) > impact_speed * impact_speed;
 }
 
-// What a row is driven into by contacts that took no part.
+// Lists the bodies that a body is driven into at contacts that took no part.
 template <class Block>
 void list_hits(BatchScratch& scratch, std::int32_t row, const RowLists& sides, const LaneLists& lanes,
                const std::vector<Block>& blocks, float h) {
@@ -321,10 +322,10 @@ void list_hits(BatchScratch& scratch, std::int32_t row, const RowLists& sides, c
     });
 }
 
-// --- side by side
+// --- independent groups
 
-// What contacts or joints that take part do not connect, even over others, cannot strike each other: it settles each
-// for itself.
+// Bodies that the participating contacts and joints do not connect, even indirectly, cannot strike each other: such
+// groups settle independently.
 void find_groups(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     for (const std::int32_t row : work.rows) {

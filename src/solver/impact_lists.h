@@ -1,4 +1,4 @@
-// What takes part in an impact.
+// Lists of the bodies, contacts and joints that take part in an impact.
 #pragma once
 
 #include "jobs/thread_pool.h"
@@ -14,21 +14,22 @@
 
 namespace cairn {
 
-// Once for an impact: takes from the blocks what was struck. What is pushed out of something faster than an impact has
-// no velocity of its own, and strikes nothing. `ranks`: of a batch that is cut.
+// Called once per impact: lists the contacts that the solver has marked as struck. A body that a penetration pushes out
+// faster than `impact_speed` has no approach velocity of its own, so its hits are ignored. `ranks`: for a batch that is
+// cut.
 void begin_impact_lists(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                         Communicator* ranks, const ContactSoftness& softness);
 
-// Lists the rows, the groups and the lanes of a round of an impact in scratch.impact.
+// Lists the rows, groups and lanes of one round of an impact in scratch.impact.
 void list_impact(BatchScratch& scratch, float h);
 
-// Whether something that took part is driven into what did not. In the next round that takes part too.
+// Returns whether a body that took part is driven into one that did not, which then takes part in the next round.
 bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness);
 
-// Takes back the blocks' marks of what was struck.
+// Clears the `struck` marks of the blocks.
 void end_impact_lists(ImpactWork& work);
 
-// --- sets of rows, as trees of which the roots stand for the sets
+// --- union-find over rows; the root of a tree represents its set
 
 inline std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
     while (parent[row] != row) {
@@ -42,7 +43,7 @@ inline void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_
     parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
-// Puts the items of each part side by side, in the order in which they are listed.
+// Groups the items by part (a stable counting sort).
 template <class Part, class Item, class F>
 void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
     for (Part& part : parts) part.end = 0;
@@ -58,7 +59,7 @@ void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vecto
     items.swap(sorted);
 }
 
-// The row of a body that takes part, among those of all ranks.
+// Index of a participating body in the row list of all ranks.
 inline std::ptrdiff_t row_of_shared(const ImpactWork::Shared& shared, std::int32_t body) {
     return std::lower_bound(shared.bodies.begin(), shared.bodies.end(), body) - shared.bodies.begin();
 }

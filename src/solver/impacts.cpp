@@ -15,11 +15,12 @@ namespace cairn {
 
 namespace {
 
-constexpr int max_passes = 48; // in a round of an impact, and rounds
-// m/s, rad/s: a group whose bodies change by less in a pass has settled.
+constexpr int max_passes = 48; // of one round of an impact, and rounds of one impact
+// m/s, rad/s: a group has settled when a pass changes the velocities of its bodies by less.
 constexpr SettledChange settled = {0.01f, 0.04f};
-// Likewise where something bounces: its speed is known, and what a pass leaves over adds up from bounce to bounce. With
-// ten times as much a cradle of two balls changes its energy by 0.03 % in each.
+// The same bound for bounces, which is lower: the rebound speed is known, and the errors that passes leave add up from
+// bounce to bounce. With a bound ten times as high, Newton's cradle of two balls changes its energy by 0.03 % per
+// bounce.
 constexpr SettledChange bounced = {0.00002f, 0.00008f};
 
 // --- passes
@@ -55,7 +56,7 @@ void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
                    });
 }
 
-// f(kernels, struck blocks, points of each) of both types of contacts.
+// Calls f(kernels, struck blocks, points per block) for both types of contact blocks.
 template <class F> void for_struck_contacts(BatchScratch& scratch, F&& f) {
     f(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks), std::size_t(1));
     f(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks), std::size_t(4));
@@ -70,7 +71,8 @@ void aim_all(BatchScratch& scratch, const SolverBodies& bodies, const BounceSett
     });
 }
 
-// Joints that are solved directly are one row of a pass: all of what hangs together has velocities that they allow.
+// Directly solved joints count as one constraint row of a pass: all bodies that they connect get velocities that
+// satisfy them.
 void join_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch, float h) {
     const ImpactWork& work = scratch.impact;
     for (const std::int32_t set : work.sets) {
@@ -81,7 +83,7 @@ void join_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scr
     }
 }
 
-// Lanes of groups that have settled take part no longer.
+// Deactivates the lanes of settled groups.
 void retire_lanes(BatchScratch& scratch) {
     const std::vector<ImpactWork::Group>& groups = scratch.impact.groups;
     for_types(scratch, [&](auto&, auto& struck) {
@@ -94,7 +96,7 @@ void retire_lanes(BatchScratch& scratch) {
     });
 }
 
-// Groups that have settled leave. Whether any is left.
+// Marks the groups that have settled, and deactivates their lanes. Returns whether any group has not settled.
 bool settle_groups(BatchScratch& scratch, SettledChange least) {
     ImpactWork& work = scratch.impact;
     bool any_left = false, any_settled = false;
@@ -110,9 +112,10 @@ bool settle_groups(BatchScratch& scratch, SettledChange least) {
     return any_left;
 }
 
-// --- and back
+// --- results of the passes
 
-// What an impact has changed goes to the reference too, and is not carried. Likewise what the rounding leaves over.
+// Adds the velocity changes of an impact to the reference velocities too, so that they are not carried over to later
+// substeps; `rounding` keeps the rounding errors of these additions.
 void add_to_references(BatchScratch& scratch) {
     const ImpactWork& work = scratch.impact;
     const auto add = [](const float* before, const float* now, float* reference, float* rounding) {
@@ -130,8 +133,8 @@ void add_to_references(BatchScratch& scratch) {
     }
 }
 
-// Until the impact the bodies have moved with the velocities from before it. Of several contacts that bounce in a group
-// it is at the mean of their times, by impulse.
+// Corrects poses because, until the impact, bodies move with their velocities from before it. The contacts of a group
+// that bounce are assumed to do so at their mean time, weighted by impulse.
 void correct_poses(BatchScratch& scratch, const SolverBodies& bodies) {
     ImpactWork& work = scratch.impact;
     for (ImpactWork::Group& group : work.groups) group.impulse = group.moment = 0;
@@ -171,13 +174,13 @@ bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
     const auto struck = std::uint64_t(struck_contacts.exchange(0));
     if ((scratch.border ? ranks->sum(struck) : struck) == 0) return false;
     begin_impact_lists(bodies, joints, direct, scratch, ranks, softness);
-    const bool any_hits = !scratch.impact.hits.empty(); // what is pushed out of something hits nothing
+    const bool any_hits = !scratch.impact.hits.empty(); // bodies pushed out by penetration hit nothing
     for (int round = 0; round < max_passes; ++round) {
         list_impact(scratch, softness.h);
         copy_listed(scratch);
         if (scratch.border) {
             share_impact(scratch, *ranks);
-            retire_lanes(scratch); // of groups without any body of this rank
+            retire_lanes(scratch); // of groups without a body that this rank needs
         }
         if (bounce) aim_all(scratch, bounce->bodies, bounce->settings);
         for (int pass = 0; pass < max_passes; ++pass) {

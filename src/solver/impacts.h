@@ -1,5 +1,5 @@
-// Impacts: what hits a contact is stopped at once, by passes over all rows near it, and what that hits in turn.
-// docs/solver.md says why.
+// Impacts: contacts with a high approach speed are solved at once by separate passes over all nearby constraint rows,
+// including the contacts that the impact spreads to. docs/solver.md gives the reasons.
 #pragma once
 
 #include "jobs/thread_pool.h"
@@ -13,18 +13,19 @@
 
 namespace cairn {
 
-inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left to the solver
+inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left to the soft solver
 inline constexpr float no_impact_speed = 1e30f;
 
-// Where bodies bounce at what they hit: not in a batch that is cut, as none with joints is.
+// Bodies and settings of an impact with restitution. Not used in a batch that is cut, which never has joints.
 struct Bouncing {
-    const SolverBodies& bodies; // their velocity_correction changes
+    const SolverBodies& bodies; // their velocity_correction is changed
     const BounceSettings& settings;
 };
 
-// After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
-// it is set back to 0. `bounce`: what arrives at a contact leaves it by its restitution, and what that hits is left to
-// the next bounce; null: it stops. `ranks`: of a batch that is cut. Returns whether there was an impact.
+// Called after the solver has visited all rows of a batch. `struck_contacts`: nonzero if the solver left contacts of
+// any block to be solved here; reset to 0. `bounce`: contacts rebound by their restitution, and the contacts that they
+// hit in turn are left to the next bounce pass; null: approaches are stopped. `ranks`: for a batch that is cut. Returns
+// whether there was an impact.
 bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                    ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
                    const Bouncing* bounce, std::atomic<int>& struck_contacts);

@@ -1,4 +1,4 @@
-// Packing islands into batches, with their contacts.
+// Packs islands and their contacts into batches.
 #include "solver/island_batches.h"
 
 #include "contacts/contact_update.h"
@@ -20,7 +20,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
+constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, few enough for threads to finish together
 constexpr std::int32_t batch_bodies = 4096;
 constexpr int contacts_per_chunk = 512, max_chunks = 64; // for threads
 
@@ -30,8 +30,8 @@ void open_batch(SolverScratch& scratch, const Island& island) {
     scratch.batches.push_back(batch);
 }
 
-// How many contacts islands have, and whether any of these bounces or begins. Those of one island mostly follow each
-// other: they are counted in registers.
+// Counts the contacts of islands, and notes whether any of them bounces or begins. Contacts of one island are mostly
+// adjacent, so they are counted in registers.
 void count_contacts(const SortedContact* begin, const SortedContact* end, SolverScratch& scratch) {
     while (begin != end) {
         const std::int32_t island = begin->island;
@@ -45,11 +45,11 @@ void count_contacts(const SortedContact* begin, const SortedContact* end, Solver
     }
 }
 
-// All that is needed of the contacts to be solved, side by side: they lie scattered.
+// Copies the data needed of the contacts to be solved, which are scattered in memory, into a dense list.
 void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
                       const std::vector<std::uint32_t>& solved, SolverScratch& scratch, ThreadPool& thread_pool,
                       float dt) {
-    std::vector<SortedContact>& unsorted = scratch.sorted; // until they are
+    std::vector<SortedContact>& unsorted = scratch.sorted; // until sort_by_batch
     set_size_anew(unsorted, solved.size());
     thread_pool.for_chunks(int(solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         ContactInfo* const info = contacts.info.data();
@@ -75,14 +75,14 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
     });
 }
 
-// In the order of the batches, each in its own: a counting sort by chunks, stable.
+// Sorts contacts by batch, without changing their order within a batch: a stable counting sort in chunks.
 void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
     const std::vector<SortedContact>& unsorted = scratch.sorted;
     const int count = int(unsorted.size());
     const std::size_t batches = scratch.batches.size();
     if (batches <= 1) return scratch.of_batches.swap(scratch.sorted);
     set_size_anew(scratch.of_batches, unsorted.size());
-    // Few chunks: each counts for every batch.
+    // Few chunks, because each has a counter for every batch.
     const int size = std::max(contacts_per_chunk, count / max_chunks + 1);
     sort_in_order(
         &thread_pool, count, size, batches, 0, nullptr, scratch.batch_counts,
@@ -90,7 +90,7 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
         [&](int k, std::uint32_t place) { scratch.of_batches[place] = unsorted[std::size_t(k)]; });
 }
 
-// How many substeps each awake island takes: by its loads, and so as not to buckle.
+// Chooses the substeps of each awake island by its loads, and so that it does not buckle.
 void choose_substeps(const Bodies& bodies, const Contacts& contacts, Islands& islands, const BodyWeights& weights,
                      const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
     StandingColumns& columns = step.solver.columns;
@@ -103,7 +103,7 @@ void choose_substeps(const Bodies& bodies, const Contacts& contacts, Islands& is
         columns.all.push_back(column_of(bodies, island, weights));
         columns.all.back().island = i;
     }
-    if (!columns.all.empty()) { // in most worlds there is none
+    if (!columns.all.empty()) { // in most worlds there are no slender columns
         columns.of_island.assign(islands.all.size(), none);
         for (std::size_t k = 0; k < columns.all.size(); ++k)
             columns.of_island[std::size_t(columns.all[k].island)] = std::int32_t(k);
@@ -145,7 +145,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
                   const WorldDef& settings, StepScratch& step, Communicator* ranks, float dt) {
     SolverScratch& scratch = step.solver;
     scratch.batches.clear();
-    // Of awake islands only: there may be many more that sleep.
+    // Only entries of awake islands are used: there may be many more sleeping ones.
     scratch.contacts_of_island.resize(islands.all.size());
     scratch.island_bounces.resize(islands.all.size());
     scratch.weighed_for.resize(islands.all.size());
@@ -180,7 +180,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         if (batch.contact_count + batch.joint_count >= batch_contacts || batch.body_count >= batch_bodies) open = none;
     }
 
-    // Islands in the order of their batches, then contacts.
+    // Lists the islands in the order of their batches, then the contacts.
     std::int32_t island_count = 0, contact_count = 0;
     for (IslandBatch& batch : scratch.batches) {
         batch.first_island = island_count;

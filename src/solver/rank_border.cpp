@@ -1,4 +1,4 @@
-// The border between the parts of a batch.
+// Finds the border between the parts of a batch, and exchanges body rows across it.
 #include "solver/rank_border.h"
 
 #include "solver/contact_order.h"
@@ -25,7 +25,7 @@ std::pair<std::vector<Ghost>::const_iterator, std::vector<Ghost>::const_iterator
 }
 
 void find_ghosts(const Bodies& bodies, const SortedContact* first, const SortedContact* last, RankBorder& border) {
-    for (const Ghost& ghost : border.ghosts) border.is_shared[ghost.body] = 0; // of the last batch
+    for (const Ghost& ghost : border.ghosts) border.is_shared[ghost.body] = 0; // marks of the last batch
     border.is_shared.resize(bodies.links.size());
     border.ghosts.clear();
     const std::int32_t* const owner = border.cut->owner.data();
@@ -45,7 +45,7 @@ struct Entry {
     bool is_sent;
 };
 
-// What this rank sends or receives of a body after a contact of it was solved by `solver`.
+// Lists the transfers of a body's state that involve this rank, after rank `solver` has solved a contact of the body.
 void list_entries(const RankBorder& border, std::int32_t color, std::int32_t body, std::int32_t solver,
                   std::vector<Entry>& entries) {
     if (!border.is_shared[body]) return;
@@ -60,7 +60,7 @@ void list_entries(const RankBorder& border, std::int32_t color, std::int32_t bod
     for (auto ghost = first; ghost != last; ++ghost) tell(ghost->rank);
 }
 
-// Entries, by color and rank, to messages.
+// Merges the entries, which are sorted by color and rank, into messages.
 void list_messages(const std::vector<Entry>& entries, std::int32_t colors, RankBorder& border) {
     border.messages.clear(), border.sent.clear(), border.received.clear();
     border.first_message.assign(std::size_t(colors) + 1, 0);
@@ -88,7 +88,7 @@ void find_border(const Bodies& bodies, const IslandBatch& batch, const SolverScr
     std::int32_t color = -1;
     std::uint32_t rank_of_color = ~0u;
     for (const SortedContact* c = first; c != last; ++c) {
-        // As the lanes are filled: what found no color is a color of its own each.
+        // As in fill_lanes, each overflow contact counts as a color of its own.
         if (const std::uint32_t now = c->key / keys_per_color; now == 0 || now != rank_of_color)
             ++color, rank_of_color = now;
         const std::int32_t at = border.cut->owner[c->body_a];
@@ -117,7 +117,7 @@ void exchange_border(RankBorder& border, Communicator& ranks, std::size_t color,
     const std::size_t begin = std::size_t(border.first_message[color]);
     const std::size_t end = std::size_t(border.first_message[color + 1]);
     if (begin == end) return;
-    const std::size_t size = arrays.size() * row_bytes; // of a body
+    const std::size_t size = arrays.size() * row_bytes; // bytes per body
     const BorderMessage &head = border.messages[begin], &tail = border.messages[end - 1];
     const auto sent =
         std::span(border.sent)

@@ -1,5 +1,5 @@
-// Where the parts of a batch that is cut meet (solver/rank_cut.h): which ranks need which bodies, and what they tell
-// each other after each color.
+// The border between the parts of a batch that is cut (solver/rank_cut.h): which ranks need which bodies, and the data
+// that they exchange after each color.
 #pragma once
 
 #include "solver/rank_cut.h"
@@ -8,16 +8,17 @@
 
 namespace cairn {
 
-// Finds the bodies that other ranks than their own need, and lists the messages of a batch by bodies.
+// Finds the bodies that are needed by ranks other than their owners, and lists the messages of a batch, with bodies as
+// their entries.
 void find_border(const Bodies& bodies, const IslandBatch& batch, const SolverScratch& solver, RankBorder& border);
 
-// Whether this rank needs the body: its own, and ghosts.
+// Whether this rank needs the body, as its owner or as a ghost.
 bool is_needed(const RankBorder& border, std::int32_t body);
 
-// Once bodies have their rows.
+// Replaces body indices in the messages by row numbers. Called once bodies have their rows.
 void number_border_rows(RankBorder& border, const BatchScratch& scratch);
 
-// After the contacts of a color have been solved: the rows of the bodies that they changed, of these arrays.
+// Exchanges the rows, in these arrays, of the border bodies that the contacts of a color have changed.
 void exchange_border(RankBorder& border, Communicator& ranks, std::size_t color, std::span<void* const> arrays);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Which rank solves what, and owns what.
+// Decides which rank solves which batches and contacts, and which rank owns which bodies.
 #include "solver/rank_cut.h"
 
 #include "contacts/record_owners.h"
@@ -14,18 +14,21 @@ namespace cairn {
 
 namespace {
 
-// Batches with fewer contacts are not worth being cut: what their ranks would tell each other takes longer.
+// Minimum number of contacts for a batch to be worth cutting: for fewer, the communication takes longer than the
+// solving.
 constexpr std::int32_t min_cut_contacts = 512;
-// The cut is made anew where some rank has more than the mean by that factor, and would have less by the other one: to
-// give records to other ranks takes about as long as the tests of some steps.
+// Factors for cutting anew: when some rank has more than `max_overload` times the mean load, and the new cut lowers the
+// greatest load by more than a factor of `min_relief`, as moving records to other ranks takes about as long as testing
+// pairs in several steps.
 constexpr double max_overload = 1.1, min_relief = 1.05;
 
-// To which of `ranks` equal parts of the whole something belongs that lies at this place of it.
+// Which of `ranks` equal parts of the length `whole` contains this place.
 std::int32_t part_at(double place, double whole, int ranks) {
     return std::clamp(std::int32_t(double(ranks) * place / whole), 0, ranks - 1);
 }
 
-// A place in the unit cube on the curve of Morton, 21 bits an axis: what is near on the curve is mostly near in space.
+// Morton key of a point in the unit cube, 21 bits per axis: points that are close along the curve are mostly close in
+// space.
 std::uint64_t morton_key(math::DVec3 p) {
     const auto spread = [](double x) {
         auto v = std::uint64_t(std::clamp(x, 0.0, 1.0) * double((1 << 21) - 1));
@@ -40,7 +43,7 @@ std::uint64_t morton_key(math::DVec3 p) {
 
 double weight_of(const Bodies& bodies, std::int32_t body) { return 1.0 + bodies.links[body].contact_count; }
 
-// Gives bodies to the ranks, each the same share of their contacts, along the curve.
+// Assigns bodies to the ranks along the space-filling curve, so that all ranks get the same share of contacts.
 void cut_along_curve(const Bodies& bodies, std::span<const std::int32_t> members, RankCut& cut,
                      std::vector<std::int32_t>& owners) {
     if (members.empty()) return;
@@ -66,7 +69,7 @@ void cut_along_curve(const Bodies& bodies, std::span<const std::int32_t> members
     }
 }
 
-// Which batches are cut; the others go to the ranks in their order, so that each has the same share of the work.
+// Decides which batches are cut. The others are assigned to the ranks in their order, in equal shares of the work.
 void share_out_whole(const std::vector<IslandBatch>& batches, RankCut& cut) {
     std::int32_t contacts = 0;
     for (const IslandBatch& batch : batches) contacts += batch.contact_count;
@@ -90,7 +93,8 @@ void share_out_whole(const std::vector<IslandBatch>& batches, RankCut& cut) {
     }
 }
 
-// Lists the bodies of batches that are shared out, and weighs the islands of these. The others' go to every rank.
+// Lists the bodies of the batches that are distributed, and weighs all islands. Bodies of the other batches belong to
+// every rank.
 void list_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fields, const WorldDef& settings,
                  SolverScratch& solver, std::vector<std::int32_t>& owners) {
     RankCut& cut = solver.cut;
@@ -111,7 +115,7 @@ void list_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fiel
     }
 }
 
-// The greatest share of a rank, over the mean; infinite while bodies belong to none.
+// The greatest load of a rank over the mean; infinite while some bodies have no single owner.
 double overload_of(const Bodies& bodies, RankCut& cut, const std::vector<std::int32_t>& owners) {
     cut.weights.assign(std::size_t(cut.size), 0);
     for (const std::vector<std::int32_t>* const list : {&cut.touching, &cut.free_bodies})
@@ -125,7 +129,7 @@ double overload_of(const Bodies& bodies, RankCut& cut, const std::vector<std::in
     return whole > 0 ? greatest * double(cut.size) / whole : 1.0;
 }
 
-// All bodies anew: those of batches that are cut, and those that nothing touches, along the curve.
+// Assigns all bodies anew: those of batches that are cut, and free bodies, along the curve.
 void cut_anew(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
     std::vector<std::int32_t> members = cut.free_bodies;
     for (std::size_t i = 0; i < cut.owner_of_batch.size(); ++i) {
@@ -137,14 +141,14 @@ void cut_anew(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& own
     cut_along_curve(bodies, members, cut, owners);
 }
 
-// Bodies that belonged to none get the owner that they have in `anew`.
+// Gives bodies without a single owner the owner that they have in `anew`.
 void adopt(const RankCut& cut, const std::vector<std::int32_t>& anew, std::vector<std::int32_t>& owners) {
     for (const std::vector<std::int32_t>* const list : {&cut.touching, &cut.free_bodies})
         for (const std::int32_t b : *list)
             if (owners[std::size_t(b)] == every_rank) owners[std::size_t(b)] = anew[std::size_t(b)];
 }
 
-// A batch that is not cut is solved by the rank that has most of it: the others give it their bodies.
+// A batch that is not cut is solved by the rank that owns most of it; the other ranks hand over their bodies.
 void unite_batches(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
     for (std::size_t i = 0; i < cut.owner_of_batch.size(); ++i) {
         const std::span<const std::int32_t> touching = touching_of(cut, i);
@@ -157,7 +161,7 @@ void unite_batches(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>
     }
 }
 
-// The owners of the last step, as far as they will do.
+// Keeps the owners of the last step as long as the load is balanced well enough.
 void choose_owners(const Bodies& bodies, RankCut& cut, std::vector<std::int32_t>& owners) {
     const double overload = overload_of(bodies, cut, owners);
     if (overload > max_overload) {

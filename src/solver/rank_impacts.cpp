@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// What each rank has to say to all, by rank.
+// Gathers the data of all ranks on all ranks, indexed by rank.
 std::vector<Bytes> gather(Communicator& ranks, Bytes own) {
     std::vector<Bytes> all(std::size_t(ranks.size()));
     for (int root = 0; root < ranks.size(); ++root) {
@@ -49,11 +49,11 @@ template <class T> void share(Communicator& ranks, std::vector<T>& values) {
     }
 }
 
-// What goes with a block: its rows are of this rank alone.
+// Data sent along with a block, whose row numbers are valid on this rank only.
 struct SharedLanes {
-    int type;                          // of its run, and
-    std::uint32_t listed;              // where that is in ImpactWork::listed_runs
-    std::int32_t body_a[8], body_b[8]; // none: it does not move by forces, or the lane is empty
+    int type;                          // of the block's run
+    std::uint32_t listed;              // index of the run in ImpactWork::listed_runs
+    std::int32_t body_a[8], body_b[8]; // none: forces do not move the body, or the lane is empty
     std::uint32_t source[8];
     SolverVelocity velocity_a[8], velocity_b[8];
     std::uint8_t active;
@@ -80,10 +80,10 @@ void append_block(const BatchScratch& scratch, const StruckRun& run, std::size_t
     append(bytes, b);
 }
 
-// The blocks of all ranks, run by run, each with what goes with it.
+// A block of any rank with its lane data; sorted by run.
 struct SharedBlock {
     SharedLanes lanes;
-    const std::byte* bytes; // of the block
+    const std::byte* bytes; // the block itself
     bool is_own;
 };
 
@@ -119,7 +119,7 @@ void number_bodies(const std::vector<SharedBlock>& blocks, ImpactWork::Shared& s
     shared.velocity.assign(shared.bodies.size(), {});
 }
 
-// Of each lane: the rows of both of its bodies, where that of B takes what happens to it, and the group of both.
+// Sets for each lane the rows of both bodies, the row that B's velocity is written to, and the group of both bodies.
 template <class Block, class Impact>
 void take_block(const SharedBlock& from, ImpactWork& work, StruckBlocks<Block, Impact>& to) {
     ImpactWork::Shared& shared = work.shared;
@@ -138,7 +138,7 @@ void take_block(const SharedBlock& from, ImpactWork& work, StruckBlocks<Block, I
         if ((from.lanes.active >> i & 1) != 0) {
             a = std::uint32_t(row_of_shared(shared, from.lanes.body_a[i]));
             shared.velocity[a] = from.lanes.velocity_a[i];
-            to.lanes.back().group = std::int32_t(a); // for now, a row of it
+            to.lanes.back().group = std::int32_t(a); // for now, a row of the group
             if (from.lanes.body_b[i] == none) {
                 other = new_row(from.lanes.velocity_b[i]);
             } else {
@@ -240,7 +240,7 @@ void return_shared_velocities(BatchScratch& scratch) {
         const std::size_t begin = kept;
         for (std::size_t i = group.begin; i < group.end; ++i) {
             const std::int32_t row = scratch.row_of_body[shared.bodies[std::size_t(work.rows[i])]];
-            if (row == none) continue; // another rank's body
+            if (row == none) continue; // the body is not needed on this rank
             scratch.velocity[std::size_t(row)] = shared.velocity[std::size_t(work.rows[i])];
             work.place_of[row] = std::int32_t(&group - work.groups.data());
             work.before[kept] = work.before[i];

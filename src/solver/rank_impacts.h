@@ -1,6 +1,6 @@
-// Impacts in a batch that is cut among ranks. Each rank knows the contacts of its own bodies; what takes part in an
-// impact is told to all of them, and each solves the groups that a body of its own is in: whatever the number of ranks,
-// the arithmetic of a group is the same.
+// Impacts in a batch that is cut among ranks. Each rank knows only the contacts of its own bodies. Everything that
+// takes part in an impact is therefore sent to all ranks, and each rank solves the groups that contain a body it
+// needs: the arithmetic of a group is the same for any number of ranks.
 #pragma once
 
 #include "state/solver_scratch.h"
@@ -9,17 +9,17 @@
 
 namespace cairn {
 
-// Puts the hits of all ranks in the place of those of this one.
+// Replaces the hits of this rank by those of all ranks.
 void share_hits(Communicator& ranks, std::vector<ImpactWork::Hit>& hits);
-// Likewise for bodies.
+// Replaces the bodies of this rank by those of all ranks.
 void share_bodies(Communicator& ranks, std::vector<std::int32_t>& bodies);
 
-// Puts the blocks, rows and groups of all ranks in the place of those that this one has listed and copied. Groups of
-// other ranks' bodies alone count as settled.
+// Replaces the blocks, rows and groups that this rank has listed and copied by those of all ranks. Groups without a
+// body that this rank needs count as settled.
 void share_impact(BatchScratch& scratch, Communicator& ranks);
 
-// Gives the velocities of all that took part to the rows of this rank's bodies, and puts these in the place of the rows
-// of all ranks.
+// Copies the velocities of all participating bodies to this rank's rows, and replaces the list of all ranks' rows by
+// these rows.
 void return_shared_velocities(BatchScratch& scratch);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Results of the ranks' parts, one rank after the other, so that there is room for the largest of them alone.
+// Broadcasts the results of one rank after another, so that the buffer needs to hold only the largest of them.
 #include "solver/rank_results.h"
 
 #include "bodies/finalize.h"
@@ -36,7 +36,7 @@ void unpack(Bodies& bodies, SolverScratch& solver, const RankPart& part, const s
         Travel travel;
         std::memcpy(&travel, in, sizeof(Travel));
         in += sizeof(Travel);
-        if (travel != bodies.travel[b]) spend_answers(bodies, b); // its way was cut, or it was stopped
+        if (travel != bodies.travel[b]) spend_answers(bodies, b); // its displacement was limited, or it was stopped
     }
     for (const std::uint32_t id : part.contacts) {
         std::memcpy(&solver.reports[id], in, sizeof(ContactReport));

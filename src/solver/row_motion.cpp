@@ -35,7 +35,7 @@ DQuat row_rotation(const Bodies& bodies, const BatchScratch& scratch, std::size_
     return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * bodies.motion[scratch.row_bodies[row]].q);
 }
 
-// One row that the kernel does not do.
+// Computes the rotation of a body that the spin kernel does not handle.
 void spin_row(const Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, SpinningRow& r, float h) {
     const std::size_t row = std::size_t(r.row);
     const std::int32_t b = scratch.row_bodies[row];
@@ -55,8 +55,8 @@ void spin_row(const Bodies& bodies, const WorldDef& settings, BatchScratch& scra
     write_angular(settings, scratch, row, change);
 }
 
-// Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
-// of any size: those are left to the scalar code.
+// Whether the spin kernel handles the body. Explicit Euler is kept without modification, needles have another inertia
+// in contacts than in free motion, and torques may be of any size: these cases are left to scalar code.
 bool kernel_spins(const Bodies& bodies, const WorldDef& settings, std::int32_t b) {
     const BodyMass& mass = bodies.mass[b];
     const math::Vec3& i = mass.inertia;
@@ -147,7 +147,7 @@ void prepare_free_motion(const Bodies& bodies, const ForceFields& fields, const 
         settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(all, {});
     if (bounces) scratch.correction.resize(all); // filled in each substep
-    // Of most bodies.
+    // Velocity change by gravity, which most bodies have in common.
     const bool only_gravity = !any_field(fields);
     const Increment fall = only_gravity ? linear_increment(fields, settings, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
     const math::Vec3 fall_velocity = math::to_float(cut(fall.velocity, settings.max_linear_speed)),
@@ -160,7 +160,7 @@ void prepare_free_motion(const Bodies& bodies, const ForceFields& fields, const 
             if (!scratch.free_correction.empty()) put(scratch.free_correction[row].v, fall_correction);
             return;
         }
-        // What varies is computed at the start of each substep.
+        // Terms that vary within the step are computed at the start of each substep.
         const std::int32_t b = scratch.row_bodies[row];
         const BodyMotion& motion = bodies.motion[b];
         const BodyMass& mass = bodies.mass[b];
@@ -199,7 +199,7 @@ void update_free_motion(const Bodies& bodies, const ForceFields& fields, const W
 
 namespace {
 
-// Calls f(row, k) for the rows that may turn freely, with their places in held_turns.
+// Calls f(row, k) for the rows of bodies that may rotate freely; k is the index in held_turns.
 template <class F> void for_turning_rows(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
     const std::size_t wide = scratch.spin_rows.size(), all = wide + scratch.spinning_rows.size();
     for_chunks(thread_pool, int(all), rows_per_chunk, [&](int begin, int end, int) {
@@ -207,7 +207,7 @@ template <class F> void for_turning_rows(BatchScratch& scratch, ThreadPool* thre
             f(std::size_t(k < wide ? scratch.spin_rows[k] : scratch.spinning_rows[k - wide].row), k);
     });
 }
-// What was to move the pose beside the velocity.
+// Adds `turn` (rad/s) to the angular velocity and subtracts it from the correction; the pose moves by their sum.
 void move_to_velocity(BatchScratch& scratch, std::size_t row, math::Vec3 turn) {
     SolverTwist& rest = (scratch.bounces ? scratch.correction : scratch.free_correction)[row];
     SolverVelocity& velocity = scratch.velocity[row];

@@ -1,5 +1,5 @@
-// Batches: gather, substeps, scatter. A large batch is solved by all threads together, color by color; of the others,
-// each by one thread.
+// Solves batches: gather, substeps, scatter. A large batch is solved by all threads together, color by color; each of
+// the others by one thread.
 #include "solver/solve.h"
 
 #include "bodies/bodies.h"
@@ -31,20 +31,20 @@ namespace cairn {
 namespace {
 
 constexpr int max_bounce_passes = 32;
-// Batches with fewer contacts are not worth being solved together.
+// Minimum number of contacts and joints for a batch to be worth solving with all threads together.
 constexpr std::int32_t min_shared_contacts = 512;
 constexpr int rows_per_chunk = 512; // for threads
 
 ContactLanes lanes_of(const BatchScratch& scratch, const BlockRun& run) {
     const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
     const std::size_t at = std::size_t(run.first) * 8;
-    // Discard rows: first those of the blocks with one point.
+    // Discard rows of blocks with one contact point come first.
     const std::size_t before = run.four_points ? scratch.one_lanes.record.size() / 8 : 0;
     return {lanes.record.data() + at, lanes.row_a.data() + at, lanes.row_b.data() + at,
             scratch.first_discard_row() + std::int32_t(before) + run.first};
 }
 
-// Position of the discrete path behind the stored velocity, see bounce.cpp.
+// Stored velocity minus that of the discrete path at the start of the substep, in units of h a; see bounce.cpp.
 float velocity_offset(Integrator integrator) {
     switch (integrator) {
     case Integrator::semi_implicit_euler:
@@ -63,8 +63,8 @@ void refresh_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBod
     });
 }
 
-// for_blocks with what changes rows of these arrays: of a batch that is cut, the ranks tell each other after each
-// color.
+// for_blocks for kernels that change rows of these arrays: for a batch that is cut, ranks exchange border rows after
+// each color.
 template <class F>
 void sweep_colors(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, std::span<void* const> arrays,
                   F&& kernel) {
@@ -73,7 +73,7 @@ void sweep_colors(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* 
     });
 }
 
-// `struck`: becomes the number of blocks in which something hits what joints hold.
+// `struck`: set to the number of blocks in which a contact with jointed bodies is left to the impact passes.
 void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, const SolverBodies& bodies,
                 const BounceSettings& settings, std::atomic<int>& struck) {
     void* const changed[] = {bodies.velocity, bodies.reference, bodies.velocity_correction};
@@ -93,7 +93,7 @@ void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ra
     refresh_all(scratch, thread_pool, bodies, settings.h);
 }
 
-// Which contacts are of bodies that joints hold: an impact on these is one on all that they hold together.
+// Marks the contacts of bodies with joints: an impact on such a body acts on all bodies that joints connect to it.
 void mark_joined(const Bodies& bodies, BatchScratch& scratch) {
     const auto mark = [&](const LaneLists& lanes, auto& blocks) {
         const auto is_joined = [&](std::int32_t row) {
@@ -131,7 +131,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     ContactSoftness softness = contact_softness(dt, batch.substeps, settings.recovery_speed);
     const BounceSettings bounce{h, settings.restitution_speed, velocity_offset(settings.integrator)};
     const JointSoftness joint_soft = joint_softness(dt, batch.substeps);
-    // Not where kinematic bodies drive joints: the passes would stop what they drive.
+    // Disabled where kinematic bodies drive joints, as the impact passes would stop the driven bodies.
     const bool stops_impacts = scratch.joint_layout->kinematic_bodies.empty();
     softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
     const int rows = int(scratch.row_count());
@@ -201,8 +201,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// What solving one batch reads, and what it changes parts of, while threads may be at work on others: solve.h says
-// which parts.
+// The state that solving one batch reads and partly modifies while other threads may be working on other batches;
+// solve.h lists the parts that may be modified.
 struct BatchContext {
     const WorldDef& settings;
     const ForceFields& fields;
@@ -214,11 +214,11 @@ struct BatchContext {
     Joints& joints;
     const DirectSets& direct;
     SolverScratch& solver;
-    Communicator* ranks; // null: none but this one
+    Communicator* ranks; // null: this process alone
 };
 
-// The kernels find records and reports by one number: where the records are not those of all contacts, by the place of
-// the record.
+// Kernels index records and reports by the same number. On a rank that does not hold all records, this is the place of
+// the record, so that reports go to `own_reports`.
 ContactReport* reports_by_place(const BatchContext& s) {
     return (s.contacts.records.is_whole() ? s.solver.reports : s.solver.own_reports).data();
 }
@@ -264,8 +264,8 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
     empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
 }
 
-// Of the batches that a rank or every rank solves alone: those that are so large that one thread would keep the others
-// waiting.
+// Among the batches that one rank or every rank solves as a whole, finds those so large that one thread alone would
+// keep the others waiting; these are shared by all threads.
 void share_out_batches(SolverScratch& scratch, int threads, std::int32_t owner) {
     const auto is_meant = [&](std::size_t i) {
         return scratch.cut.owner_of_batch.empty() || scratch.cut.owner_of_batch[i] == owner;
@@ -294,7 +294,7 @@ void solve_alone(const BatchContext& s, ThreadPool& thread_pool, std::int32_t ow
     });
 }
 
-// What the ranks share out among them. Returns how often a speed was cut in it.
+// Solves the batches that are distributed among the ranks. Returns how many times a speed was clamped in them.
 std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float dt) {
     SolverScratch& scratch = s.solver;
     cut_batches(s.bodies, s.contacts, s.islands, s.fields, s.settings, *s.ranks, scratch);
@@ -312,7 +312,7 @@ std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float 
     for (BatchScratch& own : scratch.at_work) clamped_speeds += std::exchange(own.clamped_speeds, 0);
     clamped_speeds = s.ranks->sum(clamped_speeds);
     exchange_results(*s.ranks, s.bodies, s.shapes, s.broad_phase, s.settings, scratch, thread_pool, dt);
-    // Each rank moves all those: telling the others takes longer.
+    // Every rank moves all free bodies: sending the results would take longer.
     move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, scratch.cut.free_bodies,
                      scratch.at_work[0], &thread_pool, dt);
     return clamped_speeds;
@@ -333,7 +333,8 @@ void move_kinematics(Bodies& bodies, float dt) {
     }
 }
 
-// What the threads have gathered, in an order that does not depend on them. Returns how often a speed was cut.
+// Concatenates the threads' results, in an order that does not depend on the threads. Returns how many times a speed
+// was clamped.
 std::uint64_t collect(SolverScratch& scratch) {
     scratch.escaped.clear();
     scratch.fast.clear();

@@ -1,15 +1,15 @@
-// The solver: islands packed into batches, each batch gathered into dense rows and blocks and solved through all of its
-// substeps. docs/solver.md explains the method.
+// The solver packs islands into batches; each batch is gathered into dense body rows and blocks of contacts, and solved
+// through all of its substeps. docs/solver.md explains the method.
 //
-// What threads do where. Time runs downwards; every line ends before the next begins, but for the lines of a batch that
-// one thread solves alone: those have no barrier among them.
+// Division of work among threads. Time runs downwards; there is a barrier after every line, except within a batch that
+// is solved by a single thread.
 //
 //      the calling thread              all threads of the world
 //      --------------------------      --------------------------------------------------------------------------------
 //      find the direct sets            (waiting)
 //      share out the batches
 //
-//      for each large batch            ("shared": more than its thread's part of all contacts and joints)
+//      for each large batch            ("shared": larger than one thread's share of all contacts and joints)
 //      | gather bodies, lanes    >     fill rows, joint rows, direct rows; prepare blocks
 //      | for each substep        >       velocities      chunks of rows
 //      |                         >       bounce          color after color, chunks of the blocks of one color
@@ -18,22 +18,22 @@
 //      |                         >       relax           runs of joint rows, then color after color
 //      |   store joints          >     store impulses, move and finalize bodies
 //
-//      the small batches         >     each batch by whichever thread is free, all of the lines above
+//      the small batches         >     each batch by whichever thread is free, through all of the stages above
 //
-//      collect, in the order of the indices; tell the broad phase; move kinematic bodies
+//      collect, in the order of the indices; update the broad phase; move kinematic bodies
 //
-// What a thread may write, while others are at work:
-//   - rows (velocity, pose) of bodies in its chunk of rows, or in its blocks of the color at hand: blocks of one color
-//     share no body that moves by forces (islands/coloring.h), and rows of bodies that do not are read only. Lanes
-//     without a body to write to have a discard row in each block;
-//   - the blocks of its chunk, and the records, reports and joints that their lanes are of: each has one lane;
-//   - the motion, links and shapes of the dynamic bodies in its batch or chunk: each is in one batch. Kinematic bodies
-//     may be in many; no batch writes them, and they move when all batches have ended;
-//   - the weight and agitation of the islands of its batch, each of which is in one;
-//   - its own entry of SolverScratch::at_work: what others must hear of is gathered there, and `collect` sorts it. Sums
-//     over threads are of whole numbers alone, as those of floats would depend on who came first.
-// Pairs, contacts that begin or end, members of islands, sleep, events and the broad phase are not touched by any of
-// it. Hence the state depends neither on the number of threads nor on which of them took what
+// Memory that a thread may write while other threads are running:
+//   - rows (velocity, pose) of bodies in its chunk of rows, or in its blocks of the current color: blocks of one color
+//     share no dynamic body (islands/coloring.h), and rows of other bodies are only read. Lanes without a body to
+//     write to have a discard row in each block;
+//   - the blocks of its chunk, and the records, reports and joints of their lanes: each of these has exactly one lane;
+//   - the motion, links and shapes of the dynamic bodies in its batch or chunk: each body is in one batch. Kinematic
+//     bodies may be in several; no batch writes them, and they move after all batches have ended;
+//   - the weight and agitation of the islands of its batch: each island is in one batch;
+//   - its own entry of SolverScratch::at_work, which gathers the results for other stages; `collect` sorts them.
+//     Only integers are summed over threads, since floating-point sums would depend on the order of arrival.
+// Pairs, beginning and ending contacts, island membership, sleeping, events and the broad phase are not touched by any
+// of these stages. Hence the state depends neither on the number of threads nor on the assignment of work to threads
 // (docs/decisions/threads.md).
 #pragma once
 
@@ -44,8 +44,9 @@
 
 namespace cairn {
 
-// Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h). Returns
-// how often a speed was cut. `ranks`: those that step this world together (rank_cut.h); null: this process alone.
+// Solves all batches (velocities, poses, impulses), moves kinematic bodies and finalizes all bodies (finalize.h).
+// Returns how many times a speed was clamped. `ranks`: the ranks that step this world together (rank_cut.h); null: this
+// process alone.
 std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, Joints& joints,
                             const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
                             StepScratch& step, Communicator* ranks, float dt);

@@ -1,8 +1,9 @@
-// A load that contacts have not borne yet grows by what passes reach: along a tower of 40 boxes, in about 40 substeps.
-// Until then the tower sinks into itself, and then it springs back. How many substeps it needs follows from its loads,
-// which nobody has measured yet. So the weights tell them, as they go down: what stands on several bodies nearer to the
-// ground gives each of them an equal part of what it bears. Where each stands on one other that is exact. What begins
-// to bear all at once, as a structure that is made does, gets as many substeps as its loads take to reach the ground.
+// A load that contacts do not carry yet spreads by one contact per solver pass: along a tower of 40 boxes, in about 40
+// substeps. Until then the tower sinks into itself, and afterwards it springs back. The number of substeps that it
+// needs follows from its loads, which have not been measured yet. They are therefore estimated from the weights, from
+// top to bottom: a body that stands on several bodies nearer to the ground gives each of them an equal share of its
+// load. This is exact where each body stands on one other. A structure that is loaded all at once, for example one just
+// created, gets as many substeps as its loads take to reach the ground.
 #include "solver/standing_loads.h"
 
 #include "bodies/integrators.h"
@@ -18,12 +19,12 @@ namespace cairn {
 
 namespace {
 
-// What is agitated is no structure; a single contact has the weight of its body already (first_load).
+// Agitated islands are no structures, and a single contact already has the weight of its body (first_load).
 bool may_stand(const Island& island, std::int32_t contacts, std::uint8_t weighed_for) {
     return weighed_for != 0 && contacts > 1 && island.joint_count == 0 && island.agitation <= max_agitation;
 }
 
-// Contacts of islands that may stand, those of an island side by side.
+// Lists the contacts of islands that may be structures, grouped by island.
 void list_standing(const Contacts& contacts, const Islands& islands, SolverScratch& scratch) {
     StandingLoads& work = scratch.standing;
     work.end_of_island.resize(islands.all.size());
@@ -41,7 +42,7 @@ void list_standing(const Contacts& contacts, const Islands& islands, SolverScrat
                                                  c.begins != 0, c.begins != 0 ? 0 : contacts.info[c.id].force};
 }
 
-// One island, as bodies that hand their weights down to those nearer to what does not move.
+// The bodies of one island, each of which hands its weight down to bodies nearer to those that do not move.
 class Structure {
   public:
     Structure(const Bodies& bodies, const Island& island, std::span<const StandingContact> contacts,
@@ -58,9 +59,9 @@ class Structure {
         find_depths();
     }
 
-    // f(contact, its load, N), for those that lead down. A body of which most of the weight was borne in the last step
-    // is held, and adds nothing to what begins. With `all` everything is told: of an island that takes more substeps
-    // than usual, as what is measured there comes and goes with the structure's own swinging.
+    // Calls f(contact, load in N) for the contacts that lead down. A body with most of its weight carried in the last
+    // step is supported, and adds nothing to beginning contacts. With `all` such bodies count as well: this is for
+    // islands that take more substeps than usual, where measured loads oscillate with the structure.
     template <class F> void hand_down(bool all, F&& f) {
         for (auto b = work_.from_below.rbegin(); b != work_.from_below.rend(); ++b) {
             const StandingLoads::Body& body = work_.bodies[std::size_t(*b)];
@@ -71,7 +72,7 @@ class Structure {
                 below += leads, bore += leads ? c.bore : 0;
             });
             if (bore > 0.5f * body.own && !all) continue;
-            const float load = body.weight / float(below); // one at least: it was found from there
+            const float load = body.weight / float(below); // below >= 1, as the body was reached from below
             for_each_contact(*b, [&](const StandingContact& c) {
                 if (!leads_down(c, *b)) return;
                 if (const std::int32_t other = other_of(c, *b); other != none)
@@ -105,13 +106,13 @@ class Structure {
         };
         for_each_end([](StandingLoads::Body& body, std::uint32_t) { ++body.first_contact; });
         std::uint32_t count = 0;
-        for (StandingLoads::Body& body : bodies) count = body.first_contact += count; // behind its last
+        for (StandingLoads::Body& body : bodies) count = body.first_contact += count; // end of the body's contacts
         work_.contacts_of_body.resize(count);
         for_each_end(
             [&](StandingLoads::Body& body, std::uint32_t k) { work_.contacts_of_body[--body.first_contact] = k; });
     }
 
-    // Of what is held by nothing there is none.
+    // Finds the number of contacts between each body and the ground. Bodies without support keep the depth none.
     void find_depths() {
         std::vector<std::int32_t>& order = work_.from_below;
         order.clear();

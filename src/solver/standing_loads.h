@@ -1,4 +1,4 @@
-// What contacts that begin will bear by the weights of a structure, before they have borne anything.
+// Estimates the loads of beginning contacts from the weights of a structure, before any load has been measured.
 #pragma once
 
 #include "state/solver_scratch.h"
@@ -6,11 +6,11 @@
 
 namespace cairn {
 
-// Why an island is weighed: one of its contacts begins; it took more substeps than usual in the last step.
+// Why an island is examined: one of its contacts begins, or it took more substeps than usual in the last step.
 enum WeighedFor : std::uint8_t { for_begun_contact = 1, for_its_substeps = 2 };
 
-// Gives contacts that begin their part of the weights above them, and their islands as many substeps as that asks for,
-// where it is more than they have. Not in islands with joints, and not where things fly about.
+// Gives beginning contacts their share of the weights above them, and increases the substeps of their islands to the
+// number that these loads require. Islands with joints, and islands with high agitation, are skipped.
 void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& islands, const ForceFields& fields,
                           const WorldDef& settings, SolverScratch& scratch, Communicator* ranks, float dt);
 
