@@ -61,7 +61,8 @@ void require_still_surface(const char* field, const Vec3& velocity) {
                     "must be zero on a dynamic body: only surfaces of static and kinematic ones may move");
 }
 
-// A one-way shape must not move by forces, and must have an interior: surfaces like meshes are excluded.
+// A one-way shape must present a side as a whole, unlike infinite planes, meshes and height fields, and must not move
+// by forces.
 void require_ends(ShapeType type, bool is_dynamic, const Vec3& one_way) {
     if (one_way == Vec3(0.0f)) return;
     if (is_dynamic)
