@@ -38,7 +38,7 @@ struct Recording::Contents {
     struct GeometryPlace {
         std::size_t chunk = 0, offset = 0, size = 0; // chunk of the file, and range in its records
     };
-    struct StepRun { // consecutive steps of equal length
+    struct StepRun {             // consecutive steps of equal length
         std::uint64_t first = 0; // number of its first step
         double time = 0;         // s: at its beginning
         float length = 0;        // s, of each step
