@@ -1,4 +1,4 @@
-// Vectors, handles and shapes with data, between C and C++; the other structs are in generated/convert.h.
+// Conversion of vectors, handles and shapes with data between C and C++; the other structs are in generated/convert.h.
 #pragma once
 
 #include "c_api/support.h"
@@ -34,7 +34,7 @@ inline cairn_shape_id to_c(ShapeId id) { return {id.bits}; }
 inline cairn_joint_id to_c(JointId id) { return {id.bits}; }
 inline cairn_force_field_id to_c(ForceFieldId id) { return {id.bits}; }
 
-// Those to C make a geometry that the caller gives back.
+// The conversions to C create a geometry that the caller must release.
 Hull to_cpp(const cairn_hull& c);
 Mesh to_cpp(const cairn_mesh& c);
 HeightField to_cpp(const cairn_height_field& c);

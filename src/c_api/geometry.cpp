@@ -1,4 +1,4 @@
-// Hulls, meshes and height fields, whose data a program of C holds by a pointer.
+// Hulls, meshes and height fields, whose data a C program holds by a pointer.
 #include "c_api/generated/convert.h"
 #include "c_api/support.h"
 
@@ -12,7 +12,7 @@ using namespace cairn::c_api;
 
 namespace {
 
-// Points of the caller's, one after the other.
+// Copies the caller's points, `stride` bytes apart.
 std::vector<Vec3> points_of(const float* points, std::size_t count, std::size_t stride, const char* field) {
     require_list(points, count, field);
     if (stride == 0) stride = sizeof(Vec3);
@@ -27,7 +27,7 @@ template <class T> void make(cairn_geometry** geometry, T&& shape) {
     *geometry = std::make_unique<cairn_geometry>(cairn_geometry{std::forward<T>(shape)}).release();
 }
 
-// What a geometry is, if it is that.
+// The geometry as a T; refuses other kinds.
 template <class T> const T& as(const cairn_geometry* geometry, const char* what) {
     const T* shape = std::get_if<T>(&required(geometry, "geometry").shape);
     if (!shape) refuse("geometry", "another kind", std::string("must be a ") + what);

@@ -1,4 +1,4 @@
-// Joints: the lists of general ones, which a definition for C only has the lengths of.
+// Joints: lists of limits and drives of general joints, of which a C definition has only the lengths.
 #include "c_api/generated/convert.h"
 #include "c_api/support.h"
 
@@ -9,7 +9,7 @@ using namespace cairn::c_api;
 
 namespace {
 
-// A joint as a general one; without limits and drives if it is another kind.
+// A joint as a general joint; without limits and drives if it is of another kind.
 GeneralJoint general_joint(const cairn_world* world, cairn_joint_id joint) {
     const Joint& kind = world_of(world).joint_def(to_cpp(joint)).joint;
     const GeneralJoint* general = std::get_if<GeneralJoint>(&kind);

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Of the last call on this thread that failed.
+// The last failed call on this thread.
 struct LastError {
     std::string text, field, value;
 };
@@ -33,7 +33,7 @@ cairn_result number_of(cairn::ErrorCode code) {
     return CAIRN_ERROR_OTHER;
 }
 
-// Where there is no memory for the text of an error, its number is left, and an empty text rather than an older one.
+// If there is no memory for the text of an error, its number remains, with an empty text rather than an old one.
 void keep(std::string_view text, std::string_view field, std::string_view value) noexcept {
     last_error.text.clear();
     last_error.field.clear();

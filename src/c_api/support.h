@@ -1,4 +1,4 @@
-// What every function of the C API is made of: errors that come back as numbers, and checks of pointers.
+// Helpers of all C functions: exceptions turned into error numbers, and checks of pointers.
 #pragma once
 
 #include "c_api/world_object.h"
@@ -12,10 +12,10 @@
 
 namespace cairn::c_api {
 
-// Keeps what the exception in flight has to say for cairn_last_error, and returns its number.
+// Stores the description of the current exception for cairn_last_error, and returns its number.
 cairn_result note_error() noexcept;
 
-// Runs f; no exception leaves it.
+// Calls f, and turns exceptions into error numbers.
 template <class F> cairn_result guarded(F&& f) noexcept {
     try {
         f();
@@ -29,7 +29,7 @@ template <class F> cairn_result guarded(F&& f) noexcept {
     throw Error(ErrorCode::invalid_value, field, value, expected);
 }
 
-// What a pointer that must not be null points to.
+// Dereferences a pointer, which must not be null.
 template <class T> T& required(T* pointer, const char* field) {
     if (!pointer) refuse(field, "null", "must not be null");
     return *pointer;
@@ -43,12 +43,12 @@ inline World& world_of(cairn_world* world) {
 }
 inline const World& world_of(const cairn_world* world) { return world_of(const_cast<cairn_world*>(world)); }
 
-// A list of the caller's: count elements, none at all where it is null.
+// Checks a list argument: it may be null only if count is 0.
 inline void require_list(const void* list, std::size_t count, const char* field) {
     if (!list && count > 0) refuse(field, "null", "must not be null with a count of " + std::to_string(count));
 }
 
-// Room for results: capacity elements, and where their number goes.
+// Checks the output arguments for a list: an array of `capacity` elements, and a pointer for the number of results.
 inline void require_room(const void* out, std::size_t capacity, const std::size_t* count, const char* field) {
     if (!out && capacity > 0) refuse(field, "null", "must not be null with a capacity of " + std::to_string(capacity));
     if (!count) refuse(std::string(field) + ": its number", "null", "must not be null");
@@ -68,8 +68,8 @@ inline void write_text(std::string_view text, char* out, std::size_t capacity, s
     out[written] = '\0';
 }
 
-// A structure begins with the number of bytes that it had when the program was compiled. It may be longer in this
-// library, never shorter: `first` is what it had in the first one.
+// Checks struct_size, the first member of a structure: its size when the program was compiled. Structures may grow in
+// later versions of the library, but never shrink; `first` is the size in the first version.
 template <class C> void require_size(const C& c, const char* field, std::size_t first) {
     if (c.struct_size >= first && c.struct_size <= sizeof(C)) return;
     std::string allowed = std::to_string(sizeof(C));
@@ -78,7 +78,7 @@ template <class C> void require_size(const C& c, const char* field, std::size_t 
            "must be " + allowed + ", as the function with its defaults sets it");
 }
 
-// The structure with the defaults in the members that the program does not know.
+// The structure, with defaults in the members that the program does not know.
 template <class C> C versioned(const C& c, const char* field, const C& defaults, std::size_t first = sizeof(C)) {
     require_size(c, field, first);
     C whole = defaults;
@@ -91,7 +91,7 @@ template <class C> void require_versioned(C* out, const char* field, std::size_t
     require_size(required(out, field), field, first);
 }
 
-// Writes as much as the program knows.
+// Writes only the members that the program knows.
 template <class C> void write_versioned(const C& c, C* out) {
     const auto size = out->struct_size;
     std::memcpy(out, &c, size);

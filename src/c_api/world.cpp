@@ -1,4 +1,4 @@
-// Worlds and snapshots: what is not made from the table.
+// Functions for worlds and snapshots that are not generated from the table.
 #include "c_api/generated/convert.h"
 #include "c_api/support.h"
 
@@ -14,9 +14,9 @@ using namespace cairn::c_api;
 
 namespace {
 
-constexpr std::size_t chunk = 256; // bodies that are read at a time
+constexpr std::size_t chunk = 256; // bodies read at a time
 
-// An array of the caller's, of so many numbers a body.
+// A caller's array with `numbers` values per body.
 template <class T> struct Column {
     T* first;
     std::size_t numbers, stride;
@@ -32,7 +32,7 @@ template <class T> struct Column {
     }
 };
 
-// The bodies that are meant: those given, all valid, or all there are.
+// The given bodies, all of which must be valid, or without a list all bodies of the world.
 std::vector<BodyId> bodies_of(const World& world, const cairn_body_id* bodies, std::size_t count) {
     std::vector<BodyId> ids;
     if (bodies) {

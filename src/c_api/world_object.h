@@ -1,4 +1,4 @@
-// What the pointers of the C API point to.
+// The types behind the pointers of the C API.
 #pragma once
 
 #include <cairn/world.h>
@@ -9,7 +9,7 @@
 #include "scene/scene.h"
 #endif
 
-// A world, and what came with it from its file.
+// A world, with the scene data from its file.
 struct cairn_world {
 #ifdef CAIRN_C_API_SCENES
     cairn::scene::Scene scene;

@@ -1,5 +1,4 @@
-// Reading the arguments of a command. Throws Error(invalid_file) for what no writer has written, rather than read past
-// the end.
+// Reads the arguments of a command. Throws Error(invalid_file) for invalid bytes instead of reading past the end.
 #pragma once
 
 #include <cairn/commands.h>
@@ -19,7 +18,7 @@ namespace cairn::commands {
 
 class CommandReader {
   public:
-    // `world`: the number that its handles get.
+    // `world`: the world number for handles that are read.
     CommandReader(std::span<const std::byte> bytes, std::uint32_t world, CommandSource& source)
         : bytes_(bytes), world_(world), source_(source) {}
 
@@ -32,9 +31,9 @@ class CommandReader {
         return value;
     }
     std::string text();
-    // Of a list of elements that take a byte at least.
+    // The size of a list whose elements take at least one byte each.
     std::size_t count();
-    // Of a struct that has `known` of them in this build.
+    // The member count of a struct that has `known` members in this build.
     std::size_t member_count(std::size_t known, const char* of);
     std::uint64_t choice(std::uint64_t count, const char* of);
     template <class Enum> void enumerator(Enum& x, std::uint64_t last, const char* what) {
@@ -47,7 +46,7 @@ class CommandReader {
     HeightField height_field();
     const Snapshot& snapshot() { return source_.snapshot(number()); }
 
-    void finish() const; // throws if anything is left
+    void finish() const; // throws if any bytes are left
     [[noreturn]] void refuse_code(std::uint64_t code) const;
 
   private:

@@ -1,4 +1,4 @@
-// Writing the arguments of a command as bytes. Structs and variants: generated/codec.h.
+// Writes the arguments of a command as bytes. Structs and variants are in generated/codec.h.
 #pragma once
 
 #include "core/bit_cast.h"
@@ -18,7 +18,7 @@ namespace cairn::commands {
 
 class CommandWriter {
   public:
-    // `out`: emptied first. `listener`: gives numbers to what is too large for a command.
+    // `out` is emptied first. `listener` assigns numbers to objects too large for a command.
     CommandWriter(std::vector<std::byte>& out, CommandListener& listener) : out_(out), listener_(listener) {
         out_.clear();
     }
@@ -54,7 +54,7 @@ inline void write(CommandWriter& to, const glm::vec2& x) { write(to, x.x), write
 inline void write(CommandWriter& to, const Vec3& x) { write(to, x.x), write(to, x.y), write(to, x.z); }
 inline void write(CommandWriter& to, const Position& x) { write(to, x.x), write(to, x.y), write(to, x.z); }
 inline void write(CommandWriter& to, const Quat& x) { write(to, x.x), write(to, x.y), write(to, x.z), write(to, x.w); }
-// Without the number of the world, which is another one where the command is made again.
+// Handles are written without their world number, which differs in the world that executes the command.
 template <class Tag> void write(CommandWriter& to, Handle<Tag> x) {
     to.number(x.is_null() ? 0 : std::uint64_t{x.index()} + 1);
     if (!x.is_null()) to.number(x.generation());

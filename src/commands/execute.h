@@ -1,4 +1,4 @@
-// Making a change again that a command tells of.
+// Executes recorded commands.
 #pragma once
 
 #include "commands/command_reader.h"
@@ -9,10 +9,10 @@
 
 namespace cairn::commands {
 
-// Throws what the call throws; Error(invalid_file) or Error(unsupported) if it is none.
+// Throws what the call throws, or Error(invalid_file) or Error(unsupported) if the bytes are not a known call.
 void execute(World& world, CommandReader& from);
 
-// Of a call by its number; empty if there is none of that number.
+// The name of a call by its number; empty if there is none.
 std::string_view name_of(std::uint64_t code);
 
 } // namespace cairn::commands

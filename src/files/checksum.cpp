@@ -9,7 +9,8 @@ namespace cairn::files {
 
 namespace {
 
-// Eight bytes are taken at a time (Kounavis and Berry 2005): table k tells what a byte does that k others follow.
+// Number of bytes processed at a time (Kounavis and Berry 2005); table k has the effect of a byte that is followed by k
+// others.
 constexpr std::size_t width = 8;
 using Tables = std::array<std::array<std::uint32_t, 256>, width>;
 

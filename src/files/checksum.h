@@ -1,4 +1,4 @@
-// The checksum of what lies in files: CRC-32 as in zlib.
+// Checksums of data in files: CRC-32 as in zlib.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace cairn::files {
 
-// `crc`: of what came before.
+// `crc`: the checksum of the preceding bytes.
 std::uint32_t crc32(std::string_view bytes, std::uint32_t crc = 0);
 
 } // namespace cairn::files

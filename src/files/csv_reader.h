@@ -1,4 +1,5 @@
-// Tables of comma-separated values (RFC 4180), read line by line. Complaints name the file, the line and the column.
+// Reads tables of comma-separated values (RFC 4180) line by line. Error messages name the file, the line and the
+// column.
 #pragma once
 
 #include <cairn/error.h>
@@ -10,18 +11,18 @@
 
 namespace cairn::files {
 
-// Fields of a table, one after the other. A field in quotes may hold commas, line ends and doubled quotes. A byte order
-// mark at the start is left out.
+// Fields of a table in order. A quoted field may contain commas, line breaks and doubled quotes. A byte order mark at
+// the start is skipped.
 class CsvReader {
   public:
-    // `file` stands for the table in messages. The text must outlive the reader.
+    // `file`: name of the table in messages. The text must outlive the reader.
     CsvReader(std::string_view text, std::string file);
     bool at_end() const { return at_ >= text_.size(); }
 
-    // The fields of the next line. Throws Error (invalid_file): more than 10,000 of them, a quote without an end.
+    // The fields of the next line. Throws Error (invalid_file) for more than 10,000 fields, or a quote without an end.
     std::vector<std::string> row();
 
-    // What a field of that line says; finite. `column` counts from 0. Throws Error (invalid_file).
+    // The finite number in a field of the current line. `column` counts from 0. Throws Error (invalid_file).
     double number(std::size_t column, const std::string& field) const;
 
     [[noreturn]] void fail(std::size_t column, const std::string& value, const std::string& expected) const;

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int longest_chain_of_links = 40;          // as in Linux
-constexpr std::size_t piece = std::size_t{1} << 16; // that is written at a time
+constexpr int longest_chain_of_links = 40;          // greatest number of links followed, as in Linux
+constexpr std::size_t piece = std::size_t{1} << 16; // bytes written at a time
 
 [[noreturn]] void cannot(const fs::path& path, const std::string& why) {
     throw Error(ErrorCode::io, path.generic_string(), {}, "cannot be written: " + why);
 }
 
-// The descriptor that a name of the system's folders of them stands for.
+// The descriptor that a path in one of the system's descriptor folders refers to.
 std::optional<int> descriptor_named(const fs::path& path) {
     const fs::path folder = path.parent_path();
     if (folder != "/dev/fd" && folder != "/proc/self/fd" && folder != "/proc/thread-self/fd") return std::nullopt;
@@ -48,7 +48,7 @@ void require_folder(const fs::path& path, const fs::path& shown) {
     if (access(folder.c_str(), W_OK | X_OK) != 0) cannot(shown, std::strerror(errno));
 }
 
-// Writes to a descriptor without being ended by a signal if its reader is gone. Returns the error, or 0.
+// Writes to a descriptor, without termination by SIGPIPE if its reader has gone. Returns the error, or 0.
 int write_all(int descriptor, std::string_view bytes) {
     sigset_t broken_pipe, before;
     sigemptyset(&broken_pipe);
@@ -67,7 +67,7 @@ int write_all(int descriptor, std::string_view bytes) {
     }
     if (error == EPIPE) {
         const timespec at_once{0, 0};
-        sigtimedwait(&broken_pipe, nullptr, &at_once); // take the pending signal before it is let through again
+        sigtimedwait(&broken_pipe, nullptr, &at_once); // removes the pending signal before it is unblocked
     }
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     return error;
@@ -115,7 +115,7 @@ Destination destination_of(const fs::path& path) {
     if (S_ISSOCK(found.st_mode)) cannot(path, "it is a socket");
     if (access(path.c_str(), W_OK) != 0) cannot(path, std::strerror(errno));
     to.kind = Destination::Kind::stream;
-    to.path = path; // links of /proc lead to what has no name
+    to.path = path; // unresolved, as links in /proc may lead to files without a name
     return to;
 }
 
@@ -140,7 +140,7 @@ std::string extension_of(const fs::path& path) {
 namespace {
 
 fs::path hidden_beside(const fs::path& path, const std::string& mark) {
-    constexpr std::size_t longest_stem = 200; // bytes; the whole of a name may have 255
+    constexpr std::size_t longest_stem = 200; // bytes; a whole name may have 255
     std::string name(".");
     name += path.stem().string().substr(0, longest_stem) + "." + mark + path.extension().string();
     return fs::path(path).replace_filename(name);
@@ -156,9 +156,10 @@ void take_name(const fs::path& temporary, const fs::path& path) {
     struct stat before {};
     int error = 0;
     if (stat(path.c_str(), &before) == 0) {
-        // Root gives it to whom it belonged; others cannot, and own it anyway or have it from now on.
+        // Root restores the previous owner; others cannot, and own the file already or from now on.
         const bool is_owned = chown(temporary.c_str(), before.st_uid, before.st_gid) == 0;
-        const mode_t rights = before.st_mode & (is_owned ? 07777u : 0777u); // who it runs as goes with its owner
+        // set-user-ID bits are kept only with the owner
+        const mode_t rights = before.st_mode & (is_owned ? 07777u : 0777u);
         if (chmod(temporary.c_str(), rights) != 0) error = errno;
     }
     if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
@@ -170,7 +171,7 @@ void take_name(const fs::path& temporary, const fs::path& path) {
 void sync_folder(const fs::path& folder) {
     const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (file < 0) cannot(folder, std::strerror(errno));
-    const int error = fsync(file) == 0 || errno == EINVAL ? 0 : errno; // not every file system can
+    const int error = fsync(file) == 0 || errno == EINVAL ? 0 : errno; // not supported by every file system
     ::close(file);
     if (error != 0) cannot(folder, std::strerror(error));
 }
@@ -185,7 +186,7 @@ void make_parent_folder(const fs::path& path) {
 void OutputFile::open_unfinished(int flags, std::size_t kept) {
     temporary_ = unfinished_beside(to_.path);
     flags |= O_NOFOLLOW;
-    const auto take = [&] { // not every file system has locks
+    const auto take = [&] { // locks are not supported by every file system
         if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
         ::close(std::exchange(file_, -1));
         cannot(path_, "another program is writing " + temporary_.generic_string());
@@ -194,7 +195,7 @@ void OutputFile::open_unfinished(int flags, std::size_t kept) {
     take();
     if (kept == 0) {
         if (file_ >= 0) ::close(file_);
-        unlink(temporary_.c_str()); // of a program that has ended, or a link that somebody has laid
+        unlink(temporary_.c_str()); // left by a program that has ended, or a link placed by somebody
         file_ = open(temporary_.c_str(), flags | O_CREAT | O_EXCL, 0666);
         return take();
     }
@@ -221,7 +222,7 @@ OutputFile::OutputFile(const fs::path& path, Appearance appearance, std::size_t 
             break;
         }
         temporary_ = temporary_beside(to_.path);
-        unlink(temporary_.c_str()); // of a process of that number that was killed, or a link that somebody has laid
+        unlink(temporary_.c_str()); // left by a killed process with the same number, or a link placed by somebody
         flags |= O_CREAT | O_EXCL;
         file_ = open(temporary_.c_str(), flags, 0666);
         break;
@@ -282,7 +283,7 @@ void OutputFile::sync() {
     if (file_ < 0) throw Error(ErrorCode::wrong_state, path_.generic_string(), {}, "is closed");
     send(std::exchange(waiting_, {}));
     if (is_stream()) return;
-    if (fsync(file_) != 0 && errno != EINVAL) fail(errno); // not every file system can
+    if (fsync(file_) != 0 && errno != EINVAL) fail(errno); // not supported by every file system
 }
 
 void OutputFile::close() {

@@ -1,11 +1,11 @@
 /// \file output_file.h
-/// Output files: the one way in which the program, and the library of scenes, write anything.
+/// Output files: the only way in which the program and the scene library write files.
 ///
-/// A regular file is written beside its place under another name, and takes its name once it is whole: whoever looks
-/// sees the old one or the new one. It keeps the rights of the one that it replaces. Symbolic links are followed. What
-/// is there and no regular file (a device, a FIFO, a pipe) is written to as it is, and never replaced; so is a
-/// descriptor of this process by any of its names (`/dev/stdout`, `/dev/fd/3`), also where it leads to a regular file.
-/// `-` is standard output.
+/// A regular file is first written under another name in the same folder, and renamed once it is complete: other
+/// programs see either the old or the new file. It keeps the permissions of the file that it replaces. Symbolic links
+/// are followed. Existing files that are not regular (devices, FIFOs, pipes) are written to directly, and never
+/// replaced; so are descriptors of this process, by any of their names (`/dev/stdout`, `/dev/fd/3`), even if they refer
+/// to a regular file. `-` is standard output.
 #pragma once
 
 #include <cairn/error.h>
@@ -19,85 +19,85 @@
 
 namespace cairn::files {
 
-/// Thrown instead of `Error` where the reader of a pipe has gone away: nothing is wrong, and nobody is left to be told.
+/// Thrown instead of `Error` if the reader of a pipe has closed it, which is no error to report.
 class ReaderGone : public Error {
   public:
-    /// `path`: what was written to.
+    /// `path`: the destination of the output.
     explicit ReaderGone(const std::string& path);
 };
 
-/// What a name stands for.
+/// The destination that a path refers to.
 struct Destination {
     enum class Kind {
-        file,       ///< A regular file, or none yet.
-        stream,     ///< Something else that is there: a device, a FIFO.
-        descriptor, ///< One of this process.
+        file,       ///< A regular file, which need not exist.
+        stream,     ///< An existing file of another kind: a device, a FIFO.
+        descriptor, ///< A descriptor of this process.
     };
     Kind kind = Kind::file;
-    std::filesystem::path path; ///< Of files and streams; of files without links in the last place.
-    int descriptor = -1;        ///< Of a descriptor; 1 is standard output.
+    std::filesystem::path path; ///< Of files and streams; for files with the last component resolved if it is a link.
+    int descriptor = -1;        ///< The descriptor; 1 is standard output.
 };
 
-/// Looks up what `path` stands for, as described above. Throws `Error` (io) if nothing can be written there: a folder,
-/// a name in a folder that is not there, a link that leads in a circle, something without the right to write.
+/// Determines the destination of a path as described above. Throws `Error` (io) if it cannot be written: a folder, a
+/// path in a missing folder, a cycle of links, or missing write permission.
 Destination destination_of(const std::filesystem::path& path);
 
-/// Whether that is standard output, by any of its names.
+/// Whether a path refers to standard output, by any of its names.
 bool is_standard_output(const std::filesystem::path& path);
 
-/// The extension in lower case, with its dot: what decides the format.
+/// The extension in lower case with its dot, which determines the format.
 std::string extension_of(const std::filesystem::path& path);
 
-/// Where a file is written before it takes its name: beside it, so that renaming cannot cross a file system, and with
-/// the same extension.
+/// The name under which a file is written before it is renamed: in the same folder, so that renaming never crosses file
+/// systems, and with the same extension.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
-/// The same, for a file that another program is to go on with if this one ends first (`Appearance::resumable`).
+/// The same for a file that another program may continue if this one ends early (`Appearance::resumable`).
 std::filesystem::path unfinished_beside(const std::filesystem::path& path);
 
-/// Gives a finished temporary its name, and the rights of the file that it replaces. Removes it if that fails. Throws
-/// `Error` (io). `path` as in `Destination`.
+/// Renames a complete temporary file, with the permissions of the file that it replaces. Removes the temporary file on
+/// failure. Throws `Error` (io). `path` as in `Destination`.
 void take_name(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
-/// Waits until the disk has the names of what is in a folder. Throws `Error` (io).
+/// Waits until the names of the files in a folder are on disk. Throws `Error` (io).
 void sync_folder(const std::filesystem::path& folder);
 
-/// Makes the folder that `path` lies in, if it is missing. Throws `Error` (io).
+/// Creates the parent folder of `path` if it is missing. Throws `Error` (io).
 void make_parent_folder(const std::filesystem::path& path);
 
-/// When others see a regular file that is written.
+/// When other programs see a regular file that is being written.
 enum class Appearance {
-    when_whole,  ///< Once it is closed, under its name; it replaces what had that name.
-    as_it_grows, ///< At once: it is emptied if it is there, and everything written is in it. For files of which also a
-                 ///< part is of use.
-    resumable,   ///< As the first, but what is written before stays, as `unfinished_beside`, if this ends without
-                 ///< `close`: another program can go on with it.
+    when_whole, ///< When it is closed; it replaces an existing file of its name.
+    /// At once: an existing file is emptied, and receives everything written. For files of which a part is useful, too.
+    as_it_grows,
+    /// As when_whole, but without `close` the data remains as `unfinished_beside`, for another program to continue.
+    resumable,
 };
 
-/// A file, or anything else that has a name, being written.
+/// A file, or another destination with a name, that is being written.
 class OutputFile {
   public:
-    /// Throws `Error` (io) if it cannot be opened, or is resumable and written by another program now. Waits for a
-    /// reader if it is a FIFO; a signal that is caught ends that. `kept`: of what is resumable, so many bytes of what
-    /// is there unfinished are the beginning of this.
+    /// Throws `Error` (io) if it cannot be opened, or if it is resumable and another program is writing it. Waits for a
+    /// reader if it is a FIFO; a caught signal ends the wait. `kept`: for a resumable file, the number of bytes of the
+    /// unfinished file to keep as its beginning.
     explicit OutputFile(const std::filesystem::path& path, Appearance appearance = Appearance::when_whole,
                         std::size_t kept = 0);
-    /// Without `close`, a regular file that appears when it is whole is left as it was before.
+    /// Without `close`, a regular file that appears when whole remains as it was before.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Appends. Streams and files that appear as they grow get it at once, others in larger pieces. Throws `Error`
-    /// (io), or `ReaderGone`.
+    /// Appends bytes. Streams and files that appear as they grow receive them at once, others in larger pieces. Throws
+    /// `Error` (io), or `ReaderGone`.
     void write(std::string_view bytes);
-    /// Replaces `bytes.size()` bytes at `offset`, counted from the start of the file. Throws `Error`: wrong_state if
-    /// this is a stream, io.
+    /// Replaces `bytes.size()` bytes at `offset`, counted from the start of the file. Throws `Error`: wrong_state for a
+    /// stream, io.
     void overwrite(std::size_t offset, std::string_view bytes);
-    /// Waits until the disk has all that was written. Throws `Error` (io).
+    /// Waits until all written bytes are on disk. Throws `Error` (io).
     void sync();
-    /// Whether this is no regular file, so that nothing written can be changed.
+    /// Whether the destination is not a regular file, so that written bytes cannot be changed.
     bool is_stream() const noexcept { return to_.kind != Destination::Kind::file; }
-    /// Finishes: a regular file takes its name. Throws `Error` (io), or `ReaderGone`.
+    /// Finishes the output: a regular file gets its name. Throws `Error` (io), or `ReaderGone`.
     void close();
 
   private:

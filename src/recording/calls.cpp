@@ -1,4 +1,4 @@
-// The calls of a recording, for worlds that somebody else steps.
+// Reading the calls of a recording, for worlds that are stepped by the user.
 #include "recording/contents.h"
 #include "recording/log_format.h"
 #include "recording/recording.h"
@@ -12,7 +12,7 @@ namespace cairn::recording {
 
 namespace {
 
-// Parts are read when they are asked for, by any thread. What was handed out stays as it is.
+// A thread-safe source: parts are read on demand, and those returned stay valid.
 class SharedParts final : public CommandSource {
   public:
     explicit SharedParts(const Recording::Contents& contents) : parts_(contents) {}
@@ -28,7 +28,7 @@ class SharedParts final : public CommandSource {
   private:
     std::mutex mutex_;
     Parts parts_;
-    std::deque<Snapshot> snapshots_; // of commands, which are few
+    std::deque<Snapshot> snapshots_; // those that commands refer to, which are few
 };
 
 } // namespace

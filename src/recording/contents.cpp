@@ -17,7 +17,7 @@ std::vector<std::byte> take_bytes(RecordReader& from) {
     return {bytes.begin(), bytes.end()};
 }
 
-// A snapshot and, if they are with it, its definitions.
+// A snapshot, with its definitions if the message contains them.
 struct SnapshotMessage {
     std::uint64_t number, definitions;
     std::vector<std::byte> bytes, definition_bytes;
@@ -58,7 +58,7 @@ Recording::Contents::Contents(InputBytes bytes)
         if (has(i, snapshot) || has(i, state)) info.keyframe_bytes += file.chunks()[i].size;
         if (has(i, log) || has(i, geometry) || has(i, keyframe)) read_chunk(i);
     }
-    std::erase_if(keyframes, [&](const Keyframe& k) { // cut off
+    std::erase_if(keyframes, [&](const Keyframe& k) { // truncated
         return k.step > info.steps || (k.is_snapshot && k.number >= snapshot_chunks.size());
     });
     for (Keyframe& k : keyframes)
@@ -120,7 +120,7 @@ void Recording::Contents::read_keyframe(std::string_view message, std::size_t lo
     keyframes.push_back(k);
 }
 
-// Where a state stands, without reading it.
+// Notes where a state is, without reading it.
 void Recording::Contents::read_state(std::size_t chunk) {
     const std::string name = where("state"), records = file.load_start(chunk);
     RecordReader from(file.start_of_message(records), name);
@@ -138,7 +138,7 @@ void Recording::Contents::read_state(std::size_t chunk) {
     keyframes.push_back(k);
 }
 
-// The calls that follow so many steps: they begin a message.
+// The place in the log after this many steps, which is always the beginning of a message.
 Recording::Contents::LogPlace Recording::Contents::place_after(std::uint64_t step) const {
     const auto found =
         std::lower_bound(batches.begin(), batches.end(), step,
@@ -247,9 +247,9 @@ const Snapshot& Parts::snapshot(std::uint64_t number) {
     return snapshot_;
 }
 
-// What was kept of a state, and of those that it differs from, put together.
+// Restores the bytes of a state from its patch and those of its ancestors.
 std::string Parts::state_bytes(std::uint64_t number) const {
-    std::vector<std::uint64_t> way; // to one that stands alone; parents have lesser numbers
+    std::vector<std::uint64_t> way; // from the state to an ancestor without parent; parents have lower numbers
     for (std::uint64_t at = number; at != 0; at = contents_.states.at(at).parent) way.push_back(at);
     std::string bytes;
     for (; !way.empty(); way.pop_back()) {

@@ -1,4 +1,4 @@
-// What a recording is made of, in its file.
+// The contents of a recording, and where they are in its file.
 #pragma once
 
 #include "recording/mcap_reader.h"
@@ -20,37 +20,37 @@ struct Recording::Contents {
     explicit Contents(InputBytes bytes);
 
     struct LogPlace {
-        std::size_t chunk = 0, message = 0; // in `log_chunks`, and of its messages of the log
+        std::size_t chunk = 0, message = 0; // index into `log_chunks`, and of a log message in that chunk
     };
     struct Keyframe {
-        std::uint64_t step = 0, number = 0; // of its state, or of its snapshot, as older versions have them
+        std::uint64_t step = 0, number = 0; // number: of the state, or of the snapshot in files of older versions
         bool is_snapshot = false;
-        LogPlace next; // what follows
+        LogPlace next; // where the log continues
     };
-    struct Batch { // a message of the log
+    struct Batch { // one message of the log
         std::uint64_t first_step = 0;
         LogPlace place;
     };
     struct StatePlace {
-        std::size_t chunk = 0;    // of the file
+        std::size_t chunk = 0;    // index of a chunk of the file
         std::uint64_t parent = 0; // 0: none
     };
     struct GeometryPlace {
-        std::size_t chunk = 0, offset = 0, size = 0; // in the records of a chunk of the file
+        std::size_t chunk = 0, offset = 0, size = 0; // chunk of the file, and range in its records
     };
-    struct StepRun {
-        std::uint64_t first = 0; // step
-        double time = 0;         // s: when it begins
-        float length = 0;        // s, of all of them
+    struct StepRun {             // consecutive steps of equal length
+        std::uint64_t first = 0; // number of its first step
+        double time = 0;         // s: at its beginning
+        float length = 0;        // s, of each step
     };
     McapReader file;
-    std::optional<std::uint16_t> log, geometry, keyframe, snapshot, state; // channels
-    std::vector<std::size_t> log_chunks, snapshot_chunks;                  // of the file
+    std::optional<std::uint16_t> log, geometry, keyframe, snapshot, state; // channel numbers
+    std::vector<std::size_t> log_chunks, snapshot_chunks;                  // chunks of the file
     std::vector<GeometryPlace> geometries;                                 // by number
     std::vector<Keyframe> keyframes;                                       // by step
     std::vector<Batch> batches;                                            // by step
     std::map<std::uint64_t, StatePlace> states;                            // by number
-    std::vector<StepRun> runs;                                             // of steps of one length
+    std::vector<StepRun> runs;                                             // consecutive
     RecordingInfo info;
 
     std::string where(const std::string& what) const { return file.name() + ": " + what; }
@@ -63,15 +63,15 @@ struct Recording::Contents {
     LogPlace place_after(std::uint64_t step) const;
 };
 
-// What a log has, one after the other.
+// One entry of the log.
 struct LogEntry {
     enum class Kind { command, digest, end };
     Kind kind = Kind::end;
-    std::span<const std::byte> command; // valid until the next entry is asked for
+    std::span<const std::byte> command; // valid until the next entry is read
     StateDigest digest;
 };
 
-// The entries of one message.
+// Reads the entries of one log message.
 class BatchReader {
   public:
     BatchReader(std::string_view message, const std::string& where) : from_(message, where) {
@@ -95,16 +95,15 @@ class LogCursor {
   private:
     const Recording::Contents& contents_;
     std::string what_;
-    std::size_t chunk_ = 0;                  // the next one to load
-    std::string records_;                    // of the one before
-    std::vector<std::string_view> messages_; // of the log, in it
-    std::size_t message_ = 0;                // the next one
+    std::size_t chunk_ = 0;                  // the next chunk to load
+    std::string records_;                    // records of the chunk loaded last
+    std::vector<std::string_view> messages_; // its log messages
+    std::size_t message_ = 0;                // the next message
     std::optional<BatchReader> batch_;
     std::optional<LogEntry> entry_;
 };
 
-// Geometry, snapshots and states by their numbers; what was asked for once is kept, of snapshots and states the last
-// one.
+// Reads geometry, snapshots and states by number. Geometry is cached; of snapshots and states, only the last one.
 class Parts final : public CommandSource {
   public:
     explicit Parts(const Recording::Contents& contents)
@@ -122,7 +121,7 @@ class Parts final : public CommandSource {
     std::vector<std::optional<Shape>> shapes_;
     std::vector<std::shared_ptr<const SnapshotDefinitions>> definitions_;
     Snapshot snapshot_;
-    std::string defined_by_; // what `snapshot_.definitions` were read from, of a state
+    std::string defined_by_; // for a state: the bytes that `snapshot_.definitions` were read from
 };
 
 } // namespace cairn::recording

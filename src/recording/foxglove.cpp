@@ -162,7 +162,7 @@ Timestamp timestamp 1
 repeated JointLoad joints 2
 )";
 
-// A plane that has no end ends somewhere in a picture.
+// Drawn size and thickness of an infinite plane, m.
 constexpr float plane_size = 100.0f, plane_thickness = 0.01f; // m
 
 template <class V> ProtoWriter vector_message(const V& v) {
@@ -180,7 +180,7 @@ ProtoWriter pose_message(const Transform& pose) {
     return result.message(1, vector_message(pose.position)).message(2, rotation_message(pose.rotation));
 }
 
-// That turns one direction to another one.
+// The rotation that turns one direction into another.
 Quat turn_to(const Vec3& from, const Vec3& to) {
     const float c = glm::dot(from, to);
     if (c < -0.9999f) {
@@ -249,7 +249,7 @@ void EntityWriter::add_ball(const Transform& pose, float radius) {
     entity_.message(9, ball.message(1, pose_message(pose)).message(2, vector_message(size)).message(3, color_));
 }
 
-// Theirs stands along z, ours along y.
+// Foxglove's cylinders have z as axis, Cairn's y.
 void EntityWriter::add_cylinder(const Transform& pose, float half_height, float low, float high) {
     const float widest = std::max(low, high);
     ProtoWriter cylinder;
@@ -309,7 +309,7 @@ void EntityWriter::add_shape(const Shape& shape, const Vec3& position, const Qua
     add_triangles(pose, surface.points, surface.indices);
 }
 
-// Theirs points along x.
+// Foxglove's arrows point along x.
 void EntityWriter::add_arrow(const Position& from, const Vec3& way, const Vec3& color) {
     const float length = glm::length(way);
     if (!(length > 0.0f)) return;

@@ -1,5 +1,5 @@
-// Messages that Foxglove and the programs that read the same schemas know (https://docs.foxglove.dev/docs/sdk/schemas),
-// and those of ours beside them.
+// Messages in the schemas of Foxglove (https://docs.foxglove.dev/docs/sdk/schemas), which several programs read, and in
+// Cairn's own schemas.
 #pragma once
 
 #include "recording/protobuf.h"
@@ -13,7 +13,7 @@
 
 namespace cairn::recording {
 
-// Descriptions of all messages of the packages foxglove and cairn that are written.
+// Schemas of all messages of the packages foxglove and cairn that are written.
 std::string foxglove_schemas();
 std::string own_schemas();
 
@@ -21,10 +21,10 @@ ProtoWriter timestamp_message(std::uint64_t nanoseconds);
 ProtoWriter transform_message(std::uint64_t nanoseconds, std::string_view parent, std::string_view child,
                               const Position& position, const Quat& rotation);
 
-// Primitives of one entity of a scene.
+// Writes the primitives of one scene entity.
 class EntityWriter {
   public:
-    // `is_locked`: it goes along with its frame.
+    // `is_locked`: the entity moves with its frame.
     EntityWriter(std::uint64_t nanoseconds, std::string_view frame, std::string_view id, bool is_locked);
     void add_shape(const Shape& shape, const Vec3& position, const Quat& rotation, const Vec3& color);
     void add_arrow(const Position& from, const Vec3& way, const Vec3& color);

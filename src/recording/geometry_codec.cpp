@@ -12,7 +12,7 @@ namespace cairn::recording {
 
 namespace {
 
-// Of a mesh or height field with materials those come first.
+// Geometry types. In the kinds with materials, the materials precede the mesh or height field.
 enum class Kind : std::uint8_t { hull, mesh, height_field, mesh_with_materials, height_field_with_materials };
 
 void append(std::string& to, float x) { RecordWriter(to).number(std::bit_cast<std::uint32_t>(x)); }
@@ -23,7 +23,7 @@ void append(std::string& to, std::span<const Vec3> points) {
 
 float read_float(RecordReader& from) { return std::bit_cast<float>(from.number<std::uint32_t>()); }
 
-// Of elements that take `size` bytes each.
+// Reads the number of elements that take at least `size` bytes each.
 std::size_t read_count(RecordReader& from, std::size_t size, const std::string& what) {
     const std::uint64_t count = from.leb128();
     if (count > from.rest().size() / size)

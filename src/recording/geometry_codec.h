@@ -1,4 +1,4 @@
-// Hulls, meshes and height fields as bytes.
+// Serialization of hulls, meshes and height fields.
 #pragma once
 
 #include <cairn/shape.h>
@@ -11,10 +11,10 @@ namespace cairn::recording {
 // `shape` must be a Hull, Mesh or HeightField; the rounding of a hull is not part of its geometry.
 std::string encode_geometry(const Shape& shape);
 
-// Throws Error(invalid_file), or what the shape's constructor throws. `what`: of messages.
+// Throws Error(invalid_file), or whatever the shape's constructor throws. `what`: the subject in messages.
 Shape decode_geometry(std::string_view bytes, const std::string& what);
 
-// What copies of a shape share; null for those that share nothing.
+// The data that copies of a shape share; null for shapes without shared data.
 std::shared_ptr<const void> shared_geometry(const Shape& shape);
 
 } // namespace cairn::recording

@@ -13,7 +13,7 @@
 namespace cairn::recording {
 
 InputBytes::InputBytes(const std::filesystem::path& path) : name_(path.generic_string()) {
-    file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // a FIFO is not waited for
+    file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // does not wait for a FIFO
     if (file_ < 0) throw Error(ErrorCode::io, name_, {}, std::string("cannot be read: ") + std::strerror(errno));
     struct stat status {};
     if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) {

@@ -1,4 +1,4 @@
-// Bytes of a file, or of memory, to be read anywhere.
+// Random access to the bytes of a file or of memory.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ namespace cairn::recording {
 
 class InputBytes {
   public:
-    // Throws Error(io) if it cannot be read, or is no regular file.
+    // Throws Error(io) if the file cannot be read, or is not a regular file.
     explicit InputBytes(const std::filesystem::path& path);
-    // `name`: stands for the file in messages.
+    // `name`: replaces the file name in messages.
     InputBytes(std::string bytes, std::string name);
     ~InputBytes();
     InputBytes(InputBytes&& other) noexcept;
@@ -21,13 +21,13 @@ class InputBytes {
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
-    // All of it must be within `size`; throws Error(io) if it is not there any more.
+    // The range must be within `size`; throws Error(io) if the file has become shorter.
     std::string read(std::uint64_t offset, std::uint64_t size) const;
 
   private:
     std::string name_;
     std::string bytes_;
-    int file_ = -1; // none: bytes_
+    int file_ = -1; // -1: the bytes are in bytes_
     std::uint64_t size_ = 0;
 };
 

@@ -8,11 +8,12 @@ namespace cairn::recording {
 
 namespace {
 
-// s of a processor, roughly: what a step takes for each body, more if it is awake, for each pair of shapes that it
-// tests, more if it looks at them along their ways; and what it takes to keep a byte.
+// Estimated processor time, s: of a step per body, additionally per awake body, per tested pair of shapes, and per pair
+// tested by a sweep.
 constexpr double for_a_body = 4e-8, for_an_awake_body = 8e-7, for_a_tested_pair = 4e-7, for_a_swept_pair = 7e-7;
+// Estimated processor time to keep a state, s per byte.
 constexpr double for_a_byte = 5e-9;
-constexpr std::uint64_t looked_after = 8; // steps: to count takes as long as a step that has nothing to do
+constexpr std::uint64_t looked_after = 8; // Steps between two estimates: counting takes as long as an idle step.
 
 double work_of_step(const Statistics& world) {
     return for_a_body * double(world.bodies) + for_an_awake_body * double(world.awake_bodies) +

@@ -1,4 +1,4 @@
-// What the messages of a recording are, and the names of its channels.
+// Message formats of recordings, and names of their channels.
 #pragma once
 
 #include <cairn/commands.h>
@@ -13,11 +13,11 @@ namespace cairn::recording {
 
 inline constexpr std::string_view topic_log = "/cairn/commands", topic_geometry = "/cairn/geometry",
                                   topic_snapshots = "/cairn/snapshots", topic_states = "/cairn/states",
-                                  topic_keyframes = "/cairn/keyframes", // of versions before /cairn/states
+                                  topic_keyframes = "/cairn/keyframes", // in files of versions before /cairn/states
     log_encoding = "cairn1";
-inline constexpr std::uint64_t states_version = 1; // with which messages of /cairn/states begin
+inline constexpr std::uint64_t states_version = 1; // first field of messages of /cairn/states
 
-// In the file, for who reads it without Cairn.
+// Documentation in the file itself, for readers without Cairn.
 inline constexpr std::string_view parts_encoding =
     R"json({"encoding": "cairn parts, version 1",
 "numbers": "LEB128; of fixed size (u32, u64) and floats: little endian",
@@ -43,7 +43,7 @@ inline constexpr std::string_view parts_encoding =
 "in it: size, bytes of the state; size, bytes of its definitions; the shapes as a list of Shape"]
 })json";
 
-// A step among commands: its number, and the length as a float.
+// Size of a step command, bytes: its number, and the step length as a float.
 inline constexpr std::size_t step_command_size = 5;
 inline bool is_step(std::span<const std::byte> command) {
     return command.size() == step_command_size && command_name(command) == "World::step";
@@ -54,7 +54,7 @@ inline float step_length(std::span<const std::byte> command) {
     return std::bit_cast<float>(bits);
 }
 
-// Whether what is seen of a body may be other than before, though its shapes are the same ones.
+// Whether a command may change the appearance of a body that keeps its shapes.
 inline bool changes_looks(std::span<const std::byte> command) {
     const std::string_view name = command_name(command);
     return name == "World::set_shape" || name == "World::set_shape_def" || name == "Body::set_type" ||

@@ -1,4 +1,4 @@
-// What MCAP files are made of (https://mcap.dev/spec): records of an opcode, a length and little-endian fields.
+// Elements of MCAP files (https://mcap.dev/spec): records of an opcode, a length and little-endian fields.
 #pragma once
 
 #include <cstddef>
@@ -29,9 +29,9 @@ enum class Opcode : std::uint8_t {
     data_end,
 };
 
-inline constexpr std::size_t record_start = 9; // opcode and length
+inline constexpr std::size_t record_start = 9; // size of opcode and length, bytes
 
-// Fields, one after the other.
+// Appends consecutive fields.
 class RecordWriter {
   public:
     explicit RecordWriter(std::string& out) : out_(out) {}
@@ -49,10 +49,11 @@ class RecordWriter {
     std::string& out_;
 };
 
-// Appends a record with that content.
+// Appends a record with this content.
 void append_record(std::string& out, Opcode opcode, std::string_view content);
 
-// Throws Error(invalid_file) rather than read past the end. `what`: of messages.
+// Reads consecutive fields. Throws Error(invalid_file) instead of reading past the end. `what`: the subject in
+// messages.
 class RecordReader {
   public:
     RecordReader(std::string_view bytes, const std::string& what) : bytes_(bytes), what_(what) {}

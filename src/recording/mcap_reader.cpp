@@ -12,9 +12,9 @@ namespace cairn::recording {
 
 namespace {
 
-// Bytes: more than any writer gathers before it writes; what claims to be larger is damaged.
+// The greatest accepted size of a chunk, bytes: more than any writer collects; larger values indicate damage.
 constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 31;
-constexpr std::uint64_t looked_at = 256; // bytes of a chunk, to see what its first message is
+constexpr std::uint64_t looked_at = 256; // bytes read from the start of a chunk to find its first message
 constexpr std::uint64_t footer_size = record_start + 8 + 8 + 4;
 
 [[noreturn]] void damaged(const std::string& where, const std::string& value, const std::string& expected) {
@@ -35,7 +35,7 @@ McapReader::McapReader(InputBytes bytes) : bytes_(std::move(bytes)), what_(bytes
     }
 }
 
-// False if the file does not end as a whole one does.
+// Reads the index. Returns false if the file lacks a regular end.
 bool McapReader::read_index() {
     const std::uint64_t magic = mcap_magic.size(), end = footer_size + magic;
     if (bytes_.size() < magic + end || bytes_.read(bytes_.size() - magic, magic) != mcap_magic) return false;
@@ -43,9 +43,9 @@ bool McapReader::read_index() {
     const std::string footer = record_at(footer_at, footer_size, Opcode::footer);
     RecordReader fields(footer, what_);
     const auto summary_start = fields.number<std::uint64_t>();
-    fields.number<std::uint64_t>(); // where the offsets of the summary start
+    fields.number<std::uint64_t>(); // start of the summary offsets
     const auto checksum = fields.number<std::uint32_t>();
-    if (summary_start == 0) return false; // a writer that makes no index
+    if (summary_start == 0) return false; // written without an index
     if (summary_start < magic || summary_start > footer_at)
         damaged(what_ + ": footer: summary_start", std::to_string(summary_start), "must lie within the file");
     const std::string summary = bytes_.read(summary_start, footer_at + footer_size - summary_start);
@@ -81,7 +81,7 @@ bool McapReader::read_index() {
     return true;
 }
 
-// All records that are whole, from the start.
+// Reads all complete records from the start.
 void McapReader::scan() {
     std::uint64_t at = mcap_magic.size();
     whole_bytes_ = at;
@@ -97,7 +97,7 @@ void McapReader::scan() {
         whole_bytes_ = at;
         if (opcode == Opcode::data_end) break;
     }
-    for (std::size_t i = 0; i < chunks_.size(); ++i) { // the last one may have lost the index that follows it
+    for (std::size_t i = 0; i < chunks_.size(); ++i) { // the message index after the last chunk may be missing
         if (i + 1 < chunks_.size() && !chunks_[i].channels.empty()) continue;
         const std::string records = load(i);
         for_each_message(records, [&](const McapMessage& m) { chunks_[i].channels.insert(m.channel); });
@@ -108,7 +108,7 @@ void McapReader::add_record(Opcode opcode, std::string_view content, std::uint64
     RecordReader record(content, what_);
     if (opcode == Opcode::channel) {
         const auto id = record.number<std::uint16_t>();
-        record.number<std::uint16_t>(); // its schema
+        record.number<std::uint16_t>(); // schema number
         channels_.emplace(record.text(), id);
     }
     if (opcode == Opcode::metadata) read_metadata(content);
@@ -127,7 +127,7 @@ void McapReader::read_metadata(std::string_view content) {
     }
 }
 
-// The content of a record, which must be one of that kind.
+// The content of the record at an offset, which must have this opcode.
 std::string McapReader::record_at(std::uint64_t offset, std::uint64_t size, Opcode opcode) const {
     const std::string where = what_ + ": record at byte " + std::to_string(offset);
     if (size < record_start || offset > bytes_.size() || size > bytes_.size() - offset)
@@ -164,7 +164,8 @@ std::string McapReader::unpacked(std::string_view compression, std::string_view 
     if (compression != "zstd")
         throw Error(ErrorCode::unsupported, where, std::string(compression),
                     "must be compressed by zstd, or not at all");
-    // What is claimed gets memory only if the compressed bytes say the same: they cannot be that much fewer.
+    // Memory for the claimed size is allocated only if the compressed frame claims the same size, since the size of the
+    // compressed bytes limits it.
     if (ZSTD_getFrameContentSize(records.data(), records.size()) != size)
         damaged(where, "", "has another size than its compressed bytes say");
     std::string result(std::size_t(size), '\0');

@@ -1,4 +1,4 @@
-// Reads MCAP files by their index; without one (cut off), by what chunks are whole.
+// Reads MCAP files by their index; a truncated file without one by its complete chunks.
 #pragma once
 
 #include "recording/input_bytes.h"
@@ -27,26 +27,27 @@ class McapReader {
     explicit McapReader(InputBytes bytes);
 
     struct ChunkPlace {
-        std::uint64_t offset = 0, size = 0; // of its record in the file
-        std::set<std::uint16_t> channels;   // that have messages in it
+        std::uint64_t offset = 0, size = 0; // of the chunk's record in the file
+        std::set<std::uint16_t> channels;   // channels that have messages in the chunk
     };
     const std::vector<ChunkPlace>& chunks() const { return chunks_; }
     const std::string& name() const { return bytes_.name(); }
     std::uint64_t size() const { return bytes_.size(); }
     bool is_cut_off() const { return is_cut_off_; }
-    std::uint64_t whole_bytes() const { return whole_bytes_; } // up to the end of the last whole record
+    std::uint64_t whole_bytes() const { return whole_bytes_; } // up to the end of the last complete record
     std::optional<std::uint16_t> channel(std::string_view topic) const;
-    // Of all metadata of that name.
+    // The merged values of all metadata records of this name.
     const std::map<std::string, std::string>& metadata(const std::string& name) const;
 
     // The records of a chunk. Throws Error(invalid_file) if they are damaged.
     std::string load(std::size_t chunk) const;
-    // Of a chunk that is not compressed the first of its bytes, unchecked, enough for `start_of_message`; of others
-    // all.
+    // For an uncompressed chunk, its first bytes, unchecked, as many as `start_of_message` needs; for a compressed one,
+    // all records.
     std::string load_start(std::size_t chunk) const;
-    // Of its first message what is there of its data. Throws Error(invalid_file) if it begins with something else.
+    // The available data of the first message in `records`. Throws Error(invalid_file) if the first record is not a
+    // message.
     std::string_view start_of_message(std::string_view records) const;
-    // Calls f(message) for each message of the records of a chunk, in the order in which they were written.
+    // Calls f(message) for each message in the records of a chunk, in the order of writing.
     template <class F> void for_each_message(std::string_view records, F&& f) const {
         RecordReader from(records, what_);
         while (!from.is_empty()) {
@@ -57,7 +58,7 @@ class McapReader {
             message.channel = record.number<std::uint16_t>();
             message.sequence = record.number<std::uint32_t>();
             message.nanoseconds = record.number<std::uint64_t>();
-            record.number<std::uint64_t>(); // when it was published
+            record.number<std::uint64_t>(); // publish time
             message.data = record.rest();
             f(message);
         }
@@ -73,7 +74,7 @@ class McapReader {
                          const std::string& where) const;
 
     InputBytes bytes_;
-    std::string what_; // of messages
+    std::string what_; // the subject in messages
     std::vector<ChunkPlace> chunks_;
     std::map<std::string, std::uint16_t, std::less<>> channels_; // by topic
     std::map<std::string, std::map<std::string, std::string>> metadata_;

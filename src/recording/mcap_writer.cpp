@@ -16,8 +16,8 @@ struct McapWriter::Context : ZstdContext {};
 
 namespace {
 
-constexpr int compression_level = 3;     // zstd's own default
-constexpr std::uint64_t piece = 1 << 20; // bytes that are copied at a time
+constexpr int compression_level = 3;     // zstd's default
+constexpr std::uint64_t piece = 1 << 20; // bytes copied at a time
 
 std::string map_field(const std::string& content) {
     std::string field;
@@ -87,7 +87,7 @@ std::string McapWriter::compressed(std::string_view records) {
     std::string result(ZSTD_compressBound(records.size()), '\0');
     const std::size_t size = ZSTD_compressCCtx(context_->zstd, result.data(), result.size(), records.data(),
                                                records.size(), compression_level);
-    if (ZSTD_isError(size) != 0) throw std::bad_alloc(); // the bound leaves no other reason
+    if (ZSTD_isError(size) != 0) throw std::bad_alloc(); // the only possible error, given the bound on the size
     result.resize(size);
     return result;
 }
@@ -205,7 +205,7 @@ std::string McapWriter::summary() const {
 
 void McapWriter::leave_out(std::size_t chunk) { chunks_[chunk].is_left_out = true; }
 
-// Goes on with a copy that lacks what is left out, and takes the file's place when it is closed.
+// Continues in a copy without the omitted chunks, which replaces the file when it is closed.
 void McapWriter::copy_what_stays() {
     const InputBytes all(path_);
     auto copy = std::make_unique<files::OutputFile>(path_);
@@ -240,7 +240,7 @@ void McapWriter::close() {
     const bool lacks_any = std::any_of(chunks_.begin(), chunks_.end(), [](const auto& c) { return c.is_left_out; });
     if (lacks_any && !file_->is_stream()) copy_what_stays();
     std::string end, record;
-    RecordWriter(end).number(std::uint32_t{0}); // no checksum of the data section: each chunk has its own
+    RecordWriter(end).number(std::uint32_t{0}); // no checksum of the data section, as each chunk has its own
     append_record(record, Opcode::data_end, end);
     put(record);
     put(summary());

@@ -1,5 +1,5 @@
-// Writes MCAP files: schemas, channels and messages in chunks, and at the end the index of them. A file that ends
-// earlier has all chunks that were written whole, also those that are left out at the end.
+// Writes MCAP files: schemas, channels, messages in chunks, and an index at the end. A truncated file has all chunks
+// that were written completely, including those that `close` would leave out.
 #pragma once
 
 #include "files/output_file.h"
@@ -22,7 +22,7 @@ struct McapChannel {
 
 class McapWriter {
   public:
-    // `compress`: chunks by zstd. Throws Error(io).
+    // `compress`: compresses chunks with zstd. Throws Error(io).
     McapWriter(const std::filesystem::path& path, bool compress);
     ~McapWriter();
     McapWriter(const McapWriter&) = delete;
@@ -32,12 +32,13 @@ class McapWriter {
     std::uint16_t add_schema(std::string_view name, std::string_view encoding, std::string_view data);
     std::uint16_t add_channel(std::uint16_t schema, std::string_view topic, std::string_view message_encoding);
 
-    // Messages that are gathered until they are written as one chunk.
+    // Messages collected to be written as one chunk.
     class Chunk {
       public:
-        // `nanoseconds`: since the recording began.
+        // `nanoseconds`: since the beginning of the recording.
         void add(std::uint16_t channel, std::uint32_t sequence, std::uint64_t nanoseconds, std::string_view data);
-        void leave_uncompressed() { is_compressed_ = false; } // until it is written; what is compressed by itself
+        // for data that is already compressed; holds until the chunk is written
+        void leave_uncompressed() { is_compressed_ = false; }
         std::size_t size() const { return records_.size(); }
         bool is_empty() const { return records_.empty(); }
 
@@ -50,12 +51,12 @@ class McapWriter {
             index_; // time, offset; by channel
         std::map<std::uint16_t, std::uint32_t> counts_;
     };
-    // Writes it to the file at once, and empties it. Nothing if it is empty. Throws Error(io).
+    // Writes a chunk to the file at once, and empties it; does nothing if it is empty. Throws Error(io).
     void write(Chunk& chunk);
     std::size_t chunk_count() const { return chunks_.size(); }
-    // That chunk, counted from 0, shall not be in the file once it is closed; of what is no regular file, all stays.
+    // Omits a chunk, counted from 0, from the closed file. In files that are not regular, all chunks stay.
     void leave_out(std::size_t chunk);
-    // The index, and the end of the file. Throws Error(io).
+    // Writes the index and the end of the file. Throws Error(io).
     void close();
     std::uint64_t bytes_written() const { return offset_; }
 
@@ -79,7 +80,7 @@ class McapWriter {
     std::uint64_t offset_ = 0;
     struct Context; // of zstd
     std::unique_ptr<Context> context_;
-    std::string schemas_, channels_; // their records
+    std::string schemas_, channels_; // serialized records
     std::uint16_t schema_count_ = 0;
     std::uint16_t channel_count_ = 0;
     std::vector<ChunkPlace> chunks_;

@@ -15,8 +15,9 @@ namespace cairn::recording {
 
 namespace {
 
-constexpr int level = 1; // zstd's fastest that finds more than what is repeated: half of the time of its default
-constexpr unsigned long long largest = 1ull << 31; // bytes, as chunks
+// Compression level: the fastest of zstd that finds more than repeated bytes, in half the time of the default level.
+constexpr int level = 1;
+constexpr unsigned long long largest = 1ull << 31; // greatest size of a state, bytes, as for chunks
 
 } // namespace
 
@@ -27,7 +28,8 @@ Patcher::~Patcher() = default;
 
 std::string Patcher::patch(std::string_view before, std::string_view after) {
     ZSTD_CCtx* const zstd = context_->zstd;
-    const int window = std::clamp(int(std::bit_width(before.size() + after.size())), 17, 30); // all of both
+    // log2 of the window size, which covers both inputs
+    const int window = std::clamp(int(std::bit_width(before.size() + after.size())), 17, 30);
     bool fails = false;
     const auto check = [&](std::size_t result) { fails = fails || ZSTD_isError(result) != 0; };
     check(ZSTD_CCtx_setParameter(zstd, ZSTD_c_compressionLevel, level));
@@ -37,7 +39,7 @@ std::string Patcher::patch(std::string_view before, std::string_view after) {
     std::string result(ZSTD_compressBound(after.size()), '\0');
     const std::size_t size = ZSTD_compress2(zstd, result.data(), result.size(), after.data(), after.size());
     check(size);
-    if (fails) throw std::bad_alloc(); // the bound leaves no other reason
+    if (fails) throw std::bad_alloc(); // the only possible error, given the bound on the size
     result.resize(size);
     result.shrink_to_fit();
     return result;
@@ -45,7 +47,8 @@ std::string Patcher::patch(std::string_view before, std::string_view after) {
 
 std::string patched(std::string_view before, std::string_view patch, const std::string& where) {
     const unsigned long long size = ZSTD_getFrameContentSize(patch.data(), patch.size());
-    if (size > largest) throw Error(ErrorCode::invalid_file, where, "", "does not say how large it is"); // or not so
+    // size unknown or invalid
+    if (size > largest) throw Error(ErrorCode::invalid_file, where, "", "does not say how large it is");
     const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
     if (context == nullptr) throw std::bad_alloc();
     std::string result(std::size_t(size), '\0');

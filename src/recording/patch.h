@@ -1,5 +1,5 @@
-// Bytes as their difference from other bytes: a frame of zstd that has those as its prefix, as `zstd --patch-from`
-// makes them. Also where things have moved within them, as contacts do that come and go.
+// Binary patches: bytes as a zstd frame that has other bytes as its prefix, as made by `zstd --patch-from`. It also
+// finds data that has moved, such as the contacts after one that was added or removed.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace cairn::recording {
 
-// Its memory is kept from one to the next.
+// Keeps its memory between calls.
 class Patcher {
   public:
     Patcher();
     ~Patcher();
     Patcher(const Patcher&) = delete;
     Patcher& operator=(const Patcher&) = delete;
-    // What `patched` makes `after` of, together with `before`, which may be empty.
+    // A patch from which `patched` restores `after`, given `before`, which may be empty.
     std::string patch(std::string_view before, std::string_view after);
 
   private:
@@ -23,7 +23,7 @@ class Patcher {
     std::unique_ptr<Context> context_;
 };
 
-// Throws Error(invalid_file), which names `where`, if that was not made from `before`.
+// Throws Error(invalid_file), which names `where`, if the patch was not made from `before`.
 std::string patched(std::string_view before, std::string_view patch, const std::string& where);
 
 } // namespace cairn::recording

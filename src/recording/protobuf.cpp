@@ -54,7 +54,7 @@ ProtoWriter& ProtoWriter::fixed(int field, std::span<const std::uint32_t> values
 
 namespace {
 
-// The numbers of google/protobuf/descriptor.proto.
+// Numbers from google/protobuf/descriptor.proto.
 enum Label { optional = 1, repeated = 3 };
 constexpr int type_int32 = 5, type_int64 = 3, type_message = 11, type_enum = 14;
 const std::map<std::string_view, int> scalar_types{{"double", 1},         {"uint64", 4},        {"fixed32", 7},
@@ -67,7 +67,7 @@ ProtoWriter field(std::string_view name, int number, Label label, int type, cons
     return result.text(6, type_name);
 }
 
-// A file of google.protobuf with one message of seconds and nanoseconds.
+// The file descriptor of google.protobuf.Timestamp or Duration: one message of seconds and nanoseconds.
 ProtoWriter time_file(const std::string& file, std::string_view name) {
     ProtoWriter message, result;
     message.text(1, name);
@@ -91,7 +91,7 @@ std::string describe_messages(std::string_view package, std::string_view lines) 
     ProtoWriter file, message, set;
     file.text(1, std::string(package) + ".proto").text(2, package).text(3, timestamp).text(3, duration);
     std::string message_name, line, word;
-    std::set<std::string> enums; // of the message
+    std::set<std::string> enums; // of the current message
     std::istringstream all{std::string(lines)};
     const auto end_message = [&] {
         if (!message_name.empty()) file.message(4, message);

@@ -12,13 +12,13 @@ namespace cairn::recording {
 
 namespace {
 
-// The first is that of other programs, with z up; in the second y is up.
+// root_frame follows the convention of other programs, z up; in scene_frame y is up.
 constexpr const char *root_frame = "world", *scene_frame = "scene";
 const Quat y_to_z(0.70710678f, 0.70710678f, 0.0f, 0.0f);
-constexpr double whole_interval = 1.0;  // s from one message with the poses of all bodies to the next
-constexpr float arrow_of_weight = 0.5f; // m: of a force as large as the mean weight of a body
+constexpr double whole_interval = 1.0;  // Time between two messages with the poses of all bodies, s.
+constexpr float arrow_of_weight = 0.5f; // Length of the arrow for a force that equals the mean weight of a body, m.
 const Vec3 still_color(0.6f, 0.62f, 0.64f), force_color(1.0f, 0.62f, 0.08f);
-// Told apart by the color-blind, too.
+// Distinguishable for color-blind people.
 const Vec3 colors[] = {{0.25f, 0.56f, 0.85f}, {0.90f, 0.63f, 0.12f}, {0.44f, 0.85f, 0.78f},
                        {0.75f, 0.31f, 0.48f}, {0.95f, 0.89f, 0.35f}, {0.48f, 0.36f, 0.78f}};
 
@@ -30,7 +30,7 @@ std::string short_number(float value) {
     return text;
 }
 
-// The name, or where another has it, one with the number of the slot.
+// The name, with the slot number appended if it is empty or taken.
 std::string distinct_name(std::string name, const char* kind, std::uint32_t slot, std::set<std::string>& taken) {
     if (name.empty() || !taken.insert(name).second) {
         name = (name.empty() ? kind : name) + " " + std::to_string(slot);
@@ -39,7 +39,7 @@ std::string distinct_name(std::string name, const char* kind, std::uint32_t slot
     return name;
 }
 
-// In the order of `World::joints`.
+// Distinct names of joints, in the order of `World::joints`.
 std::vector<std::string> joint_names(const World& world) {
     std::set<std::string> taken;
     std::vector<std::string> names;
@@ -72,7 +72,7 @@ void ReadingsWriter::send(McapWriter::Chunk& chunk, std::optional<Channel>& chan
 
 bool ReadingsWriter::is_due(const World& world, double time) {
     if (time < next_time_ - 1e-9) return false;
-    next_time_ = std::max(next_time_ + interval_, time); // what is asked for more often than there are steps: each step
+    next_time_ = std::max(next_time_ + interval_, time); // intervals shorter than a step yield each step
     is_whole_ = time >= whole_time_;
     if (is_whole_) whole_time_ = time + whole_interval;
     std::vector<ShapeId> shapes;
@@ -86,7 +86,7 @@ bool ReadingsWriter::is_due(const World& world, double time) {
     return true;
 }
 
-// Names of bodies where they are different ones.
+// Assigns distinct frame names to the current bodies.
 void ReadingsWriter::find_frames(const World& world) {
     frames_.clear(), sent_.clear();
     std::set<std::string> taken{root_frame, scene_frame};
@@ -101,7 +101,7 @@ std::string ReadingsWriter::frame_of(BodyId body) const {
 
 ProtoWriter ReadingsWriter::scene(const World& world) const {
     ProtoWriter update, deletion;
-    update.message(1, deletion.message(1, timestamp_message(now_)).number(2, 1)); // all that there was
+    update.message(1, deletion.message(1, timestamp_message(now_)).number(2, 1)); // deletes all entities
     for (const auto& [id, frame] : frames_) {
         const Body body = world.body(id);
         EntityWriter entity(now_, frame, frame, true);
@@ -129,7 +129,7 @@ ProtoWriter ReadingsWriter::poses(const World& world) {
     return transforms;
 }
 
-// An arrow at each point, as long as its normal force says.
+// Draws an arrow at each contact point, with a length proportional to its normal force.
 ProtoWriter ReadingsWriter::contacts(const World& world, double step_length) const {
     double mass = 0.0;
     int count = 0;
@@ -140,7 +140,8 @@ ProtoWriter ReadingsWriter::contacts(const World& world, double step_length) con
     const double weight = count > 0 && mass > 0.0 ? mass / count * double(gravity) : 1.0;
     EntityWriter arrows(now_, scene_frame, "contacts", false);
     for (const Contact& contact : world.contacts()) {
-        const float up = world.body(contact.body_b).type() == BodyType::dynamic ? 1.0f : -1.0f; // to what moves
+        // towards the dynamic body
+        const float up = world.body(contact.body_b).type() == BodyType::dynamic ? 1.0f : -1.0f;
         for (int i = 0; i < contact.point_count; ++i) {
             const double force = double(contact.points[i].normal_impulse) / step_length;
             arrows.add_arrow(contact.points[i].point, contact.normal * (up * arrow_of_weight * float(force / weight)),
@@ -160,7 +161,7 @@ ProtoWriter ReadingsWriter::statistics(const World& world) const {
 }
 
 ProtoWriter ReadingsWriter::joints(const World& world) const {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // as Foxglove has it
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // as Foxglove requires
     ProtoWriter message;
     message.message(1, timestamp_message(now_));
     std::size_t at = 0;

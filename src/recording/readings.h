@@ -1,4 +1,4 @@
-// What a world shows after its steps, as messages for programs that know nothing of Cairn.
+// Readings: the visible state of a world after its steps, as messages for programs that know nothing of Cairn.
 #pragma once
 
 #include "recording/foxglove.h"
@@ -17,11 +17,11 @@ namespace cairn::recording {
 
 class ReadingsWriter {
   public:
-    // Adds its schemas and channels to the file.
+    // Adds the schemas and channels of the readings to the file.
     ReadingsWriter(McapWriter& file, const Readings& which, double interval);
-    // To be called after each step, of that length; `time`: s since the recording began.
+    // To be called after each step, of length `step_length` in s; `time`: s since the beginning of the recording.
     void add(McapWriter::Chunk& chunk, const World& world, double time, double step_length);
-    // Something is not what it was sent as: the next call of `add` sends all of it.
+    // To be called when the appearance of a body has changed: the next call of `add` sends the whole scene again.
     void forget_looks() { shapes_.clear(); }
 
   private:
@@ -43,12 +43,12 @@ class ReadingsWriter {
     std::string frame_of(BodyId body) const;
 
     double interval_, next_time_ = 0.0, whole_time_ = 0.0;
-    std::uint64_t now_ = 0; // ns
+    std::uint64_t now_ = 0; // current time, ns
     std::optional<Channel> poses_, scene_, contacts_, joints_, loads_, statistics_, events_;
-    bool is_whole_ = true; // the poses of all bodies are due, not of those alone that moved
+    bool is_whole_ = true; // whether the poses of all bodies are due, rather than only of those that moved
     std::map<BodyId, std::string> frames_;
     std::map<BodyId, Transform> sent_;
-    std::vector<ShapeId> shapes_; // of the bodies in `frames_`, but for those that are disabled
+    std::vector<ShapeId> shapes_; // of the enabled bodies in `frames_`
 };
 
 } // namespace cairn::recording

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t batch_bytes = std::size_t{1} << 14, chunk_bytes = std::size_t{1} << 18;
 constexpr std::uint64_t batch_steps = 60, chunk_steps = 300;
-constexpr double keyframe_share = 0.25; // of the work of the steps
+constexpr double keyframe_share = 0.25; // greatest share of the stepping work for keyframes
 
 } // namespace
 
@@ -61,7 +61,7 @@ class Recorder::Listener final : public CommandListener {
             batch_ += as_text(command);
             if (readings_ && changes_looks(command)) readings_->forget_looks();
         } catch (...) {
-            file_.reset(); // with what is in it
+            file_.reset(); // including everything buffered
             throw;
         }
         if (is_step(command)) next_time_ = time_ + double(step_length(command));
@@ -71,7 +71,7 @@ class Recorder::Listener final : public CommandListener {
         if (!file_ || error_) return;
         try {
             ++steps_;
-            batch_ += '\0'; // where the size of a command would stand: a digest follows
+            batch_ += '\0'; // in place of a command size: a digest follows
             for (const std::uint64_t sum : world.state_digest().sums) RecordWriter(batch_).number(sum);
             if (steps_ - batch_start_ >= batch_steps) end_batch();
             const double step_length = next_time_ - time_;
@@ -79,7 +79,7 @@ class Recorder::Listener final : public CommandListener {
             if (keyframes_.is_due(world)) add_keyframe(world);
             if (readings_) readings_->add(readings_chunk_, world, time_, step_length);
         } catch (...) {
-            error_ = std::current_exception(); // for the next command
+            error_ = std::current_exception(); // to be thrown by the next command
         }
     }
 
@@ -88,7 +88,7 @@ class Recorder::Listener final : public CommandListener {
         const auto [found, is_new] = geometry_numbers_.try_emplace(data.get(), geometry_numbers_.size());
         if (is_new && file_) {
             try {
-                geometry_kept_.push_back(std::move(data)); // or another one may get its address
+                geometry_kept_.push_back(std::move(data)); // keeps the address unique
                 std::string message;
                 append_leb128(message, found->second);
                 log_chunk_.add(geometry_, std::uint32_t(found->second), nanoseconds(),
@@ -104,7 +104,7 @@ class Recorder::Listener final : public CommandListener {
     std::uint64_t number_of(const Snapshot& given) override {
         const std::uint64_t number = snapshot_count_++;
         if (!file_) return number;
-        const Snapshot snapshot = without_world(given); // the same run gives the same bytes in any world
+        const Snapshot snapshot = without_world(given); // so that the same run gives the same bytes in any world
         const bool has_definitions = given.definitions != last_definitions_;
         if (has_definitions) definitions_number_ = number;
         std::string message;
@@ -158,7 +158,7 @@ class Recorder::Listener final : public CommandListener {
         batch_time_ = nanoseconds();
     }
 
-    // The log comes first: a file that is cut off behind it lacks a keyframe, not what was done.
+    // The log comes first, so that a file truncated after it lacks only a keyframe, not commands.
     void write_chunks() {
         end_batch();
         file_->write(log_chunk_);
@@ -176,7 +176,7 @@ class Recorder::Listener final : public CommandListener {
     }
 
     void add_keyframe(const World& world) {
-        end_batch(); // the log goes on behind it with a message of its own, which is how it is found there
+        end_batch(); // the log continues after the keyframe with a new message, which Contents::place_after relies on
         const Snapshot saved = world.save(), snapshot = without_world(saved);
         std::string state;
         append_leb128(state, snapshot.bytes.size());
@@ -199,22 +199,22 @@ class Recorder::Listener final : public CommandListener {
     }
 
     RecorderOptions options_;
-    std::optional<McapWriter> file_; // absent: closed
+    std::optional<McapWriter> file_; // empty: closed
     std::exception_ptr error_;       // of a step that could not be recorded
     std::uint16_t log_ = 0, geometry_ = 0, snapshots_ = 0, states_ = 0;
 
     std::string batch_;
     std::uint64_t steps_ = 0, batch_start_ = 0, chunk_start_ = 0, batch_time_ = 0;
-    double time_ = 0, next_time_ = 0; // s since the recording began
+    double time_ = 0, next_time_ = 0; // s since the beginning of the recording
     McapWriter::Chunk log_chunk_;
     std::vector<McapWriter::Chunk> snapshot_chunks_;
-    std::optional<ReadingsWriter> readings_; // absent: nobody asked for them
+    std::optional<ReadingsWriter> readings_; // empty: not requested
     McapWriter::Chunk readings_chunk_;
     KeyframeTree keyframes_;
     Patcher patcher_;
-    McapWriter::Chunk state_chunk_; // of the last one, until it is written
+    McapWriter::Chunk state_chunk_; // the last keyframe, until it is written
     std::shared_ptr<const SnapshotDefinitions> kept_definitions_;
-    std::vector<std::byte> shapes_; // theirs
+    std::vector<std::byte> shapes_; // shapes of kept_definitions_
 
     std::unordered_map<const void*, std::uint64_t> geometry_numbers_;
     std::vector<std::shared_ptr<const void>> geometry_kept_;
@@ -228,7 +228,7 @@ Recorder::Recorder(const std::filesystem::path& path, const RecorderOptions& opt
 Recorder::~Recorder() {
     try {
         close();
-    } catch (const std::exception&) { // as the header says
+    } catch (const std::exception&) { // documented in the header
     }
 }
 

@@ -1,4 +1,4 @@
-// Doing to a world what was done to a recorded one.
+// Replaying a recording on a world of its own.
 #include "recording/contents.h"
 #include "recording/log_format.h"
 #include "recording/recording.h"
@@ -80,7 +80,7 @@ void Replay::State::restart() {
     forget();
 }
 
-// False if this build cannot use it.
+// Restores a keyframe. Returns false if this build cannot use it.
 bool Replay::State::go_to_keyframe(const Recording::Contents::Keyframe& keyframe) {
     try {
         world.restore(parts.state_of(keyframe));
@@ -104,7 +104,7 @@ bool Replay::step() {
     for (;;) {
         const LogEntry& entry = s.cursor.peek();
         if (entry.kind == LogEntry::Kind::end) return false;
-        if (entry.kind == LogEntry::Kind::digest) { // of a step that a keyframe has behind it
+        if (entry.kind == LogEntry::Kind::digest) { // a digest of the step before a keyframe
             s.cursor.take();
             continue;
         }

@@ -1,4 +1,4 @@
-// What zstd keeps from one compression to the next.
+// The state that zstd keeps between compressions.
 #pragma once
 
 #include <zstd.h>

@@ -9,14 +9,14 @@ using math::DVec3;
 
 namespace {
 
-// Each round at least halves what is left of the distance.
+// The maximum number of Newton iterations. Each at least halves the remaining distance.
 constexpr int max_rounds = 64;
 
 DVec3 along(int axis, double length) {
     return {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
 }
 
-// From a point within a core the least way to its surface.
+// The least translation from a point within a core to its surface.
 std::optional<DVec3> way_out(const Convex& core, DVec3 p) {
     const auto to_face = [&](int axis) { return core.size[axis] - std::fabs(p[axis]); };
     const auto out_of_face = [&](int axis) { return along(axis, p[axis] < 0 ? -to_face(axis) : to_face(axis)); };
@@ -46,7 +46,7 @@ BallSweep sweep_ball(const Convex& ball, DVec3 way, const Convex& other, double 
         DVec3 nearest = *nearest_in_core(other, p), off = p - nearest;
         double distance = math::length(off);
         const bool is_deep = r.fraction == 0 && distance < radii - tolerance;
-        const double toward = -dot(off, step);   // times the distance
+        const double toward = -dot(off, step);   // scaled by the distance
         if (!is_deep && !(toward > 0)) return r; // they move apart or past each other
         if (is_deep || !(distance > radii + tolerance) || round == max_rounds) {
             r.state = is_deep ? BallSweep::State::overlapping : BallSweep::State::met;

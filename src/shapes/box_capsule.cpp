@@ -9,14 +9,14 @@ using math::DVec3;
 
 namespace {
 
-// Each round at least halves what is left of the distance.
+// The maximum number of Newton iterations. Each at least halves the remaining distance.
 constexpr int max_rounds = 64;
 
 double within(double x, double most) { return !(x > -most) ? -most : x > most ? most : x; }
 
-// In the frame of a box, of a segment from middle - arm to middle + arm. The square of the distance of a point of the
-// segment from the box is a convex function of its place, whose derivative bends only where the segment crosses a plane
-// of a face: between two of these it is a line.
+// The gap between a box and the segment from middle - arm to middle + arm, in the frame of the box. The squared
+// distance from the box is a convex function of the position on the segment, and its derivative is linear between the
+// parameters at which the segment crosses the planes of faces.
 SegmentGap gap_of(DVec3 half, DVec3 middle, DVec3 arm) {
     const auto nearest = [&](double t) {
         const DVec3 p = middle + t * arm;
@@ -41,7 +41,7 @@ SegmentGap gap_of(DVec3 half, DVec3 middle, DVec3 arm) {
     return nearest(low - below / (above - below) * (high - low));
 }
 
-// A capsule in the frame of a box.
+// The core of a capsule in the frame of a box.
 struct Segment {
     DVec3 middle, arm;
     Segment(const Convex& box, const Convex& capsule)
@@ -66,7 +66,8 @@ CapsuleSweep sweep_box_and_capsule(const Convex& moving, DVec3 way, const Convex
     const Convex &box = is_box_moving ? moving : still, &capsule = is_box_moving ? still : moving;
     const double radii = outer_radius(box) + outer_radius(capsule);
     const Segment segment(box, capsule);
-    const DVec3 along = to_local(box, way), step = is_box_moving ? -along : along; // of the capsule past the box
+    // translation of the capsule relative to the box
+    const DVec3 along = to_local(box, way), step = is_box_moving ? -along : along;
     CapsuleSweep r;
     r.fraction = from;
     for (int round = 0;; ++round) {
@@ -76,7 +77,7 @@ CapsuleSweep sweep_box_and_capsule(const Convex& moving, DVec3 way, const Convex
             r.state = CapsuleSweep::State::overlapping;
             return r;
         }
-        const double toward = -dot(gap.off, step); // times the distance
+        const double toward = -dot(gap.off, step); // scaled by the distance
         if (!(toward > 0)) return r;               // they move apart or past each other
         if (!(distance > radii + tolerance) || round == max_rounds) {
             const DVec3 normal = (1 / distance) * gap.off; // from the box to the capsule

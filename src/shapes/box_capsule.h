@@ -1,4 +1,4 @@
-// Boxes and capsules of one radius: how far they are from each other, and when they meet, by a formula.
+// Distances and linear sweeps between boxes and capsules with equal end radii, in closed form.
 #pragma once
 
 #include "shapes/ball_sweep.h"
@@ -14,25 +14,26 @@ inline bool is_box_and_capsule(const Convex& a, const Convex& b) {
            (b.kind == Convex::Kind::box && is_capsule_of_one_radius(a));
 }
 
-// The way from the nearest point of a box to that of a segment, in the frame of the box; 0 where they meet.
+// The vector `off` from the nearest point of a box to that of a segment, in the frame of the box; 0 where they
+// intersect.
 struct SegmentGap {
     math::DVec3 on_box, off;
 };
-// Of the cores of a box and a capsule.
+// The gap between the cores of a box and a capsule.
 SegmentGap gap_to_segment(const Convex& box, const Convex& capsule);
-// The square of the distance of the cores of a box and a capsule, in any order.
+// The square of the distance between the cores of a box and a capsule, given in either order.
 double square_of_box_and_capsule(const Convex& a, const Convex& b);
 
 struct CapsuleSweep {
     using State = BallSweep::State;
     State state = State::missed;
     double fraction = 0;
-    math::DVec3 point;  // of the surface of the still one
-    math::DVec3 normal; // unit, out of the still one
+    math::DVec3 point;  // on the surface of the still shape
+    math::DVec3 normal; // unit, outward from the still shape
 };
 
-// Newton's method on the distance, as of balls (ball_sweep.h), whichever of them moves: it never passes the first
-// touch. They stop at half the tolerance, m > 0. `from`: a fraction before which they do not meet.
+// Newton's method on the distance, as for balls (ball_sweep.h), whichever shape moves: it never passes the first touch.
+// The shapes stop at half the tolerance, m > 0. `from`: a fraction before which they do not touch.
 CapsuleSweep sweep_box_and_capsule(const Convex& moving, math::DVec3 way, const Convex& still, double from,
                                    double limit, double tolerance);
 

@@ -14,38 +14,38 @@ using math::DVec3;
 namespace {
 
 constexpr int max_corners = 64;
-// As part of the depth; as part of the size of the other shape.
+// Tolerance of the depth, relative to the depth; rounding error relative to the size of the other shape.
 constexpr double depth_tolerance = 1e-6, rounding = 1e-13;
-// How far off a point may be that is held to be of a shape, as part of the box.
+// The distance up to which a point counts as part of a shape, relative to the size of the box.
 constexpr double point_tolerance = 1e-4;
 constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
 constexpr DVec3 along(int axis, double length) {
     return {axis == 0 ? length : 0, axis == 1 ? length : 0, axis == 2 ? length : 0};
 }
 
-// Of what may be no number, the least.
+// Clamps x; NaN becomes the least value.
 double within(double x, double least, double most) { return !(x > least) ? least : x > most ? most : x; }
 
 struct Chord {
-    DVec3 first, last; // corners of the other shape
+    DVec3 first, last; // support points of the other shape
 };
 struct Chords {
     Chords() {}
     void add(DVec3 first, DVec3 last) { list[count++] = {first, last}; }
     int count = 0;
-    union { // without values until there are some: clearing them takes longer than all the rest
+    union { // uninitialized until used: clearing it takes longer than all other work
         Chord list[max_corners + 2];
     };
 };
 
-// The way out of a convex shape is least where its surface has one normal alone. The difference of a box and another
-// shape has such places of three kinds: a corner of the box meets the inside of a face of the other, and the normal is
-// that of the face; an edge of the box meets something, and the normal lies in the plane across the edge; or a face of
-// the box does, and it lies in two such planes. So all but the faces of the other is known from three plane figures.
-// Each is looked through as a solid is by EPA (epa.h), with chords in place of triangles: those nearer than the least
-// depth so far are moved out to the support along their normal, and most of them never are.
-//
-// All in the frame of the box, normals from the box to the other.
+// The minimum penetration depth occurs only at certain kinds of normals. The Minkowski difference of a box and another
+// shape has candidates of three kinds: a corner of the box against the interior of a face of the other shape, with the
+// normal of this face; an edge of the box against anything, with a normal perpendicular to the edge; or a face of the
+// box, whose normal is perpendicular to two such edges. So everything except the faces of the other shape follows from
+// three plane cross sections. Each is searched by a two-dimensional EPA (epa.h) with chords in place of triangles:
+// chords closer than the least depth so far are expanded to the support point along their normal, and most chords never
+// are.
+// All coordinates are in the frame of the box; normals point from the box to the other shape.
 class BoxDepthSearch {
   public:
     BoxDepthSearch(const Convex& box, const Convex& other)
@@ -75,7 +75,7 @@ class BoxDepthSearch {
     struct Way {
         double depth = std::numeric_limits<double>::infinity();
         DVec3 normal, on_box, on_other;
-        bool is_of_other = false; // the normal is that of a face of the other
+        bool is_of_other = false; // whether the normal is that of a face of the other shape
     };
 
     DVec3 to_box(DVec3 p) const { return to_local(box_, p - box_.center); }
@@ -98,7 +98,7 @@ class BoxDepthSearch {
         offer({depth, normal, met + depth * normal, met});
     }
 
-    // Of the other, by the direction that its face looks in.
+    // A face of the other shape, given by its outward normal.
     void try_face_of_other(DVec3 out) {
         const DVec3 normal = -out, met = farthest(out), on_box = corner(normal);
         const double depth = half_shadow(normal) - dot(normal, met);
@@ -130,11 +130,12 @@ class BoxDepthSearch {
         try_face_of_other(-local);
     }
 
-    // In the planes through the axis of a cylinder and a corner of the box of which no edge leads farther in.
+    // The lateral surface of a cylinder or cone, in the planes through its axis and a corner of the box, provided that
+    // no edge of the box leads from this corner deeper into the cylinder.
     void try_round_side() {
         const DVec3 size = other_.size, center = to_box(other_.center), axis = to_local(box_, other_.axes.c1);
         const double slope = size.x - size.z, length = std::sqrt(4 * size.y * size.y + slope * slope);
-        const double across = 2 * size.y / length, up = slope / length; // the normal of the side
+        const double across = 2 * size.y / length, up = slope / length; // the normal of the lateral surface
         for (int i = 0; i < 8; ++i) {
             const DVec3 to{i & 1 ? -half_.x : half_.x, i & 2 ? -half_.y : half_.y, i & 4 ? -half_.z : half_.z};
             const DVec3 from_center = to - center, off = from_center - dot(from_center, axis) * axis;
@@ -146,7 +147,8 @@ class BoxDepthSearch {
         }
     }
 
-    // Those that may be less than the least so far by their planes in floats, which are exact to a part of the sizes.
+    // Tests the faces of a hull whose depth may be less than the least so far, which is estimated from planes in
+    // floats, with a rounding error relative to the sizes.
     void try_faces_of_hull() {
         using namespace columns;
         const HullData& hull = *other_.hull;
@@ -170,24 +172,25 @@ class BoxDepthSearch {
         }
     }
 
-    // The quarter of the figure across an edge of the box to which one corner of it belongs.
+    // The quarter of the cross section perpendicular to an edge of the box that belongs to one of its corners.
     struct Quarter {
         int edge, j, k;
         double sign_j, sign_k;
     };
-    // In the quarter, from the faces of the box on.
+    // Distances of a point from the two faces of the box that bound the quarter, positive inside the box.
     double on_j(const Quarter& q, DVec3 p) const { return half_[q.j] - q.sign_j * p[q.j]; }
     double on_k(const Quarter& q, DVec3 p) const { return half_[q.k] - q.sign_k * p[q.k]; }
     struct ChordMeasures {
         double first_j, first_k, run, rise;
-        double square, inside; // of its length; its distance times its length
+        double square, inside; // squared length of the chord; its distance times its length
     };
     ChordMeasures measure(const Quarter& q, const Chord& c) const {
         const double first_j = on_j(q, c.first), first_k = on_k(q, c.first);
         const double run = first_j - on_j(q, c.last), rise = on_k(q, c.last) - first_k;
         return {first_j, first_k, run, rise, run * run + rise * rise, rise * first_j + run * first_k};
     }
-    // Not where nothing beyond the chord looks between the two faces.
+    // False if no normal beyond the chord lies between those of the two faces, or if the chord is not nearer than the
+    // least depth.
     bool may_be_less(const ChordMeasures& m) const {
         if (!(m.run > 0 && m.rise > 0)) return false;
         constexpr double part = (1 - depth_tolerance) * (1 - depth_tolerance);
@@ -215,7 +218,8 @@ class BoxDepthSearch {
             chords.add(met, c.last);
         }
     }
-    // Of the line from the first to what was met, and on to the last.
+    // The point of the polyline first - met - last at the same fraction along the chord as the foot of the
+    // perpendicular from the edge of the box.
     DVec3 nearest_of(const Quarter& q, const Chord& c, const ChordMeasures& m, DVec3 met) const {
         const double nearest = (m.run * m.first_j - m.rise * m.first_k) / m.square;
         const double middle = (m.run * (m.first_j - on_j(q, met)) + m.rise * (on_k(q, met) - m.first_k)) / m.square;
@@ -223,7 +227,7 @@ class BoxDepthSearch {
         return met + within((nearest - middle) / (1 - middle), 0, 1) * (c.last - met);
     }
 
-    // Whether what is deepest of one shape is in the other when they have moved apart.
+    // Whether the deepest point of one shape lies on the other after the separating translation.
     bool is_met() {
         const double slack = point_tolerance * math::length(half_);
         if (least_.is_of_other) {
@@ -235,7 +239,8 @@ class BoxDepthSearch {
         const DVec3 off = least_.on_other + least_.depth * least_.normal - p;
         return dot(off, off) <= slack * slack;
     }
-    // A point on the plane of a face, or on the side of a cylinder.
+    // Whether the other shape contains a point that is known to lie on the plane of one of its faces, or on the side of
+    // a cylinder.
     bool holds(DVec3 p, double slack) const {
         const DVec3 local = to_local(other_, p - other_.center), size = other_.size;
         switch (other_.kind) {
@@ -267,7 +272,7 @@ class BoxDepthSearch {
     const Convex &box_, &other_;
     Core core_;
     DVec3 half_;
-    DVec3 ends_[3][2]; // of the other: what lies farthest against the faces of the box
+    DVec3 ends_[3][2]; // support points of the other shape against the normals of the box's faces
     double size_ = 0;
     Way least_;
     bool are_apart_ = false;

@@ -1,4 +1,4 @@
-// The least way that parts a box from another shape that it overlaps.
+// The penetration depth of a box and another shape: the least translation that separates them.
 #pragma once
 
 #include "shapes/convex.h"
@@ -8,14 +8,16 @@
 namespace cairn {
 
 struct BoxDepth {
-    double depth;       // moving the other core by depth * normal parts them; < 0: those are apart
-    math::DVec3 normal; // unit, from the box to the other
+    // a translation of the other core by depth * normal separates the cores; negative: the cores are separated
+    double depth;
+    math::DVec3 normal; // unit, from the box to the other shape
     math::DVec3 on_box, on_other;
 };
 
-// Of the exact core of a box, and that of another shape. The least depth within a relative 1e-6; after 64 corners the
-// least found so far, which still parts them. None where the cores do not overlap, but for capsules; where more than
-// one point is deepest; and of capsules whose ends differ.
+// The penetration depth between the exact cores of a box and another shape, within a relative 1e-6; after 64 support
+// points the least depth found so far, which still separates the cores. Returns nothing if the cores are separated
+// (except for capsules, whose depth is then negative), if more than one point is deepest, or for a capsule with two
+// different radii.
 std::optional<BoxDepth> box_depth(const Convex& box, const Convex& other);
 
 } // namespace cairn

@@ -10,20 +10,20 @@ using math::DVec3;
 
 namespace {
 
-// The squared sine of the angle between two edges: below the first they are parallel, and their axis adds nothing to
-// those of the faces; between both, rounding is too much of it.
+// The squared sine of the angle between two edges. Below the first they are parallel, and their cross product adds no
+// axis to those of the faces; between both values the axis suffers too much from rounding.
 constexpr double parallel = 1e-28, nearly_parallel = 1e-10;
 
 constexpr int axis_count = 15;
-constexpr int none = -1; // of the edges
+constexpr int none = -1; // no edge
 constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
 
-// What the boxes' shadows on an axis are, all times the length of the axis.
+// Projections of both boxes on an axis, all scaled by the length of the axis.
 struct Shadows {
-    double apart;  // of the middles, from the moving to the still one
-    double speed;  // of the moving one, in a whole way
-    double radii;  // half of both shadows
-    double length; // of the axis; 0: it says nothing
+    double apart;  // from the center of the moving box to that of the still one
+    double speed;  // of the moving box, per whole translation
+    double radii;  // sum of the half extents of both projections
+    double length; // of the axis; 0: not a usable axis
 };
 
 class BoxPair {
@@ -55,7 +55,7 @@ class BoxPair {
             if (misses(k, limit)) return missed;
         BoxSweep r;
         r.fraction = fraction_;
-        if (last_ >= 0 && meet_face(last_, r)) { // then nothing parts them any longer
+        if (last_ >= 0 && meet_face(last_, r)) { // then no other axis separates them
             r.state = BoxSweep::State::met;
             return r;
         }
@@ -76,7 +76,7 @@ class BoxPair {
     }
 
   private:
-    // The axis across an edge of each.
+    // The cross product of an edge of each box.
     void cross(int i, int j) {
         const int k = after(i), l = after(k), m = after(j), n = after(m);
         const double square = cosine_[k][j] * cosine_[k][j] + cosine_[l][j] * cosine_[l][j];
@@ -92,7 +92,8 @@ class BoxPair {
         s.radii = a_.size[k] * std::fabs(cosine_[l][j]) + a_.size[l] * std::fabs(cosine_[k][j]) +
                   b_.size[m] * std::fabs(cosine_[i][n]) + b_.size[n] * std::fabs(cosine_[i][m]);
     }
-    // Whether the shadows on an axis do not come together in time; else the fraction at which the last ones do so far.
+    // Whether the projections on axis k do not begin to overlap by `limit`. Otherwise updates the latest fraction at
+    // which the projections on an axis begin to overlap, or the axis of least overlap at the start.
     bool misses(int k, double limit) {
         const Shadows& s = shadows_[k];
         const double gap = 0.5 * tolerance_ * s.length, off = std::fabs(s.apart) - s.radii;
@@ -105,7 +106,7 @@ class BoxPair {
         if (last_ < 0 || off - gap > toward * fraction_) fraction_ = (off - gap) / toward, last_ = k;
         return false;
     }
-    // Of boxes that nothing parts at the start.
+    // The result for boxes that no axis separates at the start.
     BoxSweep overlap() const {
         BoxSweep r;
         if (is_vague_ || shallowest_ > -tolerance_) return r;
@@ -113,12 +114,12 @@ class BoxPair {
         if (!meet(shallowest_axis_, r)) r.normal = {};
         return r;
     }
-    DVec3 axis(int k) const { // of two edges
+    DVec3 axis(int k) const { // the cross product of two edges, normalized
         const int pair = k - 6;
         return (1 / shadows_[k].length) * math::cross(a_.axes.column(pair / 3), b_.axes.column(pair % 3));
     }
-    // The corner of a box that lies farthest along a direction, or the middle of such an edge along axis `edge`. False
-    // where others lie as far.
+    // The corner of a box that is farthest along a direction, or, given an axis `edge`, the middle of the farthest edge
+    // along this axis. Returns false if it is not unique.
     bool farthest(const Convex& box, DVec3 d, int edge, DVec3& p) const {
         p = box.center;
 #pragma GCC unroll 3
@@ -130,9 +131,9 @@ class BoxPair {
         }
         return true;
     }
-    // Whether a corner of one box meets a face of the other at the fraction, within it, and where.
+    // Whether a corner of one box touches the interior of a face of the other at the fraction, and where.
     bool meet_face(int k, BoxSweep& r) const {
-        DVec3 local; // in the frame of the face
+        DVec3 local; // in the frame of the box of the face
         if (k < 3) {
             if (!meet_own_face(k, r)) return false;
             local = to_local(a_, r.point - r.fraction * way_ - a_.center);
@@ -148,7 +149,7 @@ class BoxPair {
         r.normal = shadows_[k].apart > 0 ? -a_.axes.column(k) : a_.axes.column(k);
         return farthest(b_, r.normal, none, r.point);
     }
-    // `local`: where in the plane of the face, in the frame of its box.
+    // `local`: the corner in the frame of the box of the face.
     bool meet_other_face(int k, BoxSweep& r, DVec3& local) const {
         const int face = k - 3;
         const double side = shadows_[k].apart > 0 ? -1 : 1;
@@ -161,7 +162,7 @@ class BoxPair {
         r.point = b_.center + b_.axes * on_face;
         return true;
     }
-    // Where they meet along an axis at the fraction, or are deepest within each other. False where it is not one point.
+    // The point and normal at which the boxes touch along axis k at the fraction, or overlap most. False if not unique.
     bool meet(int k, BoxSweep& r) const {
         DVec3 local;
         if (k < 3) return meet_own_face(k, r);
@@ -182,12 +183,13 @@ class BoxPair {
     const Convex &a_, &b_;
     DVec3 way_;
     double tolerance_;
-    double cosine_[3][3]; // of the angles between an edge of a and one of b
+    double cosine_[3][3]; // cosines of the angles between edges of a and b
     Shadows shadows_[axis_count];
-    bool is_vague_ = false; // edges are nearly parallel
-    int last_ = -1;         // the axis that parts them until `fraction_`
+    bool is_vague_ = false; // whether edges are nearly parallel
+    int last_ = -1;         // the axis that separates the boxes until `fraction_`
     double fraction_ = 0;
-    double shallowest_ = -std::numeric_limits<double>::infinity(); // of the axes that do not part them, m
+    // separation (negative) on the axis of least overlap, m
+    double shallowest_ = -std::numeric_limits<double>::infinity();
     int shallowest_axis_ = 0;
 };
 

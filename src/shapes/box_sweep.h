@@ -1,4 +1,4 @@
-// Boxes that move past each other without turning, or overlap, in closed form.
+// Linear sweeps and penetration of boxes, in closed form.
 #pragma once
 
 #include "shapes/convex.h"
@@ -7,20 +7,22 @@ namespace cairn {
 
 struct BoxSweep {
     enum class State : std::uint8_t {
-        missed,      // not before `limit`, a fraction of the way
-        met,         // at `fraction` they are half the tolerance apart
-        overlapping, // from the start, and deeper than the tolerance
-        unsettled,   // they touch at the start, edges are nearly parallel, or more than one point meets at once
+        missed,      // no touch before `limit`, a fraction of the translation
+        met,         // at `fraction` the boxes are half the tolerance apart
+        overlapping, // from the start, by more than the tolerance
+        // undecided: the boxes touch at the start, edges are nearly parallel, or several points touch at once
+        unsettled,
     };
     State state = State::unsettled;
     double fraction = 0;
-    math::DVec3 point;  // of the still one
-    math::DVec3 normal; // unit, out of the still one, along the least way apart; 0 where more than one point is deepest
+    math::DVec3 point; // on the still box
+    // unit, outward from the still box, along the least separating translation; 0 if several points are deepest
+    math::DVec3 normal;
 };
 
-// On each of the fifteen axes that can part two boxes (Gottschalk, Lin and Manocha, "OBBTree", 1996) their shadows meet
-// during one interval of the way; the boxes meet when the last of these intervals begins, if none has ended by then.
-// Of sharp boxes.
+// For sharp boxes. On each of the fifteen potential separating axes of two boxes (Gottschalk, Lin and Manocha,
+// "OBBTree", 1996) their projections overlap during one interval of the translation. The boxes touch when the last of
+// these intervals begins, provided that none has ended by then.
 BoxSweep sweep_boxes(const Convex& moving, math::DVec3 way, const Convex& still, double limit, double tolerance);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// The nearest points are on an edge of the triangle, or they are a corner of the box and a point inside the triangle.
+// The nearest points lie on an edge of the triangle, or they are a corner of the box and a point inside the triangle.
 #include "shapes/box_triangle_distance.h"
 
 #include <algorithm>
@@ -14,18 +14,18 @@ namespace {
 double clamped(double x, double half) { return x < -half ? -half : x > half ? half : x; }
 DVec3 clamped(DVec3 p, DVec3 half) { return {clamped(p.x, half.x), clamped(p.y, half.y), clamped(p.z, half.z)}; }
 
-// A segment from `from` to from + way, and the square of how far its point at t is from the box.
+// A segment from `from` to `from + way`, to be tested against a box of half extents `half`.
 struct Segment {
     DVec3 from, way, half;
 
-    // Half the derivative of the square by t: it never falls, and is straight between the places where the segment
-    // crosses the planes of the faces.
+    // Half the derivative, by t, of the squared distance between the segment's point at t and the box. It is
+    // nondecreasing, and linear between the parameters at which the segment crosses planes of faces.
     double rise(double t) const {
         const DVec3 p = from + t * way;
         return dot(way, p - clamped(p, half));
     }
 
-    // The square of how far the bounds of the segment are from the box: no point of it is nearer.
+    // The squared distance between the bounds of the segment and the box: a lower bound.
     double bound() const {
         const DVec3 to = from + way;
         double square = 0;
@@ -78,21 +78,21 @@ bool nearest_of_box_and_triangle(DVec3 half, const DVec3 (&corners)[3], DVec3& o
     }
     const DVec3 normal = math::cross(edges[0], edges[1]);
     const double square = dot(normal, normal);
-    const auto is_over = [&](DVec3 p) { // the triangle, as seen along its normal
+    const auto is_over = [&](DVec3 p) { // whether p is over the triangle, seen along its normal
         for (int e = 0; e < 3; ++e)
             if (!(dot(math::cross(normal, edges[e]), p - corners[e]) > 0)) return false;
         return true;
     };
-    // The corner that is lowest as seen from the side where the middle of the box is.
+    // The lowest corner of the box, where up is the side of the triangle's plane that contains the center of the box.
     const DVec3 up = dot(normal, corners[0]) > 0 ? -normal : normal;
     const DVec3 corner{up.x > 0 ? -half.x : half.x, up.y > 0 ? -half.y : half.y, up.z > 0 ? -half.z : half.z};
     const double middle = -dot(up, corners[0]), height = dot(up, corner) + middle;
     if (height > 0) {
         if (is_over(corner)) offer(corner, corner - (height / square) * up);
     } else if (is_over((middle / (middle - height)) * corner)) {
-        return false; // where the box cuts the plane, it is within the triangle, unless it meets the edges
+        return false; // the box intersects the plane inside the triangle, or it intersects the edges
     }
-    // As gjk_distance has it: nearer than a ten billionth of their size, they meet.
+    // As in gjk_distance, shapes closer than a ten-billionth of their size count as intersecting.
     const double size = dot(half, half) + dot(on_triangle, on_triangle);
     return least > 1e-20 * size;
 }

@@ -30,8 +30,8 @@ Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
     }
 }
 
-// First in floats: the greatest product, and all that may be it, as floats are only so exact. If these are several,
-// they are compared in double.
+// First finds the greatest dot product in floats, and all candidates within the rounding error of it. If there are
+// several, they are compared in double precision.
 std::size_t Columns::farthest(const DVec3& d) const {
     const DVec3 size = math::abs(d);
     const double greater_xy = size.x > size.y ? size.x : size.y, greatest = greater_xy > size.z ? greater_xy : size.z;
@@ -39,7 +39,7 @@ std::size_t Columns::farthest(const DVec3& d) const {
     const double scale = 1 / greatest;
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
     const float *const x = column(0), *const y = column(1), *const z = column(2);
-    F4 kept[2 * max_kept]; // of the first blocks: most hulls have no more
+    F4 kept[2 * max_kept]; // the products of the first blocks, which are all blocks of most hulls
     const auto along = [&](std::size_t i) { return load(x + i) * dx + load(y + i) * dy + load(z + i) * dz; };
     const std::size_t blocks = room_ / block, in_kept = blocks < max_kept ? blocks : max_kept;
     F4 most = splat(-std::numeric_limits<float>::infinity()), more = most;
@@ -50,8 +50,8 @@ std::size_t Columns::farthest(const DVec3& d) const {
     for (std::size_t i = in_kept; i < blocks; ++i)
         most = greater(along(block * i), most), more = greater(along(block * i + 4), more);
     most = greater(more, most);
-    // Three products of factors up to 1 and largest_, each of them and their sums rounded: 6 x 2^-24 at most for each
-    // of two points.
+    // A dot product sums three products of factors up to 1 and largest_. Rounding of these and of the sums adds up to
+    // at most 6 x 2^-24 for each of the two points compared.
     const float least = greatest_of(most) - 2.4e-6f * largest_;
     I4 count = {}, places = {}, place = {0, 1, 2, 3};
     for (std::size_t i = 0; i < 2 * blocks; ++i) {
@@ -100,7 +100,7 @@ Columns::Range Columns::range(const math::Vec3& d) const {
     return {-greatest_of(-least), greatest_of(most)};
 }
 
-// Of those that are at least so far along scale x d, in floats.
+// The farthest of the points whose dot product with scale * d, in floats, is at least `least`.
 std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) const {
     const float *const x = column(0), *const y = column(1), *const z = column(2);
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));

@@ -1,4 +1,4 @@
-// Points as columns of x, y and z, to be searched four at a time.
+// Points stored as columns of x, y and z (structure of arrays), searched four at a time in SIMD lanes.
 #pragma once
 
 #include "math/vec.h"
@@ -31,7 +31,7 @@ inline bool any(I4 m) {
     std::memcpy(halves, &m, sizeof m);
     return (halves[0] | halves[1]) != 0;
 }
-// A bit for each of the four.
+// One bit per lane.
 inline unsigned bits(I4 m) {
 #if defined(__SSE2__)
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
@@ -39,7 +39,7 @@ inline unsigned bits(I4 m) {
     return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
 #endif
 }
-// In each of the four.
+// The greatest lane, broadcast to all four.
 inline F4 spread_greatest(F4 v) {
     const F4 both = greater(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
     return greater(both, __builtin_shufflevector(both, both, 1, 0, 3, 2));
@@ -56,14 +56,14 @@ class Columns {
     std::size_t size() const { return size_; }
     math::Vec3 operator[](std::size_t i) const { return {column(0)[i], column(1)[i], column(2)[i]}; }
     bool operator==(const Columns&) const = default;
-    // Directions come by reference: a copy of one that was just computed stalls the processor.
-    // The point farthest along d, which may have any length: exactly that of dot products in double, of equal ones the
-    // first.
+    // Directions are passed by reference: copying one that was just computed stalls the processor.
+    // The support point along d, which may have any length: the index with the greatest dot product in double
+    // precision, and of equal ones the first.
     std::size_t farthest(const math::DVec3& d) const;
-    // Likewise by dot products in floats, in a third of the time: one of those points that are within 3e-6 of the
-    // largest coordinate of the farthest. The length of d must be such that floats hold the products.
+    // As farthest, by dot products in floats, in a third of the time: the index of a point within 3e-6 of the largest
+    // coordinate from the support. The length of d must be such that floats hold the products.
     std::size_t nearly_farthest(const math::DVec3& d) const;
-    // The least and the greatest dot product with d, as floats.
+    // The least and the greatest dot product of the points with d, as floats.
     struct Range {
         float least, greatest;
     };
@@ -74,12 +74,12 @@ class Columns {
 
     const float* column(std::size_t i) const { return all_.data() + i * room_; }
 
-    std::size_t size_ = 0, room_ = 0; // room: padded to blocks by repeating the last point
-    float largest_ = 0;               // of all coordinates
-    std::vector<float> all_;          // x of each, then y, then z
+    std::size_t size_ = 0, room_ = 0; // room_: size_ padded to whole blocks by repeating the last point
+    float largest_ = 0;               // the largest absolute coordinate
+    std::vector<float> all_;          // x of every point, then y, then z
 };
 
-// Planes n . x = offset, likewise.
+// Planes n . x = offset, stored as columns.
 class PlaneColumns {
   public:
     static constexpr std::size_t width = 4;
@@ -88,15 +88,15 @@ class PlaneColumns {
     PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets);
 
     std::size_t size() const { return size_; }
-    // How far a point is above each of planes i to i + width - 1; beyond the last plane infinitely far below. Rounding
-    // adds up to 1e-6 of the sizes.
+    // The signed distances of a point above planes i to i + width - 1; minus infinity beyond the last plane. The
+    // rounding error is up to 1e-6 of the sizes.
     columns::F4 above(std::size_t i, math::Vec3 p) const {
         using namespace columns;
         const float* const x = all_.data() + i;
         return splat(p.x) * load(x) + splat(p.y) * load(x + room_) + splat(p.z) * load(x + 2 * room_) -
                load(x + 3 * room_);
     }
-    // The dot products of d with the normals of these planes.
+    // The dot products of d with the normals of planes i to i + width - 1.
     columns::F4 along(std::size_t i, math::Vec3 d) const {
         using namespace columns;
         const float* const x = all_.data() + i;
@@ -104,8 +104,8 @@ class PlaneColumns {
     }
 
   private:
-    std::size_t size_ = 0, room_ = 0; // room: padded to `width`
-    std::vector<float> all_;          // x of each normal, then y, then z, then the offsets
+    std::size_t size_ = 0, room_ = 0; // room_: size_ padded to a multiple of `width`
+    std::vector<float> all_;          // x of every normal, then y, then z, then the offsets
 };
 
 } // namespace cairn

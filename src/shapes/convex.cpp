@@ -8,16 +8,17 @@ using math::DVec3;
 
 namespace {
 
-// Inset of the core of sharp shapes: a part of the smallest half width, and at most so many meters.
+// Inset of the core of sharp shapes: a fraction of the smallest half width, and the greatest inset in m.
 constexpr double inset_part = 0.05, greatest_inset = 0.02;
 
 double inset_for(double extent) { return std::min(inset_part * extent, greatest_inset); }
 
-// The frustum with its three surfaces moved inward by m. Of a cone, or one that is nearly so, the top is the tip.
+// The frustum with its three surfaces moved inward by m. If the lateral surfaces meet below an end, the end becomes a
+// tip.
 Frustum inset_frustum(double low_radius, double half, double high_radius, double m) {
     const double difference = low_radius - high_radius;
     const double side = m * std::sqrt(4 * half * half + difference * difference) / (2 * half);
-    const double slope = -difference / (2 * half); // of the radius
+    const double slope = -difference / (2 * half); // change of the radius per height
     Frustum f{-half + m, low_radius + slope * m - side, half - m, high_radius - slope * m - side};
     const double middle_radius = 0.5 * (low_radius + high_radius) - side; // at height 0
     if (f.high_radius < 0) f.high = -middle_radius / slope, f.high_radius = 0;
@@ -34,7 +35,7 @@ DVec3 frustum_support(const Frustum& f, DVec3 d) {
     return {s * d.x, y, s * d.z};
 }
 
-// A capsule's core: a segment; of a tapered one the hull of a ball and a point.
+// The support point of a capsule's core: a segment, or the convex hull of a ball and a point if the radii differ.
 DVec3 capsule_support(const Convex& c, DVec3 d) {
     const double length = c.size.x == c.size.z ? 0 : math::length(d);
     const double low = c.size.x - c.radius, high = c.size.z - c.radius;
@@ -69,7 +70,7 @@ Convex make_polygon(std::span<const DVec3> corners) {
 
 namespace {
 
-// The sharp shape that was made becomes the core.
+// Turns a sharp shape into a rounded one: the sharp shape becomes the core.
 void round_off(Convex& c, double rounding) {
     c.is_sharp = false;
     c.shallow = rounding + c.radius;
@@ -127,8 +128,8 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3&
 
 namespace {
 
-// Of a hull, about the point inside of it: along its axes, so that long ones keep their ends; or if that is its center
-// of mass, evenly, which never leads out of a convex shape.
+// The scale of a shrunk hull's core, about the point inside of it: per axis, so that long hulls keep their ends; or
+// uniform if that point is the center of mass, because a uniform scale never leaves a convex shape.
 DVec3 scale_of_core(const HullData& hull, double depth) {
     const DVec3 lo = math::to_double(hull.lo), hi = math::to_double(hull.hi);
     const bool is_even = !(hull.inside == 0.5 * (lo + hi));
@@ -149,7 +150,7 @@ void shrink(Convex& c, double depth) {
     c.radius = std::max(0.0, around - depth);
     if (c.kind == Convex::Kind::box) {
         for (int i = 0; i < 3; ++i) c.size[i] = std::max(0.0, c.size[i] - left);
-    } else if (c.kind == Convex::Kind::capsule) { // both of its radii, of which `radius` is the smaller one
+    } else if (c.kind == Convex::Kind::capsule) { // reduces both end radii, of which `radius` is the smaller one
         c.size.x = std::max(0.0, c.size.x - depth), c.size.z = std::max(0.0, c.size.z - depth);
     } else if (c.kind == Convex::Kind::cylinder && left > 0) {
         const Frustum f = inset_frustum(c.size.x, c.size.y, c.size.z, std::min(left, 0.999 * c.size.y));
@@ -197,7 +198,7 @@ DVec3 round_support(const Core& core, DVec3 d) {
     case Convex::Kind::box:
     case Convex::Kind::hull:
     case Convex::Kind::polygon:
-        break; // not round: see core_support
+        break; // handled by core_support
     }
     return c.center + c.axes * local;
 }

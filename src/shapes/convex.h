@@ -1,11 +1,9 @@
-// Convex shapes in a common frame, for the narrow phase and for queries: the farthest point in a direction, and the
-// faces.
-//
-// A shape is a core and a `radius` around it (Minkowski sum). Two shapes that touch are told apart by their cores,
-// which do not overlap as long as the shapes overlap less than their radii. A ball is a point with a radius, a capsule
-// a segment. Shapes with sharp edges have a core that is inset by the radius, and are themselves sharp: their cores
-// only give the direction of the contact, the shapes themselves the points. Rounded shapes are their sharp self as the
-// core, and their rounding as the radius.
+// Convex shapes in a common frame, for the narrow phase and for queries: support points and faces.
+// A shape is a core plus a `radius` around it (the Minkowski sum of the core and a ball). Contact normals are computed
+// from the cores, which stay separated as long as the penetration of the shapes is less than the sum of their radii.
+// The core of a ball is a point, that of a capsule a segment. A shape with sharp edges has a core that is inset by the
+// radius: the core provides only the direction of a contact, and the sharp shape itself the contact points. The core of
+// a rounded shape is the shape without its rounding, and the radius is the rounding.
 #pragma once
 
 #include "math/vec.h"
@@ -16,7 +14,7 @@
 
 namespace cairn {
 
-// A solid of revolution about y: the hull of two discs.
+// A solid of revolution about y: the convex hull of two discs.
 struct Frustum {
     double low, low_radius, high, high_radius;
 };
@@ -25,58 +23,59 @@ struct Convex {
     Convex() {}
     enum class Kind : std::uint8_t { ball, box, capsule, cylinder, hull, polygon };
     Kind kind = Kind::ball;
-    bool is_sharp = false;      // the shape itself has no radius: the core is inset
-    int corner_count = 0;       // of a polygon: 3 or 4
-    math::DVec3 center;         // of the shape's frame, in the common frame
-    math::DMat3 axes;           // of the shape's frame, in the common frame
-    math::DVec3 size;           // as in Geometry
-    union {                     // without values for other kinds: clearing them takes as long as all the rest
-        math::DVec3 corners[4]; // of a polygon, in the common frame
-        Frustum core;           // of a cylinder
+    bool is_sharp = false; // the shape itself has no radius, and its core is inset
+    int corner_count = 0;  // number of corners of a polygon: 3 or 4
+    math::DVec3 center;    // origin of the shape's frame, in the common frame
+    math::DMat3 axes;      // axes of the shape's frame, in the common frame
+    math::DVec3 size;      // as in Geometry
+    union {                // uninitialized for other kinds: clearing it takes as long as the rest of the construction
+        math::DVec3 corners[4]; // corners of a polygon, in the common frame
+        Frustum core;           // core of a cylinder
     };
     const HullData* hull = nullptr;
-    double radius = 0;  // around the core
-    double shallow = 0; // an overlap up to this is a small one: the radius, or of rounded shapes somewhat more
+    double radius = 0;  // added around the core
+    double shallow = 0; // penetrations up to this depth are shallow: the radius, or somewhat more for rounded shapes
     double extent = 0;  // the smallest half width; infinite for polygons
 };
 
-// For every type but planes, meshes and height fields. A rectangle is a flat polygon.
+// For every shape type but infinite planes, meshes and height fields. A rectangle becomes a flat polygon.
 Convex make_convex(const Geometry& geometry, const ShapeData& data, const math::DVec3& center,
                    const math::DQuat& rotation);
-// Flat, solid on the side that sees the corners clockwise.
+// A flat triangle that faces the side from which its corners appear counterclockwise, and is solid on the other side.
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
-// A polygon that faces the other way.
+// The polygon that faces the other way.
 Convex reversed(const Convex& polygon);
 Convex moved(const Convex& shape, math::DVec3 by);
 
-// Leaves the core of a shape at a depth, m: without what is nearer to its surface; at least a point or a segment in its
-// middle. Of hulls, the hull scaled along its axes about the middle of its bounds, such that those shrink by the depth
-// on every side; or, where that is not well inside of it, evenly about its center of mass, by the depth at the nearest
-// face. Polygons stay as they are.
+// Reduces the core of a shape by a depth, m: removes everything closer to its surface, but keeps at least a point or
+// segment in its middle. A hull is scaled along its axes about the middle of its bounds, so that these shrink by the
+// depth on every side; or, if that middle is not well inside of it, uniformly about its center of mass, such that the
+// nearest face moves by the depth. Polygons stay unchanged.
 void shrink(Convex& shape, double depth);
 
-// From the common frame to the shape's and back.
+// Transforms a direction from the common frame to the shape's frame.
 inline math::DVec3 to_local(const Convex& c, math::DVec3 v) {
     return {math::dot(c.axes.c0, v), math::dot(c.axes.c1, v), math::dot(c.axes.c2, v)};
 }
 inline math::DVec3 hull_point(const Convex& c, math::Vec3 p) { return c.center + c.axes * math::to_double(p); }
 
-// A shape as the distance algorithms see it: a core, and a radius that is added afterwards.
+// The view that distance algorithms have of a shape: a core, and a radius to be added to the result.
 struct Core {
     const Convex* shape;
-    bool is_inset; // else a sharp shape is its own core
+    bool is_inset; // false: a sharp shape is its own core
     double radius;
-    bool is_quick = false; // of a hull: corners within 3e-6 of its size of the farthest will do
+    // for hulls: support points within 3e-6 of the hull's size from the exact support are good enough
+    bool is_quick = false;
 };
-// Only of sharp shapes.
+// The inset core of a sharp shape.
 inline Core inset_core(const Convex& c) { return {&c, true, c.radius}; }
 // The core that gives exact distances.
 inline Core exact_core(const Convex& c) { return {&c, false, c.is_sharp ? 0 : c.radius}; }
 
-// What lies around the exact core.
+// The radius around the exact core.
 inline double outer_radius(const Convex& c) { return c.is_sharp ? 0 : c.radius; }
 
-// The farthest points of the shapes that are asked for most, along d, which may have any length.
+// Support points of the most frequent shapes along d, which may have any length.
 inline math::DVec3 box_support(const Convex& c, math::DVec3 half, math::DVec3 d) {
     const math::DVec3 along = to_local(c, d);
     const math::DVec3 local{along.x < 0 ? -half.x : half.x, along.y < 0 ? -half.y : half.y,
@@ -99,9 +98,9 @@ inline math::DVec3 hull_support(const Core& core, math::DVec3 d) {
     const std::size_t i = core.is_quick ? columns.nearly_farthest(along) : columns.farthest(along);
     return hull_point(*core.shape, columns[i]);
 }
-math::DVec3 round_support(const Core& core, math::DVec3 d); // of balls, capsules and cylinders
+math::DVec3 round_support(const Core& core, math::DVec3 d); // for balls, capsules and cylinders
 
-// The point of the core that is farthest along d.
+// The support point of the core along d.
 inline math::DVec3 core_support(const Core& core, math::DVec3 d) {
     const Convex& c = *core.shape;
     if (c.kind == Convex::Kind::hull) return hull_support(core, d);
@@ -110,18 +109,19 @@ inline math::DVec3 core_support(const Core& core, math::DVec3 d) {
     const double m = core.is_inset ? c.radius : 0;
     return box_support(c, c.size - math::DVec3{m, m, m}, d);
 }
-// The point of the shape itself that is farthest along d.
+// The support point of the shape itself along d.
 inline math::DVec3 support(const Convex& c, math::DVec3 d) {
     const math::DVec3 p = core_support(exact_core(c), d);
     if (c.is_sharp) return p;
     const double length = math::length(d);
     return length > 0 ? p + (c.radius / length) * d : p;
 }
-// Likewise along a unit vector, quickly: of a hull some vertex within 3e-6 of its size of the farthest.
+// The support point of the shape along a unit vector, approximate for hulls: some vertex within 3e-6 of the hull's size
+// from the support.
 inline constexpr int unknown_vertex = -1;
 struct NearSupport {
     math::DVec3 point;
-    int vertex = unknown_vertex; // of a hull
+    int vertex = unknown_vertex; // index, for hulls
 };
 inline NearSupport near_support(const Convex& c, math::DVec3 unit) {
     if (c.kind != Convex::Kind::hull) return {support(c, unit)};
@@ -129,23 +129,22 @@ inline NearSupport near_support(const Convex& c, math::DVec3 unit) {
     const math::DVec3 p = hull_point(c, c.hull->vertices[vertex]);
     return {c.is_sharp ? p : p + c.radius * unit, static_cast<int>(vertex)};
 }
-// The middle of the bounds: of most shapes inside, but not of every hull.
+// The middle of the shape's bounds; it may lie outside of a hull.
 math::DVec3 middle(const Convex& c);
-// A point deep inside.
+// A point deep inside the shape.
 math::DVec3 inside_of(const Convex& c);
 
-// Flat faces: of boxes, hulls and polygons, and the ends of cylinders. A polygon has its front; number 1 is its back,
-// which touches but gives no direction.
-// Those of a box: +x -x +y -y +z -z; of a cylinder: top, base.
+// Flat faces exist on boxes (+x -x +y -y +z -z), hulls and polygons, and as the ends of cylinders (top, base). Face 0
+// of a polygon is its front; face 1 is its back, which can touch but provides no contact normal.
 int face_count(const Convex& c);
-bool has_face(const Convex& c, int face); // the tip of a cone is none
+bool has_face(const Convex& c, int face); // false for the tip of a cone
 inline math::DVec3 face_normal(const Convex& c, int face) {
     if (c.kind == Convex::Kind::hull) return c.axes * c.hull->unit_normal(static_cast<std::size_t>(face));
     if (c.kind == Convex::Kind::box) return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
     return face == 0 ? c.axes.c1 : -c.axes.c1;
 }
-math::DVec3 face_point(const Convex& c, int face); // some point of it
-// The face of a box that looks most along a direction in its frame.
+math::DVec3 face_point(const Convex& c, int face); // some point of the face
+// The face of a box whose normal is most aligned with a direction in its frame.
 inline int box_face_along(math::DVec3 local) {
     const math::DVec3 size = math::abs(local);
     const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -15,9 +15,9 @@ using math::DVec3;
 
 namespace {
 
-// Sweeps stop when the shapes are this near, as part of the extent.
+// The distance at which sweeps stop, relative to the extent.
 constexpr double sweep_tolerance = 1e-6;
-// Each round at least halves what is left of the distance.
+// The maximum number of iterations of a sweep. Each at least halves the remaining distance.
 constexpr int max_rounds = 64;
 
 Convex make_point(DVec3 p) {
@@ -32,8 +32,8 @@ double extent_of(const Convex& a, const Convex& b) {
     return extent < 1e30 ? extent : math::length(b.corners[1] - b.corners[0]);
 }
 
-// Conservative advancement (Mirtich 1996) from a fraction on. The distance of two convex shapes is a convex function of
-// the fraction, so that this is Newton's method from below: it never passes the first touch.
+// Conservative advancement (Mirtich 1996), starting at a fraction. The distance of two convex shapes is a convex
+// function of the fraction, so that this is Newton's method from below and never passes the first touch.
 std::optional<ConvexHit> advance(const Convex& moving, DVec3 way, const Convex& still, double tolerance, double limit,
                                  double fraction) {
     for (int round = 0;; ++round) {
@@ -42,13 +42,13 @@ std::optional<ConvexHit> advance(const Convex& moving, DVec3 way, const Convex& 
         const double speed = dot(way, c.normal);
         if (!(speed > 0)) return std::nullopt; // they move apart or past each other
         if (!(c.distance > tolerance) || round == max_rounds) return ConvexHit{fraction, c.on_b, -c.normal};
-        // Half the tolerance is kept, so that the normal is still known.
+        // Half the tolerance is kept as a gap, so that the normal stays defined.
         fraction += (c.distance - 0.5 * tolerance) / speed;
         if (!(fraction <= limit)) return std::nullopt;
     }
 }
 
-// Whether a difference of cores with these corners holds the origin deeper than that.
+// Whether the simplex of a core difference contains the origin, deeper than `depth` below each of its faces.
 bool is_deeper(const Simplex& s, double depth) {
     if (s.count < 4) return false;
     constexpr int faces[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
@@ -61,13 +61,13 @@ bool is_deeper(const Simplex& s, double depth) {
     return true;
 }
 
-// The radius of a ball around that point inside that lies within; 0 where none is known.
+// The radius of a ball about inside_of(c) that lies within the shape; 0 if unknown.
 double inner_radius(const Convex& c) {
     if (c.kind == Convex::Kind::hull) return c.hull->inner_radius + outer_radius(c);
     return has_nearest(c) ? c.extent : 0;
 }
 
-// Whether the ball within one overlaps the other by more than a depth: then they do, and GJK need not say so.
+// Whether the shape overlaps a ball inside the other by more than a depth, which proves an overlap without GJK.
 bool holds_ball(const Convex& c, const Convex& other, double depth) {
     if (!has_nearest(c)) return false;
     const DVec3 p = to_local(c, inside_of(other) - c.center), off = p - *nearest_in_core(c, p);
@@ -80,7 +80,7 @@ bool overlap_by_formula(const Convex& a, const Convex& b, double depth) {
 
 bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
 
-// Of a ball with a shape whose nearest point a formula tells, whichever of them moves.
+// The sweep of a ball against a shape with a closed-form nearest point, whichever of them moves.
 std::optional<ConvexHit> sweep_ball_and(const Convex& moving, DVec3 way, const Convex& still, double from, double limit,
                                         double tolerance) {
     const bool is_moving = is_ball_and_formula(moving, still);
@@ -137,7 +137,7 @@ ClosestPoints closest_points(const Convex& a, const Convex& b) {
 std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_distance) {
     const double radius = outer_radius(c);
     const DVec3 from_center = to_local(c, to - c.center);
-    DVec3 off; // from the core
+    DVec3 off; // from the core to the point
     double distance = 0;
     if (const auto local = nearest_in_core(c, from_center)) {
         const DVec3 local_off = from_center - *local;

@@ -8,13 +8,13 @@ using math::DVec3;
 
 namespace {
 
-// All in the cylinder's frame, where it stands along y.
+// The coordinates below are in the frame of the cylinder, whose axis is y.
 DVec3 across(DVec3 v) { return {v.x, 0, v.z}; }
 
 struct Rims {
-    double radius, end;     // of the rim that is near, and its y
-    double low, high, half; // the radii of both, and half the height
-    bool is_straight;       // else its side is a cone's
+    double radius, end;     // of the near rim, and its y coordinate
+    double low, high, half; // radii of both ends, and half the height
+    bool is_straight;       // otherwise the side is conical
 };
 
 std::optional<CylinderTouch> touch_of_corner(const Rims& c, DVec3 p, DVec3 way) {
@@ -26,17 +26,17 @@ std::optional<CylinderTouch> touch_of_corner(const Rims& c, DVec3 p, DVec3 way) 
         const DVec3 point = p + at * way;
         if (std::fabs(point.y) <= c.half) return CylinderTouch{at, point, (-1 / c.radius) * across(point)};
     }
-    const bool is_high = way.y < 0; // the end that it moves to
+    const bool is_high = way.y < 0; // the end that the corner moves towards
     const double at = ((is_high ? c.half : -c.half) - p.y) / way.y, radius = is_high ? c.high : c.low;
     const DVec3 point = p + at * way, off = across(point);
     if (!(dot(off, off) <= radius * radius)) return std::nullopt;
     return CylinderTouch{at, point, {0, is_high ? -1.0 : 1.0, 0}};
 }
 
-// The edge sweeps a plane, which has two points with the rim in common: where its crossing with the end's plane enters
-// the disc, it meets the rim.
+// The moving edge sweeps a plane. It touches the rim where the intersection line of this plane with the plane of the
+// end enters the end's disc.
 std::optional<CylinderTouch> touch_of_edge(const Rims& c, DVec3 p, DVec3 edge, DVec3 way) {
-    const DVec3 along = edge.y * way - way.y * edge; // of that crossing
+    const DVec3 along = edge.y * way - way.y * edge; // direction of the intersection line
     const DVec3 line = across(edge.y < 0 ? -along : along);
     const bool is_steep = std::fabs(edge.y) > std::fabs(way.y);
     const double first = (c.end - p.y) / (is_steep ? edge.y : way.y);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int max_points = 64, max_faces = 2 * max_points;
 constexpr double depth_tolerance = 1e-4;
-// As parts of the size of the difference: thinner is flat; lower than this above a plane is in it.
+// Relative to the size of the Minkowski difference: a thinner difference counts as flat; a point lower than this above
+// a plane counts as coplanar.
 constexpr double flat = 1e-9, coplanar = 1e-13;
 
 struct Polytope {
@@ -20,7 +21,7 @@ struct Polytope {
     struct Face {
         int corner[3]; // counterclockwise as seen from outside
         DVec3 normal;
-        double distance; // of the plane from the origin, negative where the origin is outside
+        double distance; // of the plane from the origin; negative if the origin is outside
     };
     struct Edge {
         std::int16_t from, to;
@@ -28,7 +29,7 @@ struct Polytope {
     };
     int point_count = 0, face_count = 0;
     double size = 0;
-    union { // without values until there are some: clearing them takes as long as a search
+    union { // uninitialized until used: clearing it takes as long as a search
         DifferencePoint points[max_points];
     };
     union {
@@ -52,14 +53,14 @@ struct Polytope {
             if (faces[i].distance < least) least = faces[i].distance, best = i;
         return best;
     }
-    // The hull with one more point; false when rounding leaves no clean surface.
+    // Expands the hull by one point; returns false if rounding errors prevent a consistent surface.
     bool add_point(const DifferencePoint& p);
     void witness(const Face& face, Penetration& out) const;
 };
 
 bool Polytope::add_point(const DifferencePoint& p) {
     if (point_count == max_points) return false;
-    // Edges of the faces that see the point; those that appear both ways are inside.
+    // Collects the edges of faces visible from the point; edges that occur in both directions are interior.
     Edge edges[3 * max_faces];
     int edge_count = 0, kept = 0;
     for (int i = 0; i < face_count; ++i) {
@@ -80,7 +81,7 @@ bool Polytope::add_point(const DifferencePoint& p) {
         }
     }
     face_count = kept;
-    // The rest must be one loop, or the surface would be torn.
+    // The remaining edges (the horizon) must form a single loop, or the surface would not be closed.
     if (edge_count < 3) return false;
     int at = edges[0].to, steps = 1;
     while (at != edges[0].from && steps <= edge_count) {
@@ -97,8 +98,8 @@ bool Polytope::add_point(const DifferencePoint& p) {
     return true;
 }
 
-// The points of the two cores at the origin's projection to the surface: of the triangles in the face's plane, the one
-// that holds it best.
+// Computes the witness points on both cores at the origin's projection onto the surface, from the triangle in the plane
+// of the face that contains the projection best.
 void Polytope::witness(const Face& face, Penetration& out) const {
     double most = -1;
     for (int i = 0; i < face_count; ++i) {
@@ -110,7 +111,7 @@ void Polytope::witness(const Face& face, Penetration& out) const {
         const double least = std::min(wa, std::min(wb, wc)) / sum;
         if (!(least > most)) continue;
         most = least;
-        // Not quite within: the nearest of its weights.
+        // If the projection is slightly outside of the triangle, its weights are clamped.
         const double ua = wa > 0 ? wa : 0, ub = wb > 0 ? wb : 0, uc = wc > 0 ? wc : 0, part = 1 / (ua + ub + uc);
         out.on_a = part * (ua * a.a + ub * b.a + uc * c.a);
         out.on_b = part * (ua * a.b + ub * b.b + uc * c.b);
@@ -122,8 +123,8 @@ DVec3 orthogonal(DVec3 n) {
     return math::normalized(cross(axis, n));
 }
 
-// The difference has no inside: any direction across it parts the cores, by nothing. The one that leads from the
-// middle of the first shape to that of the second is taken.
+// A separating direction for a flat Minkowski difference. Any direction perpendicular to it separates the cores with
+// depth 0; the one closest to the line from the middle of the first shape to that of the second is chosen.
 DVec3 part_flat(const CorePair& pair, int dimension, DVec3 axis) {
     const DVec3 offset = middle(*pair.b.shape) - middle(*pair.a.shape);
     if (dimension == 2) return dot(axis, offset) < 0 ? -axis : axis;
@@ -133,8 +134,8 @@ DVec3 part_flat(const CorePair& pair, int dimension, DVec3 axis) {
     return dimension == 1 ? orthogonal(axis) : DVec3{0, 1, 0};
 }
 
-// Four corners of the difference that span a solid. Else says how many dimensions they span, and the line or the
-// normal of the plane.
+// Finds four points of the Minkowski difference that span a volume, and returns 3. Otherwise returns the number of
+// dimensions that it spans, and in `axis` its line or the normal of its plane.
 int span_solid(const CorePair& pair, DifferencePoint (&p)[4], double& size, DVec3& axis) {
     constexpr DVec3 sides[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     p[0] = pair.support(sides[0]);
@@ -171,7 +172,7 @@ int span_solid(const CorePair& pair, DifferencePoint (&p)[4], double& size, DVec
 
 Penetration epa_depth(const CorePair& cores, const Simplex& start) {
     CorePair pair = cores;
-    pair.a.is_quick = pair.b.is_quick = false; // it ends where no corner is farther
+    pair.a.is_quick = pair.b.is_quick = false; // exact support points, since the search ends when none is farther
     Polytope polytope;
     DifferencePoint p[4];
     DVec3 axis;
@@ -200,7 +201,7 @@ Penetration epa_depth(const CorePair& cores, const Simplex& start) {
     bool is_clean = polytope.add_face(0, 1, 2) && polytope.add_face(0, 2, 3) && polytope.add_face(0, 3, 1) &&
                     polytope.add_face(1, 3, 2);
 
-    // Every direction gives a depth that parts the cores; the least is kept.
+    // Every direction gives an upper bound of the depth; the least is kept.
     while (is_clean) {
         const Polytope::Face nearest = polytope.faces[polytope.nearest()];
         const DifferencePoint next = pair.support(nearest.normal);

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The rotation whose columns are the images of x, y, z.
+// The rotation whose matrix has columns x, y, z.
 math::Quat from_axes(DVec3 x, DVec3 y, DVec3 z) {
-    // Shepperd's method: the largest of the four components is computed from the diagonal.
+    // Shepperd's method: computes the largest of the four components from the diagonal.
     const double trace = x.x + y.y + z.z;
     math::DQuat q;
     if (trace > 0) {
@@ -33,7 +33,7 @@ math::Quat from_axes(DVec3 x, DVec3 y, DVec3 z) {
 
 math::Quat plane_rotation(const Plane& plane) {
     DVec3 normal{plane.normal.x, plane.normal.y, plane.normal.z};
-    // Scale first: the squares of a tiny or huge normal would leave the range.
+    // Scaled first, since the squares of a tiny or huge normal would underflow or overflow.
     const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
     normal = math::normalized((1 / largest) * normal);
     DVec3 tangent{plane.tangent.x, plane.tangent.y, plane.tangent.z};
@@ -58,7 +58,7 @@ std::span<const Material> surface_materials(const ShapeData& data) {
 
 namespace {
 
-// Type, size and bounding radius; a plane also turns the shape.
+// Sets type, size and bounding radius; a plane also rotates the shape.
 struct GeometryMaker {
     Geometry& g;
 
@@ -141,10 +141,10 @@ ShapeData make_shape_data(const Shape& shape) {
 
 namespace {
 
-// What a rotation rounded to float and sums in float may take from a shape, as a part of its bounding radius.
+// The error of bounds due to a rotation rounded to float and sums in float, relative to the bounding radius.
 constexpr double rounding = 1e-6;
 
-// Relative to the position. Both balls.
+// Bounds of both end balls, relative to the position.
 DBounds capsule_bounds(DVec3 size, const math::Mat3& m) {
     DBounds b;
     for (int i = 0; i < 3; ++i) {
@@ -155,7 +155,8 @@ DBounds capsule_bounds(DVec3 size, const math::Mat3& m) {
     return b;
 }
 
-// Both discs: along a world axis e, one of radius r that c0 and c2 span reaches r sqrt((c0 . e)^2 + (c2 . e)^2).
+// Bounds of both end discs: along a world axis e, a disc of radius r spanned by c0 and c2 has the extent r sqrt((c0 .
+// e)^2 + (c2 . e)^2).
 DBounds cylinder_bounds(DVec3 size, const math::Mat3& m) {
     DBounds b;
     for (int i = 0; i < 3; ++i) {
@@ -176,7 +177,7 @@ DBounds hull_bounds(const HullData& hull, const math::Mat3& m) {
     return b;
 }
 
-// The corners of a box, rotated.
+// Bounds of the rotated corners of a box.
 DBounds box_bounds(DVec3 lo, DVec3 hi, const math::Mat3& m) {
     const DVec3 center = 0.5 * (lo + hi), half = 0.5 * (hi - lo);
     DBounds b;
@@ -189,14 +190,14 @@ DBounds box_bounds(DVec3 lo, DVec3 hi, const math::Mat3& m) {
     return b;
 }
 
-// How far a mesh reaches along a direction, to within `slack`: the child that may reach farthest first, so that the
-// others mostly need no look.
+// The extent of a mesh along a direction, within `slack`. Visits the child with the greatest bound first, so that most
+// of the others are skipped.
 struct MeshSupport {
     const MeshData& mesh;
     DVec3 direction;
     double slack, best = -infinity;
 
-    // The boxes of a block.
+    // Searches the boxes of a block.
     void search(std::size_t level, std::size_t block) {
         if (level == 0) {
             const std::size_t first = 24 * block, last = std::min(first + 24, mesh.indices.size());
@@ -241,7 +242,7 @@ DBounds mesh_bounds(const MeshData& mesh, const math::Mat3& m) {
     return b;
 }
 
-// Of its box: exact while it stands upright.
+// Bounds of the field's bounding box: exact while the field is upright.
 DBounds height_field_bounds(const HeightFieldData& field, const math::Mat3& m) {
     const double x = grid_half(field.columns, field.spacing_x), z = grid_half(field.rows, field.spacing_z);
     return box_bounds({-x, double(field.least), -z}, {x, double(field.greatest), z}, m);

@@ -1,4 +1,4 @@
-// Mass properties of the solid shapes, in closed form.
+// Mass properties of solid shapes, in closed form.
 #include "math/angle.h"
 #include "shapes/geometry.h"
 #include "shapes/rounded_mass.h"
@@ -10,12 +10,12 @@ using math::pi;
 
 namespace {
 
-// A body of revolution about y, of density 1: volume, first and second moment along y (integrals of y and y^2), and
-// moment of inertia about y. Sums of y are from `origin`.
+// A solid of revolution about y, of density 1: its volume, first and second moment along y (integrals of y and y^2),
+// and moment of inertia about y. y is measured from `origin`.
 MassSum revolved(double origin, double volume, double first, double second, double axial) {
     if (!(volume > 0)) return {};
     const double mean = first / volume;
-    const double across = axial / 2 + (second - first * mean); // half of the axial moment, as x and z are alike
+    const double across = axial / 2 + (second - first * mean); // half of the axial moment, since x and z are equivalent
     MassSum m;
     m.mass = volume;
     m.center = {0, origin + mean, 0};
@@ -23,8 +23,8 @@ MassSum revolved(double origin, double volume, double first, double second, doub
     return m;
 }
 
-// From y = bottom up to y = bottom + height, of radius a below and b above. With u = (y - bottom) / height the radius
-// is a (1 - u) + b u, and the integrals over u of its powers times those of u are Beta functions.
+// A frustum from y = bottom to y = bottom + height, with radius a at the bottom and b at the top. With u = (y - bottom)
+// / height the radius is a (1 - u) + b u, and the integrals over u of its powers times powers of u are Beta functions.
 MassSum frustum(double bottom, double height, double a, double b) {
     const double aa = a * a, ab = a * b, bb = b * b;
     const double volume = pi * height * (aa + ab + bb) / 3;
@@ -34,8 +34,8 @@ MassSum frustum(double bottom, double height, double a, double b) {
     return revolved(bottom, volume, first, second, axial);
 }
 
-// The part of the ball of radius r about y = center that lies below y = center + r s (`side` 1), or above
-// y = center - r s (`side` -1): integrals of pi (r^2 - y^2), times 1, y and y^2, and of pi / 2 (r^2 - y^2)^2.
+// The part of a ball of radius r about y = center that is below y = center + r s (`side` 1), or above y = center - r s
+// (`side` -1): integrals of pi (r^2 - y^2), times 1, y and y^2, and of pi / 2 (r^2 - y^2)^2.
 MassSum ball_part(double center, double r, double s, double side) {
     const double r2 = r * r, r3 = r2 * r, s2 = s * s, s3 = s2 * s, s5 = s3 * s2;
     const double volume = pi * r3 * (1 + s) * (1 + s) * (2 - s) / 3;
@@ -45,7 +45,7 @@ MassSum ball_part(double center, double r, double s, double side) {
     return revolved(center, volume, first, second, axial);
 }
 
-// The side touches both balls where its normal does: at the height s r above their centers, s = (a - b) / (2 h).
+// A capsule's side touches both balls at the height s r above their centers, s = (a - b) / (2 h).
 MassSum capsule_mass(DVec3 size) {
     const double a = size.x, h = size.y, b = size.z, s = (a - b) / (2 * h);
     if (s >= 1) return ball_part(-h, a, 1, 1); // the upper ball is inside the lower one
@@ -55,14 +55,14 @@ MassSum capsule_mass(DVec3 size) {
     return combine(ends, frustum(-h + a * s, 2 * h * square, a * c, b * c));
 }
 
-// R m R^T.
+// Computes R m R^T.
 math::DSym3 rotated(const math::DMat3& r, const math::DSym3& m) {
     const DVec3 x{r.c0.x, r.c1.x, r.c2.x}, y{r.c0.y, r.c1.y, r.c2.y}, z{r.c0.z, r.c1.z, r.c2.z}; // rows
     const DVec3 mx = m * x, my = m * y, mz = m * z;
     return {math::dot(x, mx), math::dot(x, my), math::dot(x, mz), math::dot(y, my), math::dot(y, mz), math::dot(z, mz)};
 }
 
-// Of density 1, in the shape's frame.
+// Mass properties at density 1, in the shape's frame.
 MassSum unit_mass(const Geometry& shape, const ShapeData& data) {
     const DVec3 size = math::to_double(shape.size);
     const double rounding = shape.rounding;

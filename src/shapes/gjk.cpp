@@ -14,12 +14,12 @@ using math::DVec3;
 namespace {
 
 constexpr int max_iterations = 64;
-// Cores closer than this part of their size overlap.
+// Cores closer than this overlap, relative to their size.
 constexpr double touching = 1e-10;
-// Rounding of a squared length, as part of it.
+// The relative rounding error of a squared length.
 constexpr double rounding = 1e-15;
 
-// The nearest point of a simplex as a choice of its corners and their weights, which are parts of `whole`.
+// The nearest point of a simplex to the origin: a subset of its corners, with weights relative to `whole`.
 struct Nearest {
     double square = std::numeric_limits<double>::infinity();
     DVec3 point;
@@ -48,15 +48,16 @@ void offer_segment(Nearest& best, const Simplex& s, int i, int j) {
     best.corner[0] = i, best.corner[1] = j, best.weight[0] = 1 - t, best.weight[1] = t, best.whole = 1;
 }
 
-// Where the origin projects into the triangle, the point is its projection to the plane: the direction is then that
-// of the plane's normal, without the rounding of the weights. Else the point is on an edge that the origin is beyond.
+// If the origin projects into the triangle, the nearest point is the projection of the origin onto the plane: its
+// direction is that of the normal, free of the rounding of weights. Otherwise the nearest point is on an edge that has
+// the origin beyond it.
 void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k, DVec3 normal) {
     const DVec3 a = s.points[i].w, b = s.points[j].w, c = s.points[k].w;
     const double square = dot(normal, normal);
     const double wa = dot(cross(b, c), normal), wb = dot(cross(c, a), normal), wc = dot(cross(a, b), normal);
     if (square > 0 && wa > 0 && wb > 0 && wc > 0) {
-        // A narrow triangle's normal is off by much, turned about its longest edge: its height is that of the point
-        // where this edge passes the origin.
+        // The normal of a narrow triangle is inaccurate: it is rotated about the longest edge. Hence the height of the
+        // plane is measured at the point of this edge's line nearest to the origin.
         const DVec3 ab = b - a, bc = c - b, ca = a - c;
         const double ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
         const bool is_ab = ab2 >= bc2 && ab2 >= ca2, is_bc = !is_ab && bc2 >= ca2;
@@ -75,11 +76,11 @@ void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k, DVec3 
     if (!(wb > 0 && square > 0)) offer_segment(best, s, k, i);
 }
 
-// False when the tetrahedron holds the origin. Near convergence on a round shape its corners lie almost on one line;
-// what is within the rounding of a side counts as outside of it, so that such a splinter holds nothing.
+// Returns false if the tetrahedron contains the origin. Near convergence on a curved shape its corners are almost
+// collinear; an origin within rounding error of a side counts as outside, so that such a sliver contains nothing.
 bool on_tetrahedron(const Simplex& s, Nearest& best) {
     constexpr int faces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
-    constexpr double error = 1e-28; // the square of some roundings
+    constexpr double error = 1e-28; // the square of a few rounding errors
     double size = 0;
     for (const DifferencePoint& p : s.points) size = std::max(size, dot(p.w, p.w));
     bool is_outside = false;
@@ -87,7 +88,7 @@ bool on_tetrahedron(const Simplex& s, Nearest& best) {
         const DVec3 a = s.points[f[0]].w, ab = s.points[f[1]].w - a, ac = s.points[f[2]].w - a;
         const DVec3 normal = cross(ab, ac), inner = s.points[f[3]].w - a;
         const double inside = dot(normal, inner), origin = -dot(normal, a);
-        // Rounded corners move the normal by about size x sides.
+        // Rounding of the corners changes the normal by about size x sides.
         const double sides = dot(ab, ab) + dot(ac, ac), slack = error * size * sides;
         const bool is_flat = inside * inside <= slack * dot(inner, inner) + error * size * dot(ab, ab) * dot(ac, ac);
         const bool is_near = origin * origin <= slack * size;
@@ -98,18 +99,18 @@ bool on_tetrahedron(const Simplex& s, Nearest& best) {
     return is_outside;
 }
 
-// Keeps the corners that span the nearest point.
+// Reduces the simplex to the corners that span the nearest point.
 void keep(Simplex& s, const Nearest& n) {
     for (int i = 0; i < n.count; ++i) s.weights[i] = n.weight[i] / n.whole;
     s.nearest = n.point;
-    if (n.count == s.count) return; // all, in their order
+    if (n.count == s.count) return; // all corners, in their order
     DifferencePoint kept[3];
     for (int i = 0; i < n.count; ++i) kept[i] = s.points[n.corner[i]];
     for (int i = 0; i < n.count; ++i) s.points[i] = kept[i];
     s.count = n.count;
 }
 
-// The nearest point of a simplex. False when it is a tetrahedron that holds the origin.
+// Finds the point of a simplex nearest to the origin. Returns false for a tetrahedron that contains the origin.
 bool nearest_of(const Simplex& s, Nearest& best) {
     if (s.count == 4) return on_tetrahedron(s, best);
     if (s.count == 3)
@@ -142,13 +143,13 @@ void finish(GjkCast& r, const Simplex& s) {
     r.normal = (-1 / r.distance) * s.nearest;
 }
 
-// Where what GJK has found of two shapes would meet, if there was nothing else of them: a `fraction` of the way from
-// where it is. They are half the tolerance apart then, and on a slanting way less: no more than the tolerance before
-// the end of it.
+// The touch of the features that GJK has found on two shapes, regarded in isolation, at a `fraction` of the translation
+// from the current position. The features are then half the tolerance apart, or less if the translation is oblique: it
+// stops at most one tolerance of path length before the touch.
 struct Touch {
     double fraction;
     DVec3 normal; // unit, from a to b
-    DVec3 on_b;   // of its core
+    DVec3 on_b;   // on the core of b
 };
 
 bool is_cylinder(const Core& c) { return c.radius == 0 && c.shape->kind == Convex::Kind::cylinder; }
@@ -156,7 +157,7 @@ bool has_corners(const Core& c) {
     return c.radius == 0 && c.shape->kind != Convex::Kind::cylinder && c.shape->kind != Convex::Kind::capsule;
 }
 
-// Of the corners that belong to the simplex with a cylinder.
+// The touch of a cylinder with the corners in the simplex.
 std::optional<Touch> touch_of_cylinder(const CorePair& pair, const Simplex& s, DVec3 way, DVec3 so_far,
                                        double tolerance) {
     const bool is_moving = is_cylinder(pair.a);
@@ -224,7 +225,7 @@ GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double m
             r.state = GjkResult::State::overlapping;
             return r;
         }
-        if (!(best.square < square)) { // rounding: no nearer
+        if (!(best.square < square)) { // no progress, due to rounding
             --s.count;
             break;
         }
@@ -236,14 +237,14 @@ GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double m
 }
 
 GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance, DVec3 guess) {
-    constexpr double converged = 1e-12; // as of gjk_distance
+    constexpr double converged = 1e-12; // relative tolerance as in gjk_distance
     const double radius = pair.a.radius + pair.b.radius, reach = radius + tolerance, stop = radius + 0.5 * tolerance;
     const bool is_rim = (is_cylinder(pair.a) && has_corners(pair.b)) || (has_corners(pair.a) && is_cylinder(pair.b));
     GjkCast r;
     Simplex& s = r.simplex;
     if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
     if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
-    s.nearest = -guess; // a direction to begin with
+    s.nearest = -guess; // initial search direction
     double square = dot(guess, guess), size = 0;
     bool is_moved = false;
     const auto support = [&](DVec3 normal) {
@@ -261,7 +262,7 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
         if (is_moved && is_rim) touch = touch_of_cylinder(pair, s, way, r.fraction * way, tolerance);
         if (touch && r.fraction + touch->fraction > 0) {
             next = support(touch->normal), along = -dot(touch->normal, next.w);
-            if (along - dot(way, touch->normal) * touch->fraction >= radius) { // nothing meets before
+            if (along - dot(way, touch->normal) * touch->fraction >= radius) { // no other feature touches earlier
                 r.fraction += touch->fraction;
                 r.state = r.fraction <= limit ? GjkCast::State::met : GjkCast::State::missed;
                 r.normal = touch->normal, r.on_b = touch->on_b, r.distance = stop;
@@ -274,7 +275,7 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
         if (next_square > size) size = next_square;
         const bool is_known = holds(s, next), is_first = s.count == 0;
         is_moved = along > reach;
-        if (is_moved) { // the plane between them shows how far it may move
+        if (is_moved) { // a separating plane bounds how far the core may move
             const double part = (along - stop) / dot(way, normal);
             if (!(part > 0 && part <= limit - r.fraction)) {
                 r.state = GjkCast::State::missed;
@@ -284,7 +285,7 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
             r.fraction += part;
             for (int i = 0; i < s.count; ++i) s.points[i].w += move;
             next.w += move;
-            square = std::numeric_limits<double>::infinity(); // of another place
+            square = std::numeric_limits<double>::infinity(); // no longer valid at the new position
         } else if (!is_first && (is_known || square - along * distance <=
                                                  converged * square + rounding * std::sqrt(square * size))) {
             finish(r, s);
@@ -297,7 +298,7 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
             if (r.fraction == 0) r.state = GjkCast::State::overlapping;
             return r;
         }
-        if (!(best.square < square)) { // rounding: no nearer
+        if (!(best.square < square)) { // no progress, due to rounding
             --s.count;
             if (!(distance <= reach)) break;
             finish(r, s);

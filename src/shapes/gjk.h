@@ -6,7 +6,7 @@
 
 namespace cairn {
 
-// A corner of the Minkowski difference a - b.
+// A vertex of the Minkowski difference a - b, with its support points on both shapes.
 struct DifferencePoint {
     math::DVec3 a, b, w; // w = a - b
 };
@@ -19,7 +19,7 @@ struct CorePair {
     }
 };
 
-// Up to four corners of the difference, and the point nearest to the origin of what they span.
+// Up to four vertices of the Minkowski difference, and the point of their convex hull that is nearest to the origin.
 struct Simplex {
     int count = 0;
     DifferencePoint points[4];
@@ -30,39 +30,40 @@ struct Simplex {
 struct GjkResult {
     enum class State : std::uint8_t { apart, overlapping, far };
     State state = State::far;
-    double distance = 0; // of the cores
-    math::DVec3 normal;  // apart: unit, from a to b
+    double distance = 0; // between the cores
+    math::DVec3 normal;  // if apart: unit, from a to b
     math::DVec3 on_a, on_b;
     Simplex simplex;
 };
 
-// When a core that moves by `way` without turning first touches another, with a radius around both.
+// The time of impact of a core that moves by `way` without rotating, with a radius around both cores.
 struct GjkCast {
     enum class State : std::uint8_t {
-        missed,      // not before `limit`, a fraction of the way
-        met,         // at `fraction` they are nearer than the radius and the tolerance
-        overlapping, // the cores, from the start
-        unsettled,   // not before `fraction`; rounding leaves it open whether then
+        missed,      // no touch before `limit`, a fraction of the translation
+        met,         // at `fraction` the distance is within the radius plus the tolerance
+        overlapping, // of the cores, from the start
+        unsettled,   // no touch before `fraction`; rounding leaves open whether they touch there
     };
     State state = State::unsettled;
     double fraction = 0;
-    double distance = 0; // met: of the cores, at the fraction; what is below as of GjkResult
+    double distance = 0; // if met: between the cores at `fraction`; the members below are as in GjkResult
     math::DVec3 normal, on_b;
-    Simplex simplex; // the points of a where they were at the start
+    Simplex simplex; // the points of a are those at the start of the translation
 };
 
-// The distance along any direction tells how far the core can move before they touch; GJK finds better and better
-// directions on the way (van den Bergen, "Ray Casting against General Convex Objects with Application to Continuous
-// Collision Detection", 2004). The shapes stop at half the tolerance, m > 0, so that the normal is known.
-// `guess`: as of gjk_distance, where they may touch.
+// A separation along any direction bounds how far the core can move before contact, and GJK improves the direction as
+// the core advances (van den Bergen, "Ray Casting against General Convex Objects with Application to Continuous
+// Collision Detection", 2004). The shapes stop at half the tolerance, m > 0, so that the normal is defined. `guess`: a
+// direction as for gjk_distance, at the expected time of impact.
 GjkCast gjk_cast(const CorePair& pair, math::DVec3 way, double limit, double tolerance, math::DVec3 guess);
 
-// Cores that are proven farther apart than max_distance are `far`; then `normal` is a direction that proves it. Cores
-// closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length. The distance of
-// round shapes is within about half the relative `tolerance`, the normal within its root; that of polytopes is exact.
+// Cores proven to be farther apart than max_distance are `far`, and `normal` is then a direction that proves it. Cores
+// closer than a ten-billionth of their size count as overlapping. `guess`: a direction from a to b, of any length. For
+// round shapes the error of the distance is about half the relative `tolerance`, and that of the normal its square
+// root; for polytopes the distance is exact.
 GjkResult gjk_distance(const CorePair& pair, math::DVec3 guess, double max_distance, double tolerance = 1e-12);
-// Likewise, from one to three corners of the difference, which span no more than their number allows: those of the last
-// result, moved along with both shapes, are most of the way where these moved little.
+// As gjk_distance, but starts from one to three affinely independent vertices of the Minkowski difference: those of the
+// last result, moved along with both shapes, are close to the solution if the shapes moved little.
 GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double max_distance, double tolerance);
 
 } // namespace cairn

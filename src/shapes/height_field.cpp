@@ -1,4 +1,4 @@
-// Height fields: checks, bounds, and the public HeightField.
+// Height fields: validation, bounds, and the public class HeightField.
 #include "shapes/mesh.h"
 #include "shapes/refuse.h"
 #include "shapes/surface_materials.h"
@@ -13,8 +13,8 @@ namespace cairn {
 
 namespace {
 
-constexpr float min_spacing = 1e-6f, max_spacing = 1e9f; // m
-constexpr float farthest = 1e6f;                         // m
+constexpr float min_spacing = 1e-6f, max_spacing = 1e9f; // Range of the grid spacing, m.
+constexpr float farthest = 1e6f;                         // greatest absolute height, m
 constexpr std::int64_t max_heights = std::int64_t(1) << 28;
 
 void check_spacing(const char* field, float spacing) {
@@ -39,7 +39,7 @@ void check(int columns, int rows, float spacing_x, float spacing_z, std::span<co
                    "must be within 1e6 m, or +infinity for a hole");
 }
 
-// Of the heights that there are.
+// Finds the range of the finite heights.
 void find_extent(HeightFieldData& field) {
     bool any = false;
     for (std::uint32_t t = 0; t < triangle_count(field) && !any; ++t) any = !is_hole(field, t);
@@ -66,12 +66,12 @@ HeightFieldData build_height_field(int columns, int rows, float spacing_x, float
     find_extent(field);
     const double x = grid_half(columns, spacing_x), z = grid_half(rows, spacing_z);
     const double y = std::max(std::fabs(double(field.least)), std::fabs(double(field.greatest)));
-    field.bounding_radius = float(std::sqrt(x * x + y * y + z * z) * (1 + 1e-7)); // rounded outward
+    field.bounding_radius = float(std::sqrt(x * x + y * y + z * z) * (1 + 1e-7)); // rounded up
     return field;
 }
 
 CellRange cells_between(int lines, float spacing, double lo, double hi) {
-    // Lines lie where float puts them: up to half a unit in the last place of the outermost away.
+    // Grid lines are rounded to float: they deviate by up to half a unit in the last place of the outermost.
     const double half = grid_half(lines, spacing), slack = 1.2e-7 * half;
     if (!(lo <= half + slack && hi >= -half - slack)) return {0, -1};
     auto cell = [&](double at) {

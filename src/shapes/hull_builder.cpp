@@ -1,4 +1,4 @@
-// From points to a Hull: checks, the grid, triangles, faces, and what is computed from them.
+// Builds a Hull from points: validation, grid, triangulation, faces, and derived data.
 #include "shapes/hull_builder.h"
 
 #include "core/order.h"
@@ -22,12 +22,14 @@ namespace hull {
 
 namespace {
 
-constexpr float largest_coordinate = 1e6f; // m
-constexpr double min_extent = 1e-6;        // m, as of other shapes
-constexpr double min_thickness = 1e-5;     // of the extent
-// Of the largest coordinate: the offset of a plane is a float, and off by up to a tenth of this.
+constexpr float largest_coordinate = 1e6f; // greatest absolute coordinate of a point, m
+constexpr double min_extent = 1e-6;        // least extent of the points, m, as for other shapes
+constexpr double min_thickness = 1e-5;     // least thickness, relative to the extent
+// Least thickness relative to the largest coordinate: the offset of a plane is a float, whose error is up to a tenth of
+// this.
 constexpr double finest_plane = 1e-6;
-constexpr std::size_t many_points = 1024; // more than the nearest caches hold, with what is made of them
+// number of points beyond which they and the data derived from them exceed the nearest caches
+constexpr std::size_t many_points = 1024;
 constexpr std::size_t max_points = std::size_t(1) << 30;
 
 [[noreturn]] void refuse(const std::string& value, const std::string& expected) {
@@ -37,7 +39,7 @@ constexpr std::size_t max_points = std::size_t(1) << 30;
 struct Bounds {
     DVec3 lo, hi;
     double extent = 0;  // the longest side
-    double largest = 0; // coordinate, without its sign
+    double largest = 0; // the largest absolute coordinate
 };
 
 Bounds check(std::span<const Vec3> points) {
@@ -75,9 +77,9 @@ void require_thickness(double thickness, const Bounds& bounds) {
                "must not all lie in one plane (within 1e-6 of the largest coordinate, as planes are kept in floats)");
 }
 
-// The points on the grid: by a power of two, so that what is flat stays flat.
+// The points on the integer grid, scaled by a power of two, so that flat faces stay flat.
 struct Grid {
-    double scale = 1; // grid units per m
+    double scale = 1; // grid units per meter
     std::vector<GridPoint> points;
 };
 
@@ -94,7 +96,8 @@ Grid make_grid(std::span<const Vec3> points, const Bounds& bounds) {
     return grid;
 }
 
-// Where a grid point comes along a curve that fills space (Morton's): a bit of x, of y and of z in turn, from the top.
+// The position of a grid point on a space-filling curve (Morton order): interleaved bits of x, y and z, from the
+// highest.
 std::uint32_t place_on_curve(GridPoint p) {
     auto spread = [](std::int32_t x) {
         auto bits = std::uint32_t(x) >> (grid_bits - 10) & 0x3ff;
@@ -106,7 +109,7 @@ std::uint32_t place_on_curve(GridPoint p) {
     return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// Neighbors in space become neighbors in memory.
+// Reorders points so that neighbors in space are neighbors in memory.
 std::vector<Vec3> put_along_curve(std::span<const Vec3> points, std::span<const GridPoint> grid) {
     std::vector<std::uint64_t> places;
     places.reserve(points.size());
@@ -118,13 +121,13 @@ std::vector<Vec3> put_along_curve(std::span<const Vec3> points, std::span<const 
 }
 
 struct Polyhedron {
-    std::vector<std::uint32_t> sources; // of the vertices: which point each is
+    std::vector<std::uint32_t> sources; // per vertex: the index of its point
     std::vector<GridPoint> points;      // the vertices
     std::vector<Triangle> triangles;
-    std::vector<Face> faces; // in order of their loops, and each of these from its least vertex on
+    std::vector<Face> faces; // in the order of their loops, each of which starts with its least vertex
     std::vector<std::uint32_t> loops;
-    std::optional<Climber> climber;  // on the triangles; made once the faces are
-    std::vector<std::uint32_t> tops; // the farthest vertex along the normal of each face
+    std::optional<Climber> climber;  // on the triangles; created after the faces
+    std::vector<std::uint32_t> tops; // per face: the support vertex along its normal
 };
 
 Polyhedron select(std::span<const GridPoint> points, const Triangulation& triangulation,
@@ -138,10 +141,11 @@ Polyhedron select(std::span<const GridPoint> points, const Triangulation& triang
     return r;
 }
 
-// Each loop from its least vertex on, and faces in order of their loops.
+// Rotates each loop so that it starts with its least vertex, and sorts the faces by their loops.
 void sort_faces(Polyhedron& body, const Faces& made) {
-    std::vector<std::uint32_t> starts; // of the loops
-    std::vector<std::uint64_t> edges;  // there: no two faces have an edge in the same direction
+    std::vector<std::uint32_t> starts; // position of the least vertex in each loop
+    // the edge from the least vertex: unique, since no two faces have an edge in the same direction
+    std::vector<std::uint64_t> edges;
     starts.reserve(made.faces.size()), edges.reserve(made.faces.size());
     for (const Face& face : made.faces) {
         std::uint32_t least = 0;
@@ -172,7 +176,7 @@ Climber make_climber(const Polyhedron& body) {
     return {std::move(vertices), edges};
 }
 
-// The normal as it will be stored.
+// The normal of a face as it will be stored.
 DVec3 float_normal(const Face& face) { return math::to_double(math::to_float(face.normal)); }
 
 void climb(Polyhedron& body) {
@@ -182,7 +186,8 @@ void climb(Polyhedron& body) {
         body.tops.push_back(body.climber->farthest(float_normal(face), body.loops[face.first]));
 }
 
-// Joins triangles, and leaves out points that are then no corners, until all are. False if nothing solid is left.
+// Merges triangles into faces, and removes points that are no corners then, until all points are corners. Returns false
+// if no solid remains.
 bool form_faces(Polyhedron& body, double plane_tolerance, double corner_tolerance) {
     while (true) {
         const Faces faces = make_faces(body.points, body.triangles, plane_tolerance, corner_tolerance);
@@ -205,7 +210,7 @@ bool form_faces(Polyhedron& body, double plane_tolerance, double corner_toleranc
     }
 }
 
-// No corner of a face lies more than the tolerance below its plane, and none of the points more than that above it.
+// Whether no corner of a face is more than the tolerance below its plane, and no input point more than that above it.
 bool is_within(const Polyhedron& body, const PointTree& left_out, double tolerance) {
     const auto& vertices = body.climber->vertices();
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
@@ -219,9 +224,9 @@ bool is_within(const Polyhedron& body, const PointTree& left_out, double toleran
     return true;
 }
 
-// Joining triangles may spoil more than its tolerance says, where many small steps add up. The result is therefore
-// checked, and made again with less tolerance if need be. With none it is exact, and only the points that were left
-// out at first are off, by a quarter of the tolerance at most.
+// Merging triangles may exceed its tolerance where many small steps add up. The result is therefore checked, and
+// recomputed with a smaller tolerance if necessary. With tolerance 0 it is exact, and only the points left out at first
+// deviate, by at most a quarter of the tolerance.
 Polyhedron make_polyhedron(std::span<const GridPoint> points, const Simplex& simplex, double tolerance) {
     const Triangulation start = triangulate(points, simplex, tolerance / 8);
     for (const double part : {1.0, 1.0 / 8, 1.0 / 64, 0.0}) {
@@ -232,7 +237,7 @@ Polyhedron make_polyhedron(std::span<const GridPoint> points, const Simplex& sim
                             std::back_inserter(left_out));
         if (part == 0 || is_within(body, PointTree(points, left_out), tolerance)) return body;
     }
-    return {}; // not reached: the last part always returns
+    return {}; // unreachable: the last iteration always returns
 }
 
 void fill_adjacency(HullData& hull) {
@@ -254,8 +259,8 @@ void fill_adjacency(HullData& hull) {
         std::sort(hull.neighbors.begin() + hull.neighbor_start[v], hull.neighbors.begin() + hull.neighbor_start[v + 1]);
 }
 
-// The least distance between the plane of a face and the vertex opposite. Faces are visited from neighbor to neighbor,
-// as the vertex opposite of one is near that of the next.
+// The least distance between the plane of a face and the opposite vertex. Faces are visited from neighbor to neighbor,
+// since their opposite vertices are close to each other.
 float find_width(const HullData& hull, const Climber& climber) {
     constexpr std::uint32_t unknown = ~std::uint32_t{};
     std::vector<std::uint32_t> opposite(hull.faces.size(), unknown), order{0};
@@ -289,7 +294,7 @@ void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> po
         hull.lo = math::min(hull.lo, v), hull.hi = math::max(hull.hi, v);
         square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
     }
-    hull.bounding_radius = float(std::sqrt(square) * (1 + 0x1p-23)); // not rounded down
+    hull.bounding_radius = float(std::sqrt(square) * (1 + 0x1p-23)); // rounded up
     hull.faces.reserve(body.faces.size());
     for (std::size_t f = 0; f < body.faces.size(); ++f) {
         const Face& face = body.faces[f];
@@ -356,7 +361,7 @@ HullData build_hull(std::span<const Vec3> points) {
 
 namespace {
 
-// The corners of a face in its plane, of which e2 is the normal x e1.
+// Projects the corners of a face into its plane; e2 is normal x e1.
 inline void lay_flat(const HullData& hull, const HullFace& face, const DVec3& e1, const DVec3& e2, double* x,
                      double* y) {
     const std::uint32_t* const loop = &hull.loops[face.first];
@@ -397,18 +402,18 @@ HullOutline outline_of(const HullData& hull, std::size_t index, SideBlock (&made
 
 namespace {
 
-// The radius of the largest ball about a point that lies within, or 0.
+// The radius of the largest ball about a point that lies within the hull, or 0.
 double inner_radius_about(const HullData& hull, DVec3 point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const HullFace& face : hull.faces)
         nearest = std::min(nearest, double(face.offset) - math::dot(math::to_double(face.normal), point));
-    return std::max(0.0, nearest - 2 * double(hull.tolerance)); // corners of faces are so far off them
+    return std::max(0.0, nearest - 2 * double(hull.tolerance)); // corners may deviate from their faces by the tolerance
 }
 
-// The middle of the bounds may be near the surface, or outside: of flat tetrahedra, for one. The center of mass is as
-// far from every face as a quarter of what the hull measures across it, or farther (Minkowski; Radon).
+// The middle of the bounds may be near the surface or outside, as for flat tetrahedra. The distance of the center of
+// mass from every face is at least a quarter of the hull's extent perpendicular to it (Minkowski; Radon).
 void find_inside(HullData& hull) {
-    constexpr double least = 0.125; // of the width: half of what the center of mass has
+    constexpr double least = 0.125; // relative to the width: half of what the center of mass guarantees
     hull.inside = 0.5 * (math::to_double(hull.lo) + math::to_double(hull.hi));
     hull.inner_radius = inner_radius_about(hull, hull.inside);
     if (hull.inner_radius >= least * double(hull.width)) return;

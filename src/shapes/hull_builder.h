@@ -1,4 +1,4 @@
-// What the parts of build_hull share.
+// Declarations shared by the parts of build_hull.
 #pragma once
 
 #include "shapes/hull.h"
@@ -8,11 +8,11 @@
 
 namespace cairn::hull {
 
-// The farthest of a convex polyhedron's vertices in a direction, by walking uphill along the edges of triangles: where
-// no neighbor is higher, none is (the polyhedron is convex).
+// Finds support vertices of a convex polyhedron by hill climbing along the edges of its triangles: as the polyhedron is
+// convex, a vertex without a higher neighbor is the highest.
 class Climber {
   public:
-    // `edges` start and end in vertices, in any order, each once in either direction.
+    // Edges between vertices, in any order, each listed once per direction.
     struct Edge {
         std::uint32_t from, to;
     };
@@ -25,9 +25,9 @@ class Climber {
     std::vector<std::uint32_t> start_, neighbors_;
 };
 
-// Fills `unit_mass` from vertices and faces.
+// Computes `unit_mass` from vertices and faces.
 void measure_mass(HullData& hull);
-// Fills `inset` and `core` from faces, mass and width.
+// Computes `inset` and `core` from faces, mass and width.
 void inset_core(HullData& hull);
 
 } // namespace cairn::hull

@@ -1,4 +1,4 @@
-// Mass of a polyhedron, and the polyhedron inside it whose faces are all moved inward.
+// Mass of a polyhedron, and its core: the polyhedron inside it whose faces are all moved inward.
 #include "core/order.h"
 #include "shapes/hull_builder.h"
 #include "shapes/hull_exact.h"
@@ -10,11 +10,11 @@ namespace cairn::hull {
 
 using math::DVec3;
 
-// The integrals of 1, x and x x^T over tetrahedra from an inner point o to the triangles of the faces: with corners
-// o + a, o + b, o + c, D = a . (b x c) and s = a + b + c they are D / 6, s D / 24 and
-// (s s^T + a a^T + b b^T + c c^T) D / 120, taken about o (the divergence theorem, as in Mirtich: Fast and Accurate
-// Computation of Polyhedral Mass Properties, JGT 1, 1996; in the form of Eberly: Polyhedral Mass Properties, 2002).
-// About an inner point nothing cancels, wherever the frame's origin is.
+// Integrates 1, x and x x^T over the tetrahedra from an inner point o to the triangles of the faces. With corners o +
+// a, o + b, o + c, D = a . (b x c) and s = a + b + c, the integrals about o are D / 6, s D / 24 and (s s^T + a a^T + b
+// b^T + c c^T) D / 120 (by the divergence theorem, as in Mirtich: Fast and Accurate Computation of Polyhedral Mass
+// Properties, JGT 1, 1996; in the form of Eberly: Polyhedral Mass Properties, 2002). About an inner point no terms
+// cancel, wherever the origin of the frame is.
 void measure_mass(HullData& hull) {
     DVec3 origin;
     for (const math::Vec3 v : hull.vertices) origin += math::to_double(v);
@@ -48,10 +48,10 @@ void measure_mass(HullData& hull) {
 
 namespace {
 
-// Maps the body to one that is about as thick as it is long, by its second moments: coordinates along its principal
-// axes, over the square roots of the moments. In it an inner point is far from all planes.
+// An affine map to a body that is about as thick as it is long, based on second moments: coordinates along the
+// principal axes, divided by the square roots of the moments. There, an inner point is far from all planes.
 struct Rounding {
-    DVec3 center, axes[3]; // axes over sizes
+    DVec3 center, axes[3]; // axes divided by sizes
     DVec3 sizes;
 };
 
@@ -70,8 +70,8 @@ Rounding make_rounding(const HullData& hull) {
     return r;
 }
 
-// Many planes may meet almost in one point, which then comes several times: neighbors within `distance` of one that is
-// kept go. That makes the core smaller, never larger.
+// Merges corners that coincide nearly, as where many planes almost meet in one point: neighbors within `distance` of a
+// kept corner are dropped. This only makes the core smaller.
 std::vector<math::Vec3> weld(std::span<const DVec3> points, std::span<const Triangle> triangles, double distance) {
     std::vector<math::Vec3> r;
     r.reserve(points.size());
@@ -105,10 +105,10 @@ std::vector<math::Vec3> weld(std::span<const DVec3> points, std::span<const Tria
 
 } // namespace
 
-// Points y with n_i . y <= h_i for all i, h_i > 0, are bounded by the planes u . y = 1 of the faces of the convex hull
-// of the n_i / h_i: each face of that hull, N . u = N . u_0, gives the corner N / (N . u_0) (duality; de Berg et al.:
-// Computational Geometry, section 11.4). As the hull is exact for the dual points on their grid, each corner fulfills
-// all conditions up to the grid's rounding, however many planes meet there and however flat they do.
+// The points y with n_i . y <= h_i for all i, h_i > 0, are dual to the convex hull of the points n_i / h_i: each face
+// of that hull, N . u = N . u_0, gives the corner N / (N . u_0) (duality; de Berg et al.: Computational Geometry,
+// section 11.4). Since the hull is exact for the dual points on their grid, each corner satisfies all constraints up to
+// the rounding of the grid, however many planes meet there and however small their angles.
 void inset_core(HullData& hull) {
     const Rounding rounding = make_rounding(hull);
     double depth = -1;

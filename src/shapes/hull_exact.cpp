@@ -1,10 +1,10 @@
-// Quickhull (Barber, Dobkin, Huhdanpaa: The Quickhull Algorithm for Convex Hulls, ACM TOMS 22, 1996), on a grid.
-//
-// A point outside sees some faces; they go, and a cone from their border (the horizon) to the point takes their place.
-// Each face keeps the points found above it, and the farthest of them is taken next. With exact sides the faces that a
-// point sees strictly are a disk and its horizon one simple loop: a point moved a little towards the inside sees the
-// same ones and is in general position. New faces have area, as a point on the line of a horizon edge would not see
-// the face that went. So there is no special case, and nothing to repair.
+// Quickhull (Barber, Dobkin, Huhdanpaa: The Quickhull Algorithm for Convex Hulls, ACM TOMS 22, 1996), on an integer
+// grid.
+// The faces visible from a point outside are removed, and replaced by a cone from their border (the horizon) to the
+// point. Each face keeps a list of points above it, the farthest of which is added next. With exact orientation tests,
+// the faces strictly visible from a point form a disk, and its horizon is one simple loop, because a point moved
+// slightly inward sees the same faces and is in general position. New faces have area, as a point collinear with a
+// horizon edge would not see the face that was removed. So no special cases or repairs are needed.
 #include "shapes/hull_exact.h"
 
 #include "shapes/mass.h"
@@ -14,12 +14,13 @@
 namespace cairn::hull {
 
 using math::DVec3;
-__extension__ typedef __int128 Int128; // not `using`: only this form is free of pedantic warnings everywhere
+__extension__ typedef __int128 Int128; // not `using`: only this form compiles everywhere without pedantic warnings
 
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{};
-// Distances of grid points from planes with exact normals are off by less than 1e-5 (2^30 x a few times 2^-53).
+// The distance below which the side of a plane is decided by exact arithmetic, in grid units. Distances of grid points
+// from planes are computed with an error below 1e-5 (2^30 x a few times 2^-53).
 constexpr double doubt = 1e-4;
 
 GridVector difference(GridPoint a, GridPoint b) {
@@ -77,17 +78,17 @@ Simplex first_simplex(std::span<const GridPoint> points) {
 
 namespace {
 
-struct alignas(64) Face { // what is asked most fills a cache line
+struct alignas(64) Face { // the members used most fill one cache line
     DVec3 normal;
     double offset = 0;
     std::uint32_t corners[3], neighbors[3];
-    std::uint32_t mark = 0; // the number of the point that was last found to see it (or not)
+    std::uint32_t mark = 0; // the last point whose visibility of the face was tested; the result is in `seen`
     bool seen = false, alive = true;
 };
 
-// The points above a face: a list, and the farthest of them.
+// The points above a face: a linked list, and the farthest of them.
 struct Above {
-    double height = 0; // of the farthest
+    double height = 0; // of the farthest point
     std::uint32_t head = none, farthest = none;
 };
 
@@ -99,7 +100,8 @@ class Quickhull {
   public:
     Quickhull(std::span<const GridPoint> points, double tolerance)
         : points_(points), tolerance_(tolerance), next_(points.size(), none), start_(points.size(), none) {
-        const std::size_t most = std::min<std::size_t>(2 * points.size(), 1 << 16); // no more, if these are few
+        // an upper bound of the number of faces for small inputs
+        const std::size_t most = std::min<std::size_t>(2 * points.size(), 1 << 16);
         faces_.reserve(most), above_.reserve(most);
     }
 
@@ -122,7 +124,7 @@ class Quickhull {
         if (h > doubt || h < -doubt) return h > 0;
         return side_of(points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]], points_[p]) > 0;
     }
-    // The point does not count as inside the hull grown by the tolerance.
+    // Whether the point is outside the hull expanded by the tolerance.
     bool is_above(std::uint32_t p, const Face& face, double h) const {
         return tolerance_ > 0 ? h > tolerance_ : h > doubt || (h >= -doubt && sees(p, face, h));
     }
@@ -155,7 +157,7 @@ class Quickhull {
             above.farthest = p, above.height = h;
     }
 
-    // The distance of a point from a triangle, and the edge that it lies beyond most (3: none).
+    // The distance of a point from a triangle, and the edge that it is farthest beyond (3: none).
     double distance(std::uint32_t p, const Face& face, int& exit) const {
         const DVec3 at = to_double(points_[p]);
         double most = 0, nearest = -1;
@@ -173,8 +175,9 @@ class Quickhull {
         return exit == 3 ? std::fabs(height(face, p)) : nearest;
     }
 
-    // Whether a point slightly above the face is near the surface there or a few triangles on. Height above a plane
-    // does not tell: where faces meet at a sharp edge, a point may be little above both and far from the body.
+    // Whether a point slightly above the face is near the surface, there or a few triangles further. The height above a
+    // plane does not decide this: near a sharp edge, a point may be slightly above both faces and still far from the
+    // body.
     bool is_near(std::uint32_t p, std::uint32_t face) const {
         for (double last = -1;;) {
             int exit;
@@ -186,7 +189,7 @@ class Quickhull {
         }
     }
 
-    // The faces that points are about to be assigned to, four side by side; what is left over is below all points.
+    // Loads the planes of faces for `assign`, four per block; unused lanes have planes above all points.
     void take_planes(std::span<const std::uint32_t> faces) {
         planes_.assign((faces.size() + 3) / 4, {});
         for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -197,15 +200,15 @@ class Quickhull {
         }
     }
 
-    // To the first face that it is above. A point that saw a face that went and sees none of the new ones is inside.
-    // Needs the planes of the faces.
+    // Assigns a point to the first face that it is above. A point that saw a removed face and sees none of the new ones
+    // is inside the hull. Requires take_planes(faces).
     void assign(std::uint32_t p, std::span<const std::uint32_t> faces) {
         const DVec3 at = to_double(points_[p]);
         std::uint32_t seen = none;
         for (std::size_t i = 0; i < planes_.size(); ++i) {
             const FourPlanes& four = planes_[i];
             double heights[4];
-            for (int k = 0; k < 4; ++k) // as height() does it
+            for (int k = 0; k < 4; ++k) // computed exactly as in height()
                 heights[k] = (four.x[k] * at.x + four.y[k] * at.y + four.z[k] * at.z) - four.offset[k];
             for (std::size_t k = 0; k < 4; ++k) {
                 const double h = heights[k];
@@ -238,7 +241,7 @@ class Quickhull {
             if (p != a && p != b && p != c && p != d) assign(p, all);
     }
 
-    // Finds what p sees, from a face that it does see, and the horizon.
+    // Finds the faces visible from p, starting at a visible one, and the horizon.
     void look(std::uint32_t p, std::uint32_t first) {
         ++mark_;
         seen_.assign(1, first);
@@ -323,10 +326,10 @@ class Quickhull {
     std::span<const GridPoint> points_;
     double tolerance_;
     std::vector<Face> faces_;
-    std::vector<Above> above_; // of the faces
+    std::vector<Above> above_; // per face
     std::vector<std::uint32_t> free_, pending_;
-    std::vector<std::uint32_t> next_;  // of a point, in the list of its face
-    std::vector<std::uint32_t> start_; // of a point on the horizon: the new face whose edge begins there
+    std::vector<std::uint32_t> next_;  // per point: the next in the list of its face
+    std::vector<std::uint32_t> start_; // per horizon point: the new face whose edge starts there
     std::vector<std::uint32_t> left_out_, seen_, made_;
     std::vector<Edge> horizon_;
     std::vector<FourPlanes> planes_; // see take_planes
@@ -394,7 +397,7 @@ PointTree::Farthest PointTree::farthest(DVec3 normal, double least) const {
         const Node& node = nodes_[index];
         double bound = math::dot(normal, node.middle);
         for (const DVec3 edge : node.edges) bound += std::fabs(math::dot(normal, edge));
-        if (bound + doubt < best.reach) continue; // `doubt`: it is rounded otherwise than the points
+        if (bound + doubt < best.reach) continue; // margin, since the bound is rounded differently from the points
         if (2 * index + 2 < nodes_.size()) {
             stack[size++] = 2 * index + 1;
             stack[size++] = 2 * index + 2;

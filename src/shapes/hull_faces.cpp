@@ -1,7 +1,7 @@
-// Triangles that lie exactly in one plane are one facet: on a convex surface these are convex, and they are never cut.
-// Facets are then joined, the largest first, if what comes out is as good as a face: a disk, flat and convex within
-// the tolerance. Where a join fails a smaller tolerance is tried; a facet alone is always a face. Points that no face
-// needs are told to the caller, who leaves them out and comes back with a new triangulation.
+// Exactly coplanar triangles form one facet; on a convex surface facets are convex, and they are never split. Facets
+// are then merged, the largest first, if the result is an acceptable face: a disk, flat and convex within the
+// tolerance. If a merge fails, a smaller tolerance is tried; a single facet is always acceptable. Points that no face
+// needs are reported to the caller, who removes them and returns with a new triangulation.
 #include "shapes/hull_faces.h"
 
 #include "core/order.h"
@@ -23,7 +23,7 @@ Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
 double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
 
-// Of p from the segment a b; negative on its left side.
+// The signed distance of p from the segment a b; negative on its left side.
 double beyond_segment(Point2 p, Point2 a, Point2 b) {
     const Point2 e = b - a, d = p - a, f = p - b;
     const double length = std::sqrt(dot(e, e));
@@ -35,8 +35,8 @@ double beyond_segment(Point2 p, Point2 a, Point2 b) {
 }
 
 struct Facet {
-    DVec3 area, normal;                 // area vector (twice the area) and its direction
-    std::uint32_t first = 0, count = 0; // triangles
+    DVec3 area, normal;                 // area vector (twice the area), and its direction
+    std::uint32_t first = 0, count = 0; // range of triangles
     bool is_taken = false, is_alone = false;
     std::uint32_t mark = 0;
 };
@@ -114,7 +114,7 @@ class FaceMaker {
     }
 
     bool fits(const Facet& facet, DVec3 normal, double least) const {
-        // 0.5: slivers along an edge of the body go to the face that they are turned to
+        // limit 0.5: slivers along an edge of the body join the face that they are oriented like
         if (!(math::dot(facet.normal, normal) > 0.5)) return false;
         for (const std::uint32_t t : triangles_of(facet))
             for (const std::uint32_t corner : triangles_[t].corners)
@@ -124,15 +124,16 @@ class FaceMaker {
 
     static double size_of(const Facet& facet) { return math::dot(facet.area, facet.area); }
 
-    // When it is the turn of facet a, facet b is no longer to be had: a triangle alone, and the larger one.
+    // Whether facet b is no longer available when facet a is processed. A facet that stays alone counts as processed in
+    // the order of sizes.
     bool is_gone(std::uint32_t b, std::uint32_t a) const {
         if (!facets_[b].is_alone) return facets_[b].is_taken;
         const double size_a = size_of(facets_[a]), size_b = size_of(facets_[b]);
         return facets_[b].is_taken || size_b > size_a || (size_b == size_a && b < a);
     }
 
-    // Pointed triangles that nothing will be joined to when it is their turn. On round bodies these are most. They need
-    // no order by size, and are gone through as they are stored.
+    // Finds pointed triangles that no other facet will join; on round bodies these are the majority. They need no order
+    // by size, and are processed in storage order.
     void find_alone() {
         for (std::uint32_t index = 0; index < facets_.size(); ++index) {
             Facet& facet = facets_[index];
@@ -147,7 +148,7 @@ class FaceMaker {
         }
     }
 
-    // The facets around the seed that lie within the tolerance below its plane.
+    // Collects the facets around the seed that lie within the tolerance below its plane.
     void grow(std::uint32_t seed, double tolerance) {
         ++mark_;
         region_.assign(1, seed);
@@ -165,7 +166,7 @@ class FaceMaker {
                 }
     }
 
-    // The outline of the region. False if it is not one simple loop.
+    // Traces the outline of the region. Returns false if it is not one simple loop.
     bool trace() {
         std::size_t edges = 0;
         bool is_simple = true;
@@ -207,7 +208,8 @@ class FaceMaker {
         }
     }
 
-    // Every corner of the outline lies within the tolerance of its convex hull (Andrew's monotone chain), and in order.
+    // Whether every corner of the outline is within the tolerance of its convex hull (Andrew's monotone chain), and in
+    // order.
     bool is_convex(double tolerance) {
         const auto count = std::uint32_t(flat_.size());
         chain_.resize(count);
@@ -238,19 +240,20 @@ class FaceMaker {
         return turns == 1;
     }
 
-    // A triangle none of whose corners is blunt, whatever the rounding: most faces of round bodies are such.
+    // Whether the facet is a triangle with three protruding corners, whatever the rounding, as are most faces of round
+    // bodies.
     bool is_pointed(const Facet& facet) const {
         if (facet.count != 1) return false;
         const auto& corners = triangles_[by_facet_[facet.first]].corners;
         const DVec3 a = to_double(points_[corners[0]]), b = to_double(points_[corners[1]]),
                     c = to_double(points_[corners[2]]);
         const double longest =
-            std::max({math::dot(b - a, b - a), math::dot(c - b, c - b), math::dot(a - c, a - c)}); // squares
+            std::max({math::dot(b - a, b - a), math::dot(c - b, c - b), math::dot(a - c, a - c)}); // squared length
         const double least = 1.001 * std::max(plane_tolerance_, corner_tolerance_) + 0.01;         // height
         return math::dot(facet.area, facet.area) > least * least * longest;
     }
 
-    // As it is; its corners are not blunt.
+    // Adds the triangle as a face; none of its corners is blunt.
     void make_pointed_face(Facet& facet) {
         facet.is_taken = true;
         const auto& corners = triangles_[by_facet_[facet.first]].corners;
@@ -287,7 +290,7 @@ class FaceMaker {
         note_blunt_corners();
     }
 
-    // Corners that stick out too little, and those bent inward.
+    // Records corners that protrude too little or are reflex.
     void note_blunt_corners() {
         const std::size_t count = flat_.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -308,9 +311,10 @@ class FaceMaker {
         }
     }
 
-    // A point goes only while the neighbors on whose segment it lies stay: then the hull becomes smaller by no more
-    // than what the point stuck out. Points inside of faces go anyhow. A point between two faces goes if it is about on
-    // the line of their edge; it may not be where they meet at a sharp edge, and then these faces are of no use.
+    // A blunt point is removed only if the two neighbors whose segment it lies on are kept: then the hull shrinks by no
+    // more than the point protrudes. Points in the interior of faces are always removed. A point between two faces is
+    // removed if it is nearly collinear with their common edge; it may not be if they meet at a sharp edge, and then
+    // the faces are unusable.
     void find_redundant() {
         for (std::uint32_t p = 0; p < points_.size(); ++p) is_redundant_[p] = faces_at_[p] == 0;
         drop(blunt_);
@@ -326,13 +330,13 @@ class FaceMaker {
     std::span<const Triangle> triangles_;
     double plane_tolerance_, corner_tolerance_;
     std::vector<Facet> facets_;
-    std::vector<std::uint32_t> facet_of_, by_facet_; // of a triangle; triangles facet by facet
+    std::vector<std::uint32_t> facet_of_, by_facet_; // facet of each triangle; triangles ordered by facet
     std::uint32_t mark_ = 1;
     std::vector<std::uint32_t> region_, loop_, touched_, chain_, ring_;
-    std::vector<std::uint32_t> after_; // of a point in the outline: the next one
-    std::vector<Point2> flat_;         // the outline in the plane of the face
+    std::vector<std::uint32_t> after_; // per point of the outline: the next one
+    std::vector<Point2> flat_;         // the outline, projected into the plane of the face
     DVec3 normal_;
-    std::vector<std::uint32_t> faces_at_; // how many faces meet in a point
+    std::vector<std::uint32_t> faces_at_; // per point: the number of faces that meet there
     std::vector<Corner> blunt_, hardly_blunt_;
     std::vector<bool> is_kept_, is_redundant_;
     Faces out_;

@@ -11,7 +11,8 @@ namespace cairn {
 static_assert(sizeof(Vec3) == sizeof(math::Vec3) && alignof(Vec3) == alignof(math::Vec3),
               "points are handed over in place");
 
-// GLM's vector and the engine's are three floats each; spans of one are read as the other, without a copy.
+// GLM's and the engine's vectors both consist of three floats; spans of one are reinterpreted as the other, without a
+// copy.
 Hull::Hull(std::span<const Vec3> points)
     : data_(std::make_shared<const HullData>(
           build_hull({reinterpret_cast<const math::Vec3*>(points.data()), points.size()}))) {}

@@ -36,7 +36,7 @@ PrincipalInertia diagonalize(const math::DSym3& inertia) {
                 const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
                 const double t = (theta >= 0 ? 1.0 : -1.0) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
                 const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-                // A <- J^T A J with the rotation J by the angle whose tangent is t in the plane (p, q).
+                // A <- J^T A J, where J is the rotation in the plane (p, q) by the angle with tangent t.
                 for (int k = 0; k < 3; ++k) {
                     const double kp = a[k][p], kq = a[k][q];
                     a[k][p] = c * kp - s * kq;
@@ -47,7 +47,7 @@ PrincipalInertia diagonalize(const math::DSym3& inertia) {
                     a[p][k] = c * pk - s * qk;
                     a[q][k] = s * pk + c * qk;
                 }
-                // J as a quaternion: the half angle from the cosine, without trigonometry.
+                // J as a quaternion, with the half angle computed from the cosine, without trigonometric functions.
                 const double half_cosine = std::sqrt((1 + c) / 2), half_sine = s / (2 * half_cosine);
                 const int axis = 3 - p - q;
                 const double sign = axis == 1 ? 1.0 : -1.0; // e_p x e_q = +-e_axis

@@ -1,5 +1,5 @@
-// Building a mesh: equal corners become one, triangles without area go, the others are put in kd order under an
-// implicit tree of boxes, and each is told which triangle lies across each of its edges.
+// Builds a mesh: merges equal vertices, drops triangles without area, sorts the others in kd-tree order below an
+// implicit tree of boxes, and finds the triangle across each edge.
 #include "shapes/mesh.h"
 
 #include "shapes/refuse.h"
@@ -21,11 +21,11 @@ struct Extent {
     math::Vec3 lo, hi;
 };
 
-constexpr float farthest = 1e6f;                                // m
-constexpr std::size_t max_indices = 3 * (std::size_t(1) << 28); // so that three times a triangle's index fits
+constexpr float farthest = 1e6f;                                // greatest absolute coordinate of a vertex, m
+constexpr std::size_t max_indices = 3 * (std::size_t(1) << 28); // such that three times a triangle's index fits 32 bits
 
-// A triangle whose height over its longest side is less than this part of that side has no area to speak of: rounding
-// its corners to float alone may have made it, and its normal would say nothing.
+// The least height of a triangle over its longest side, relative to that side. Below it, the triangle could result from
+// rounding its corners to float, and its normal would be meaningless.
 constexpr double min_height = 1.0 / (1 << 22);
 
 void check(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices) {
@@ -46,7 +46,7 @@ void check(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> 
                    "must be less than the number of vertices, " + std::to_string(vertices.size()));
 }
 
-// For each vertex the first one at the same place.
+// For each vertex, the first vertex at the same position.
 std::vector<std::uint32_t> weld(std::span<const math::Vec3> vertices) {
     struct Item {
         math::Vec3 at;
@@ -76,9 +76,10 @@ Extent bounds_of(math::Vec3 a, math::Vec3 b, math::Vec3 c) {
     return {math::min(math::min(a, b), c), math::max(math::max(a, b), c)};
 }
 
-// Median splits whose low halves are 8 x 2^k triangles, so that 8 in a row make a leaf, and 8 of those a node.
+// Median splits whose lower halves have 8 x 2^k triangles, so that 8 consecutive triangles form a leaf, and 8 leaves a
+// node.
 struct Item {
-    math::Vec3 center; // twice
+    math::Vec3 center; // times two
     std::uint32_t index;
 };
 
@@ -106,8 +107,8 @@ void put_in_kd_order(Item* items, std::size_t count) {
     put_in_kd_order(items + middle, count - middle);
 }
 
-// The triangles, and the numbers of their materials if there are any, in kd order, with vertices numbered as they come
-// up, so that neighbors in space are so in memory.
+// Stores the triangles, and their material indices if there are any, in kd-tree order. Vertices are numbered in the
+// order of first use, so that neighbors in space are neighbors in memory.
 void store_in_order(MeshData& mesh, std::span<const math::Vec3> vertices, std::span<const Corners> triangles,
                     std::span<const std::uint16_t> numbers) {
     std::vector<Item> items(triangles.size());
@@ -125,7 +126,7 @@ void store_in_order(MeshData& mesh, std::span<const math::Vec3> vertices, std::s
         for (const std::uint32_t corner : triangles[item.index]) {
             if (number[corner] == no_triangle) {
                 number[corner] = std::uint32_t(mesh.vertices.size());
-                mesh.vertices.push_back(vertices[corner] + math::Vec3{0, 0, 0}); // -0 becomes +0
+                mesh.vertices.push_back(vertices[corner] + math::Vec3{0, 0, 0}); // turns -0 into +0
             }
             mesh.indices.push_back(number[corner]);
         }
@@ -156,14 +157,15 @@ void build_levels(MeshData& mesh) {
     double square = 0;
     for (const math::Vec3& v : mesh.vertices)
         square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
-    mesh.bounding_radius = float(std::sqrt(square) * (1 + 1e-7)); // rounded outward
+    mesh.bounding_radius = float(std::sqrt(square) * (1 + 1e-7)); // rounded up
 }
 
-// Edges are sorted by their lower vertex into buckets; those of one bucket by the other vertex.
+// Finds the triangle across each edge. Edges are sorted into buckets by their lower vertex, and within a bucket by the
+// other vertex.
 void find_neighbors(MeshData& mesh) {
     struct Edge {
-        std::uint32_t other, place; // place: 3 triangle + edge
-        bool is_upward;             // from the lower vertex to the other
+        std::uint32_t other, place; // place: 3 x triangle + edge
+        bool is_upward;             // whether it runs from the lower vertex to the other
     };
     const std::size_t count = mesh.indices.size();
     auto ends = [&](std::size_t place) {

@@ -1,4 +1,4 @@
-// Triangle meshes and height fields. What a Mesh and a HeightField share: made once, never changed.
+// Triangle meshes and height fields: the immutable data that Mesh and HeightField shapes share.
 #pragma once
 
 #include "core/cache.h"
@@ -17,7 +17,7 @@ namespace cairn {
 
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
 
-// Eight boxes that are looked at together. Of those that are not there none meets anything.
+// Eight bounding boxes that are tested together. Unused boxes are NaN, and so overlap nothing.
 struct BoxBlock {
     float lo[3][8], hi[3][8]; // by axis
 
@@ -30,11 +30,11 @@ struct BoxBlock {
     }
     math::Vec3 lo_of(std::size_t i) const { return {lo[0][i], lo[1][i], lo[2][i]}; }
     math::Vec3 hi_of(std::size_t i) const { return {hi[0][i], hi[1][i], hi[2][i]}; }
-    // Asks the cache for all of it.
+    // Prefetches all cache lines of the block.
     void ask() const {
         for (const float* p : {&lo[0][0], &lo[2][0], &hi[1][0], &hi[2][7]}) ask_cache(p);
     }
-    // A bit for each of those that meet the box from `least` to `greatest` (touching counts).
+    // One bit per box that overlaps the box from `least` to `greatest` (touching counts).
     unsigned meets(math::Vec3 least, math::Vec3 greatest) const {
         using I4 = std::int32_t __attribute__((vector_size(16)));
         const auto half = [&](int from) {
@@ -51,29 +51,29 @@ struct BoxBlock {
     }
 };
 
-// Triangles in kd order; above them an implicit tree: box i of a level holds boxes 8 i to 8 i + 7 of the level below,
-// which are a block of that. Level 0: of triangles.
+// Triangles are stored in kd-tree order, with an implicit tree above them: box i of a level contains boxes 8 i to 8 i +
+// 7 of the level below, which form block i of that level. Level 0 has the boxes of triangles.
 struct MeshData {
-    std::vector<math::Vec3> vertices; // each at another place, in the order in which the triangles first use them
+    std::vector<math::Vec3> vertices; // distinct, in the order of first use by the triangles
     std::vector<std::uint32_t> indices;
-    // The triangle across each edge (0: a-b, 1: b-c, 2: c-a), three a triangle. no_triangle where there is none, where
-    // more than two triangles share the edge, and where the other one is wound the other way round.
+    // The triangle across each edge (0: a-b, 1: b-c, 2: c-a), three per triangle; no_triangle at borders, at edges
+    // shared by more than two triangles, and where the neighbor has the opposite winding.
     std::vector<std::uint32_t> neighbors;
-    std::vector<std::vector<BoxBlock>> levels; // the last has one block
-    std::uint64_t dropped = 0;                 // triangles without area
+    std::vector<std::vector<BoxBlock>> levels; // the last level has one block
+    std::uint64_t dropped = 0;                 // number of triangles without area, which are left out
     SurfaceMaterials materials;
     math::Vec3 lo, hi;
     float bounding_radius = 0; // about the origin of the shape's frame
 };
 
-// Cell (column, row) has triangles 2 (row (columns - 1) + column), on its side of least x, and the next, on its side of
-// greatest x. Those with a corner without a height (infinity) are holes: they are counted, but nothing is there.
+// Cell (column, row) has triangles 2 (row (columns - 1) + column), on its side of lesser x, and the next one, on its
+// side of greater x. Triangles with a corner of infinite height are holes: they have an index, but do not exist.
 struct HeightFieldData {
     int columns = 0, rows = 0;
     float spacing_x = 0, spacing_z = 0;
     std::vector<float> heights;
     SurfaceMaterials materials;
-    float least = 0, greatest = 0; // of the heights that there are
+    float least = 0, greatest = 0; // of the finite heights
     float bounding_radius = 0;
 };
 
@@ -93,8 +93,8 @@ inline std::uint32_t triangle_count(const HeightFieldData& field) {
     return 2 * std::uint32_t(field.columns - 1) * std::uint32_t(field.rows - 1);
 }
 
-// Half the extent of the grid along an axis, and the place of a line of it; as a float it is what the corners of
-// triangles have.
+// Half the extent of the grid along an axis, and the coordinate of a grid line, rounded to float as in the corners of
+// triangles.
 inline double grid_half(int lines, float spacing) { return 0.5 * (lines - 1) * double(spacing); }
 inline float grid_line(int lines, float spacing, int line) {
     return float((line - 0.5 * (lines - 1)) * double(spacing));
@@ -105,7 +105,7 @@ inline Triangle triangle_of(const MeshData& mesh, std::uint32_t index) {
     return {mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]]};
 }
 
-// The cell that a triangle of a height field is a half of.
+// The cell that contains a triangle of a height field, and which of its halves the triangle is.
 struct FieldCell {
     int column, row;
     bool is_second;
@@ -115,7 +115,7 @@ inline FieldCell cell_of(const HeightFieldData& field, std::uint32_t index) {
     return {int(cell % width), int(cell / width), (index & 1) != 0};
 }
 
-// Whether a triangle of a height field is none.
+// Whether a triangle of a height field is a hole.
 inline bool is_hole(const HeightFieldData& field, std::uint32_t index) {
     const FieldCell cell = cell_of(field, index);
     const float* const near = field.heights.data() + std::size_t(cell.row) * std::size_t(field.columns) + cell.column;
@@ -156,11 +156,11 @@ inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t ind
     return across != no_triangle && is_hole(field, across) ? no_triangle : across;
 }
 
-// Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
+// Calls f(index of triangle), in ascending order, for each triangle whose bounds overlap the box from lo to hi in the
 // shape's frame (touching counts).
 template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, math::Vec3 hi, F&& f) {
-    constexpr std::size_t max_levels = 11; // of eight boxes each: there are fewer than 2^32 triangles
-    unsigned left[max_levels];             // of the block that is looked at in each level
+    constexpr std::size_t max_levels = 11; // with eight children per box, as there are fewer than 2^32 triangles
+    unsigned left[max_levels];             // boxes still to visit in the current block of each level
     std::size_t blocks[max_levels];
     const std::size_t top = mesh.levels.size() - 1;
     std::size_t level = top;
@@ -179,16 +179,16 @@ template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, m
         --level;
         blocks[level] = box, left[level] = mesh.levels[level][box].meets(lo, hi);
         if (level == 0) continue;
-        for (unsigned ahead = left[level]; ahead != 0; ahead &= ahead - 1) // all of them at once
+        for (unsigned ahead = left[level]; ahead != 0; ahead &= ahead - 1) // prefetch all of them at once
             mesh.levels[level - 1][8 * box + std::size_t(__builtin_ctz(ahead))].ask();
     }
 }
 
-// First and last cell along an axis that may meet an interval; first > last if none does.
+// First and last cell along an axis that may overlap an interval; first > last if there are none.
 struct CellRange {
     int first, last;
 };
-// Cells that come within rounding of the interval count.
+// Cells within rounding error of the interval count.
 CellRange cells_between(int lines, float spacing, double lo, double hi);
 
 template <class F> void for_each_triangle(const HeightFieldData& field, math::Vec3 lo, math::Vec3 hi, F&& f) {
@@ -204,7 +204,7 @@ template <class F> void for_each_triangle(const HeightFieldData& field, math::Ve
         const float* near = field.heights.data() + std::size_t(row) * std::size_t(field.columns);
         const float* far = near + field.columns;
         for (int column = across.first; column <= across.last; ++column) {
-            // The corners of the diagonal are of both halves.
+            // The corners of the diagonal belong to both halves.
             const float p = near[column], q = far[column + 1], low = p < q ? p : q, high = p < q ? q : p;
             const float others[2] = {far[column], near[column + 1]};
             const std::uint32_t index =

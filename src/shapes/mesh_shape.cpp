@@ -1,4 +1,4 @@
-// The public Mesh.
+// The public class Mesh.
 #include "shapes/mesh.h"
 
 #include <cairn/shape.h>

@@ -1,4 +1,4 @@
-// Rays at shapes. That at meshes and height fields is in triangle_rays.cpp.
+// Ray casts at shapes; meshes and height fields are in triangle_rays.cpp.
 #include "shapes/rays.h"
 
 #include "shapes/gjk.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::optional<ShapeRayHit> cast_sphere(double radius, DVec3 o, DVec3 d, double max_distance) {
-    // Nearest point of the line to the center first: no cancellation however far the origin is.
+    // Starts from the point of the line nearest to the center, which avoids cancellation for a distant origin.
     const double t = -math::dot(o, d);
     const DVec3 nearest = o + t * d;
     const double square = radius * radius - math::dot(nearest, nearest);
@@ -45,7 +45,8 @@ std::optional<ShapeRayHit> cast_box(DVec3 half, DVec3 o, DVec3 d, double max_dis
 }
 
 std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, double max_distance) {
-    const double side = shape.is_double_sided && o.y < 0 ? -1 : 1; // a sheet is met from where the ray starts
+    // a double-sided plane is hit from the side on which the ray starts
+    const double side = shape.is_double_sided && o.y < 0 ? -1 : 1;
     o.y *= side, d.y *= side;
     if (shape.type == ShapeType::plane && o.y < 0) return ShapeRayHit{0, {0, 1, 0}};
     if (!(d.y < 0)) return std::nullopt; // one-sided
@@ -57,8 +58,8 @@ std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, d
     return ShapeRayHit{distance, {0, side, 0}};
 }
 
-// The part of a line that lies in a convex body, and the normal where it enters. Cut down side by side; when sides
-// meet in an edge, no line gets through between them.
+// The part of a line inside a convex body, and the normal at the entry. It is cut by one face at a time; as adjacent
+// faces share an edge, no line passes between them.
 struct Chord {
     double enter = -infinity, leave = infinity;
     DVec3 normal;
@@ -69,7 +70,7 @@ struct Chord {
     }
     void cut_none() { enter = infinity, leave = -infinity; }
     bool is_empty() const { return !(enter <= leave); }
-    // Below the plane normal . x = offset.
+    // Keeps the part below the plane normal . x = offset.
     void cut_below(DVec3 n, double offset, DVec3 o, DVec3 d) {
         const double height = offset - math::dot(n, o), speed = math::dot(n, d);
         if (speed < 0)
@@ -81,19 +82,20 @@ struct Chord {
     }
 };
 
-// The side of a solid of revolution about y whose outline runs from (radius a, y0) to (radius b, y1): the points with
-// c rho <= w, where rho is the distance from the axis, w = k - s y, and (c, s) the unit normal of the outline.
+// The lateral surface of a solid of revolution about y, whose outline runs from (radius a, y0) to (radius b, y1). The
+// solid is the set of points with c rho <= w, where rho is the distance from the axis, w = k - s y, and (c, s) the unit
+// normal of the outline.
 struct ConeSide {
     double c, s, k;
 
-    // The upper half (w >= 0) of the double cone c^2 rho^2 = w^2 in which the line is a quadratic in t,
-    // A t^2 + 2 B t + C <= 0. Its lower half is to be cut off by the caller.
+    // Cuts with the upper half (w >= 0) of the double cone c^2 rho^2 = w^2, for which the line satisfies a quadratic
+    // inequality in t, A t^2 + 2 B t + C <= 0. The caller has to cut off the lower half.
     void cut(Chord& chord, DVec3 o, DVec3 d) const {
         const double w0 = k - s * o.y, w1 = -s * d.y;
         const double A = c * c * (d.x * d.x + d.z * d.z) - w1 * w1;
         const double B = c * c * (o.x * d.x + o.z * d.z) - w0 * w1;
         const double C = c * c * (o.x * o.x + o.z * o.z) - w0 * w0;
-        // B^2 - A C = c^2 (|g|^2 - c^2 x^2) without its cancellation (Lagrange's identity).
+        // B^2 - A C = c^2 (|g|^2 - c^2 x^2), computed without cancellation (Lagrange's identity).
         const double g_x = w0 * d.x - w1 * o.x, g_z = w0 * d.z - w1 * o.z;
         const double g = std::sqrt(g_x * g_x + g_z * g_z), x = c * std::fabs(o.x * d.z - o.z * d.x);
         if (A > 0 && g < x) return chord.cut_none();
@@ -103,7 +105,7 @@ struct ConeSide {
         const bool goes_in = A > 0 || w1 > 0, comes_out = A > 0 || w1 < 0;
         if (goes_in) enter = B < 0 ? C / (root - B) : A != 0 ? (-B - root) / A : -infinity;
         if (comes_out) leave = B > 0 ? -C / (root + B) : A != 0 ? (root - B) / A : infinity;
-        if (A == 0 && w1 == 0 && C > 0) return chord.cut_none(); // along the side of a cylinder, outside
+        if (A == 0 && w1 == 0 && C > 0) return chord.cut_none(); // parallel to a cylinder's side, outside of it
         chord.cut(enter, leave, normal_at(o + (goes_in ? enter : 0) * d));
     }
     DVec3 normal_at(DVec3 p) const {
@@ -113,7 +115,7 @@ struct ConeSide {
     }
 };
 
-// With the line starting near the shape, at o; the ray itself starts at the distance `start` along it.
+// Converts a chord to a hit. The line starts near the shape, at o; the ray starts at the distance `start` along it.
 std::optional<ShapeRayHit> ray_hit(const Chord& chord, double start, double max_distance) {
     const double distance = chord.enter - start;
     if (chord.is_empty() || !std::isfinite(distance) || distance < 0 || distance > max_distance) return std::nullopt;
@@ -146,8 +148,8 @@ Chord ball_chord(double radius, double y, DVec3 o, DVec3 d) {
     return chord;
 }
 
-// Both balls, and between the circles where it touches them the cone around both. As the caps of that part are inside
-// the balls, a line enters the capsule where it first enters any of the three.
+// A capsule consists of two balls, and the cone that touches both, between the circles of contact. As the end caps of
+// the cone are inside the balls, a line enters the capsule where it first enters any of the three.
 Chord capsule_chord(DVec3 size, DVec3 o, DVec3 d) {
     const double a = size.x, h = size.y, b = size.z, s = (a - b) / (2 * h);
     const Chord low = ball_chord(a, -h, o, d), high = ball_chord(b, h, o, d);
@@ -172,12 +174,12 @@ Chord hull_chord(const HullData& hull, DVec3 o, DVec3 d) {
     return chord;
 }
 
-// With a ball added to the shape: from where the line enters a ball around everything, by Newton's method from below on
-// the distance to the core, which is a convex function of the way (conservative advancement). The line starts near the
-// shape, at o; the ray itself at the distance `start` along it.
+// The ray cast for a rounded shape: conservative advancement, that is, Newton's method from below on the distance to
+// the core, which is a convex function of the distance along the ray. It starts where the line enters the bounding
+// sphere. The line starts near the shape, at o; the ray starts at the distance `start` along it.
 std::optional<ShapeRayHit> cast_rounded(const Geometry& shape, const ShapeData& data, DVec3 o, DVec3 d, double start,
                                         double max_distance) {
-    constexpr int max_rounds = 64; // each at least halves what is left
+    constexpr int max_rounds = 64; // each at least halves the remaining distance
     const double radius = double(shape.rounding), size = double(shape.bounding_radius), tolerance = 1e-9 * size;
     const DVec3 to_middle = math::to_double(shape.middle) - o;
     const double nearest = math::dot(to_middle, d);
@@ -194,20 +196,20 @@ std::optional<ShapeRayHit> cast_rounded(const Geometry& shape, const ShapeData& 
         point.center = o + at * d;
         const GjkResult r = gjk_distance(pair, round > 0 ? -normal : DVec3{}, infinity);
         const bool is_inside = r.state == GjkResult::State::overlapping || r.distance < radius - tolerance;
-        if (is_inside) return std::nullopt; // only where the ray starts there
+        if (is_inside) return std::nullopt; // possible only if the ray starts inside
         normal = -r.normal;
         const double speed = -math::dot(d, normal);
-        if (!(speed > 0)) return std::nullopt; // it passes or moves away
+        if (!(speed > 0)) return std::nullopt; // the ray passes or moves away
         const double gap = r.distance - radius;
         if (gap <= tolerance) return ShapeRayHit{at - start, normal};
-        at += (gap - 0.5 * tolerance) / speed; // so that the cores never meet
+        at += (gap - 0.5 * tolerance) / speed; // keeps a gap, so that the point never reaches the core
     }
     return std::nullopt;
 }
 
 std::optional<ShapeRayHit> cast_local(const Geometry& shape, const ShapeData& data, const LocalRay& ray) {
     const DVec3 o = ray.origin, d = ray.direction, size = math::to_double(shape.size);
-    // The point of the line nearest to the shape's origin: no cancellation however far the ray's own is.
+    // The point of the line nearest to the shape's origin, which avoids cancellation for a distant ray origin.
     const double start = math::dot(o, d);
     const DVec3 near = o - start * d;
     if (shape.rounding > 0) return cast_rounded(shape, data, near, d, start, ray.max_distance);

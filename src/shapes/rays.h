@@ -1,11 +1,12 @@
-// Rays at the triangles of meshes and height fields. Inside src/shapes; others call cast_ray (geometry.h).
+// Ray casts at the triangles of meshes and height fields, for use inside src/shapes; other code calls cast_ray
+// (geometry.h).
 #pragma once
 
 #include "shapes/geometry.h"
 
 namespace cairn {
 
-// In the shape's frame; of unit direction.
+// A ray in the shape's frame, with a unit direction.
 struct LocalRay {
     math::DVec3 origin, direction;
     double max_distance;

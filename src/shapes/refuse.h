@@ -1,4 +1,4 @@
-// Refusing what a shape cannot be made of.
+// Errors for invalid arguments of shapes.
 #pragma once
 
 #include "math/vec.h"

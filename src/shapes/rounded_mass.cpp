@@ -1,5 +1,5 @@
-// Each solid is cut into the sharp one, slabs on its faces, sectors of cylinders along its edges and sectors of balls
-// at its corners (Steiner's formula); the integrals over each part have closed forms.
+// Mass properties of rounded solids. A rounded solid consists of the sharp solid, slabs on its faces, cylinder sectors
+// along its edges and ball sectors at its corners (Steiner's formula); the integrals over each part have closed forms.
 #include "shapes/rounded_mass.h"
 
 #include "math/angle.h"
@@ -30,7 +30,7 @@ struct Moments {
     }
     void add_diagonal(double d) { second = second + DSym3{d, 0, 0, d, 0, d}; }
 
-    // x is measured from `origin`.
+    // Mass properties; x is measured from `origin`.
     MassSum mass(DVec3 origin) const {
         MassSum m;
         m.mass = volume;
@@ -46,8 +46,8 @@ struct Moments {
 
 } // namespace
 
-// The eight parts of the ball at the corners make one ball, the quarters of cylinders along four edges one cylinder:
-// with |u| a distance from its middle, their points are at a + |u|.
+// The eight ball sectors at the corners form one ball, and the quarter cylinders along four parallel edges one
+// cylinder. A point at the distance |u| from the middle of these has the coordinate a + |u|.
 MassSum rounded_box_mass(DVec3 a, double r) {
     const double r2 = r * r, r3 = r2 * r, ball = 4.0 / 3.0 * pi * r3;
     DVec3 square; // integrals of x^2, y^2, z^2
@@ -55,11 +55,11 @@ MassSum rounded_box_mass(DVec3 a, double r) {
     for (int i = 0; i < 3; ++i) square[i] = volume / 3 * a[i] * a[i];
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double slab = 8 * a[j] * a[k] * r; // both on the faces across i
+        const double slab = 8 * a[j] * a[k] * r; // both slabs on the faces perpendicular to axis i
         square[i] += slab * (a[i] * a[i] + a[i] * r + r2 / 3);
         square[j] += slab / 3 * a[j] * a[j];
         square[k] += slab / 3 * a[k] * a[k];
-        const double length = 2 * a[i], edge = pi * r2 * length; // the four along i
+        const double length = 2 * a[i], edge = pi * r2 * length; // the four edges along axis i
         square[i] += edge / 3 * a[i] * a[i];
         for (const int across : {j, k})
             square[across] += edge * a[across] * a[across] + length * (8.0 / 3.0 * a[across] * r3 + pi / 4 * r2 * r2);
@@ -74,11 +74,11 @@ MassSum rounded_box_mass(DVec3 a, double r) {
 
 namespace {
 
-// Of a solid of revolution about y.
+// Integrals over a solid of revolution about y.
 struct Slices {
     double volume = 0, first = 0, second = 0, axial = 0; // integrals of 1, y, y^2 and x^2 + z^2
 
-    // From y0, where the radius is a, to y0 + height, where it is b (see geometry_mass.cpp).
+    // A frustum from y0, where the radius is a, to y0 + height, where it is b (see geometry_mass.cpp).
     void add_frustum(double y0, double height, double a, double b) {
         const double aa = a * a, ab = a * b, bb = b * b;
         const double v = pi * height * (aa + ab + bb) / 3, f = pi * height * height * (aa + 2 * ab + 3 * bb) / 12;
@@ -89,8 +89,9 @@ struct Slices {
         axial += pi / 2 * height * (aa * aa + aa * ab + aa * bb + ab * bb + bb * bb) / 5;
     }
 
-    // The rim: at y0 + side u, 0 <= u0 <= r, the radius is A + w with w = sqrt(r^2 - u^2), for u from u0 to r (u0 may
-    // be negative). Integrals of w, u w, u^2 w and w^3 over that range; those of even powers of w are polynomials.
+    // The rounded rim: at y0 + side u, 0 <= u0 <= r, the radius is A + w with w = sqrt(r^2 - u^2), for u from u0 to r
+    // (u0 may be negative). Uses the integrals of w, u w, u^2 w and w^3 over this range; those of even powers of w are
+    // polynomials.
     void add_rim(double y0, double side, double A, double r, double u0, double w0) {
         const double r2 = r * r, angle = angle_of(u0, w0); // of the sector
         const double w = 0.5 * (r2 * angle - u0 * w0), uw = w0 * w0 * w0 / 3;
@@ -114,8 +115,8 @@ struct Slices {
 
 } // namespace
 
-// The side moves out along its normal (c, s); around the rims, arcs of radius r from the normal of the side to those of
-// the ends.
+// The lateral surface moves outward along its normal (c, s); the rims become arcs of radius r from its normal to those
+// of the ends.
 MassSum rounded_cylinder_mass(DVec3 size, double r) {
     const double a = size.x, h = size.y, b = size.z;
     const double slope = std::sqrt(4 * h * h + (a - b) * (a - b)), c = 2 * h / slope, s = (a - b) / slope;
@@ -133,7 +134,7 @@ MassSum rounded_cylinder_mass(DVec3 size, double r) {
 
 namespace {
 
-// An edge of a hull, seen from one of its two faces.
+// An edge of a hull as part of one of its two faces.
 struct HalfEdge {
     std::uint32_t low, high; // its corners
     std::uint32_t face;
@@ -175,8 +176,8 @@ class RoundedHull {
   private:
     DVec3 corner(std::uint32_t v) const { return math::to_double(hull_.vertices[v]) - origin_; }
 
-    // A slab of the thickness r, in triangles. The angles of the face are missing from the full turn of its corners'
-    // normals: what is left is the solid angle of the ball's sector there (Descartes).
+    // Adds a slab of thickness r, one triangle at a time. Also subtracts the angles of the face at its corners from
+    // their solid angles: 2 pi minus the face angles is the solid angle of a corner's ball sector (Descartes).
     void add_face(std::uint32_t index) {
         const HullFace& face = hull_.faces[index];
         const DVec3 n = hull_.unit_normal(index);
@@ -185,7 +186,7 @@ class RoundedHull {
         for (std::uint32_t i = 1; i + 1 < face.count; ++i) {
             const DVec3 b = at(i), c = at(i + 1), three = a + b + c;
             const double area = 0.5 * math::dot(n, math::cross(b - a, c - a));
-            // Points p + t n with p in the triangle and t from 0 to r.
+            // The points p + t n with p in the triangle and t from 0 to r.
             const DVec3 first = (area / 3) * three;
             sum_.add(area * r_, r_ * first + (0.5 * r_ * r_ * area) * n);
             for (const DVec3& p : {a, b, c, three}) sum_.add_product(r_ * area / 12, p, p);
@@ -199,8 +200,8 @@ class RoundedHull {
         }
     }
 
-    // A sector of a cylinder between the normals of both faces; and what the arc between them, as the border of the
-    // spherical polygons at both ends, gives to those.
+    // Adds a cylinder sector between the normals of both faces, and the contribution of the arc between these normals
+    // to the spherical polygons at both ends.
     void add_edge(const HalfEdge& edge, std::uint32_t other_face) {
         const DVec3 m1 = hull_.unit_normal(edge.face), m2 = hull_.unit_normal(other_face);
         const DVec3 p = corner(edge.low), q = corner(edge.high), along = q - p;
@@ -208,7 +209,7 @@ class RoundedHull {
         const double angle = angle_of(cosine, math::length(math::cross(m1, m2)));
         const DVec3 middle = math::normalized(m1 + m2), d = (1 / length) * along;
         const DVec3 side = math::cross(d, middle);
-        // Directions u from -angle / 2 to angle / 2 about the middle one: integrals of u and u u^T.
+        // Directions u at angles from -angle / 2 to angle / 2 about the middle one: integrals of u and u u^T.
         const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 - cosine))),
                      sine = std::sqrt(1 - half_sine * half_sine) * half_sine;
         const DVec3 u = (2 * half_sine) * middle;
@@ -222,15 +223,15 @@ class RoundedHull {
         sum_.add_product(2 * third, mean, u);
         sum_.add_product(0.25 * r2 * r2 * length * uu, middle, middle);
         sum_.add_product(0.25 * r2 * r2 * length * vv, side, side);
-        // At the corner p the polygon lies on the side of -d, at q on that of d.
+        // The spherical polygon at corner p is on the side of -d, that at q on the side of d.
         add_arc(p, d, u, angle);
         add_arc(q, -d, u, angle);
     }
 
-    // Of the sector of a ball at p, whose directions w fill a spherical polygon: the share of one side of it in the
-    // integrals of w, -1/2 sum angle n, and of w w^T, -1/3 sum u n^T, where n is the outward normal of the side and u
-    // the integral of w along it (Arvo, "Applications of Irradiance Tensors to the Simulation of Non-Lambertian
-    // Phenomena", 1995).
+    // Adds the contribution of one side of a spherical polygon to a ball sector at p, whose directions w fill the
+    // polygon: to the integral of w, -1/2 sum angle n, and to that of w w^T, -1/3 sum u n^T, where n is the outward
+    // normal of the side and u the integral of w along it (Arvo, "Applications of Irradiance Tensors to the Simulation
+    // of Non-Lambertian Phenomena", 1995).
     void add_arc(DVec3 p, DVec3 n, DVec3 u, double angle) {
         const double r4 = r_ * r_ * r_ * r_;
         const DVec3 w = (-0.5 * angle) * n;
@@ -249,7 +250,7 @@ class RoundedHull {
     double r_;
     DVec3 origin_;
     Moments sum_;
-    std::vector<double> solid_angle_; // of the outward normals at each corner
+    std::vector<double> solid_angle_; // per corner: the solid angle of its outward normals
 };
 
 } // namespace

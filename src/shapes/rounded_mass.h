@@ -1,4 +1,4 @@
-// Mass of shapes with a ball added to them, of density 1, in the shape's frame.
+// Mass properties of rounded shapes (Minkowski sums with a ball) at density 1, in the shape's frame.
 #pragma once
 
 #include "shapes/hull.h"
@@ -6,7 +6,7 @@
 namespace cairn {
 
 MassSum rounded_box_mass(math::DVec3 half, double radius);
-// `size` as in Geometry.
+// `size` is as in Geometry.
 MassSum rounded_cylinder_mass(math::DVec3 size, double radius);
 MassSum rounded_hull_mass(const HullData& hull, double radius);
 

@@ -23,8 +23,8 @@ class Builder {
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         out_.indices.insert(out_.indices.end(), {a, b, c});
     }
-    // Between two rows of `count` vertices each, the second to the left of the first. A row of a single place has
-    // triangles on one side alone.
+    // Adds triangles between two rows of `count` vertices each, the second to the left of the first. If all vertices of
+    // a row coincide, only the triangles at the other row have area.
     void add_strip(std::uint32_t first, std::uint32_t second, std::uint32_t count, bool first_is_point,
                    bool second_is_point) {
         for (std::uint32_t i = 0; i + 1 < count; ++i) {
@@ -37,7 +37,7 @@ class Builder {
     ShapeTriangles& out_;
 };
 
-// Unit vectors from a to b, which are not opposite.
+// A unit vector between a and b, which must not be opposite, at i of `steps`.
 DVec3 between(DVec3 a, DVec3 b, int i, int steps) {
     if (i == 0) return a;
     if (i == steps) return b;
@@ -45,9 +45,9 @@ DVec3 between(DVec3 a, DVec3 b, int i, int steps) {
     return math::normalized((1 - t) * a + t * b);
 }
 
-// Corners and faces of a box or hull; every face counterclockwise as seen from outside.
+// The corners and faces of a box or hull, each face counterclockwise as seen from outside.
 struct Solid {
-    std::vector<DVec3> corners, normals; // normals of the faces
+    std::vector<DVec3> corners, normals; // normals are per face
     std::vector<std::vector<std::uint32_t>> faces;
 };
 
@@ -81,7 +81,7 @@ Solid solid_of(const HullData& hull) {
     return s;
 }
 
-// Flat faces, parts of cylinders along the edges, parts of balls at the corners.
+// A rounded solid: flat faces, cylinder sectors along the edges, ball sectors at the corners.
 class RoundedSolid {
   public:
     RoundedSolid(const Solid& solid, double radius, ShapeTriangles& out)
@@ -108,7 +108,7 @@ class RoundedSolid {
     }
 
   private:
-    // A side of a face, and the corner before it.
+    // A side of a face, with the corner before it.
     struct Side {
         std::uint32_t from, to, before, face;
     };
@@ -119,7 +119,7 @@ class RoundedSolid {
                                      return s.from != key.first ? s.from < key.first : s.to < key.second;
                                  });
     }
-    // The same for both orders, so that there are no cracks.
+    // Evaluates to the same points for both orders of the faces, so that there are no cracks.
     DVec3 arc(std::uint32_t face, std::uint32_t other, int i) const {
         return face < other ? between(solid_.normals[face], solid_.normals[other], i, steps_)
                             : between(solid_.normals[other], solid_.normals[face], steps_ - i, steps_);
@@ -131,10 +131,10 @@ class RoundedSolid {
         for (const std::uint32_t v : solid_.faces[f]) corners.push_back(add_point(v, solid_.normals[f]));
         for (std::size_t i = 2; i < corners.size(); ++i) out_.add_triangle(corners[0], corners[i - 1], corners[i]);
     }
-    // The face is to the left of its side, the other face to the right.
+    // Adds the strip along an edge. The face is to the left of its side, the other face to the right.
     void add_edge(const Side& s) {
         const std::uint32_t other = side(s.to, s.from).face;
-        if (s.face > other) return; // seen from there
+        if (s.face > other) return; // added from the other face
         const auto row = [&](std::uint32_t corner) {
             const std::uint32_t first = add_point(corner, arc(s.face, other, 0));
             for (int i = 1; i <= steps_; ++i) add_point(corner, arc(s.face, other, i));
@@ -143,7 +143,8 @@ class RoundedSolid {
         const std::uint32_t from = row(s.from), to = row(s.to);
         out_.add_strip(from, to, std::uint32_t(steps_) + 1, false, false);
     }
-    // The normals of the faces around a corner, counterclockwise; from their middle out to the arcs between them.
+    // Adds the ball sector at a corner: the normals of the adjacent faces in counterclockwise order, and triangles from
+    // their middle out to the arcs between them.
     void add_corner(const Side& start) {
         std::vector<std::uint32_t> faces;
         DVec3 sum;
@@ -170,10 +171,10 @@ class RoundedSolid {
     double r_;
     int steps_;
     Builder out_;
-    std::vector<Side> sides_; // by their ends
+    std::vector<Side> sides_; // sorted by their end points
 };
 
-// The profile is swept around the y axis.
+// Sweeps the profile of a rounded cylinder around the y axis.
 void add_round(const Cylinder& cylinder, ShapeTriangles& out) {
     constexpr int sectors = 32, steps = 4;
     constexpr double cosine = 0.98078528040323044913, sine = 0.19509032201612826785; // of 2 pi / 32
@@ -202,7 +203,7 @@ void add_round(const Cylinder& cylinder, ShapeTriangles& out) {
         double x = 1, z = 0;
         std::uint32_t row = 0;
         for (int i = 0; i <= sectors; ++i) {
-            if (i == sectors) x = 1, z = 0; // where it began
+            if (i == sectors) x = 1, z = 0; // exactly as at the start
             const std::uint32_t vertex =
                 builder.add({p.radius * x, p.y, -p.radius * z}, {p.normal.x * x, p.normal.y, -p.normal.x * z});
             if (i == 0) row = vertex;

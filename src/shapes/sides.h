@@ -1,4 +1,4 @@
-// Flat convex polygons in coordinates of their own plane, four sides at a time.
+// Sides of flat convex polygons in coordinates of their own plane, tested four at a time.
 #pragma once
 
 #include "math/vec.h"
@@ -34,7 +34,7 @@ inline D2 square_root(D2 v) {
 inline D2 choose(I2 which, D2 yes, D2 no) {
     return reinterpret_cast<D2>((which & reinterpret_cast<I2>(yes)) | (~which & reinterpret_cast<I2>(no)));
 }
-// A bit for each of the two that is less than 0.
+// One bit per lane that is negative.
 inline unsigned negative(D2 v) {
     const I2 is = v < splat(0);
 #if defined(__SSE2__)
@@ -47,14 +47,14 @@ inline unsigned negative(D2 v) {
 } // namespace sides
 
 // Four corners of a counterclockwise polygon, and the side from each to the next: a point is nx x + ny y + offset
-// inside of it, m. Beyond the last corner, where the first is repeated, and where sides have no length, they hold
-// everything.
+// inside of it, m. Lanes beyond the last corner, where the first is repeated, and sides without length contain every
+// point.
 struct SideBlock {
     static constexpr std::size_t width = 4;
 
     double x[width], y[width], nx[width], ny[width], offset[width];
 
-    // Writes how far a point is inside of each side, plus `slack`. A bit for each side of which it is outside.
+    // Writes how far a point is inside of each side, plus `slack`, m. Returns one bit per side of which it is outside.
     unsigned inside(double px, double py, double slack, double* out) const {
         using namespace sides;
         unsigned outside = 0;
@@ -67,10 +67,10 @@ struct SideBlock {
     }
 };
 
-// Of the sides of a polygon of that many corners.
+// The number of side blocks of a polygon.
 constexpr std::size_t blocks_of(std::size_t corners) { return (corners + SideBlock::width - 1) / SideBlock::width; }
 
-// Writes these blocks. Behind the n corners there is room for one more than fill the last block.
+// Writes the side blocks of a polygon. The corner arrays must have space for one element more than the blocks hold.
 inline void make_sides(double* corner_x, double* corner_y, std::size_t n, SideBlock* out) {
     using namespace sides;
     constexpr std::size_t width = SideBlock::width;
@@ -88,7 +88,7 @@ inline void make_sides(double* corner_x, double* corner_y, std::size_t n, SideBl
     }
 }
 
-// A direction along a plane: that of a polygon's edge, as far as it lies in the plane.
+// The direction of a polygon's edge, projected into a plane.
 inline math::DVec3 direction_in_plane(math::DVec3 edge, math::DVec3 normal) {
     const math::DVec3 along = edge - math::dot(edge, normal) * normal;
     const double length = math::length(along);

@@ -13,9 +13,9 @@ using math::DVec3;
 
 namespace {
 
-// Of a round side: corners around the axis, and from the rim of a cap to its pole.
+// Tessellation of curved sides: corners around the axis, and rings from the rim of a cap to its pole.
 constexpr int sides = 12, cap_rings = 3;
-// The cosines of multiples of 30 degrees; those of a quarter of a circle are the rings of a cap, too.
+// The cosines of multiples of 30 degrees. Those of a quarter circle also give the rings of a cap.
 constexpr double third = 0.86602540378443865;
 constexpr std::array<double, sides> cosines = {1, third, 0.5, 0, -0.5, -third, -1, -third, -0.5, 0, 0.5, third};
 double cosine(int i) { return cosines[std::size_t(i % sides)]; }
@@ -33,12 +33,12 @@ class SurfaceBuilder {
         };
         for (const auto& face : corners) add_quad(corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3]));
     }
-    // About the y axis, from below to above.
+    // A ring about the y axis. Rings are listed from bottom to top.
     struct Ring {
         double radius, height;
     };
     void add_rings(const Ring* rings, int count) {
-        // As much area across the axis as the circle has.
+        // The polygon has the same cross-sectional area as the circle.
         const double grown = std::sqrt(math::pi / (0.5 * sides * sine(1)));
         const auto corner = [&](const Ring& r, int i) {
             return DVec3{grown * r.radius * cosine(i), r.height, grown * r.radius * sine(i)};
@@ -69,7 +69,7 @@ class SurfaceBuilder {
     std::vector<SurfaceTriangle>& triangles_;
 };
 
-// The lower ball is the first; between them a cone. Its sides touch both balls where their rings end.
+// The lower ball comes first; a cone lies between both balls, and ends near the circles where it touches them.
 void add_capsule(SurfaceBuilder& builder, DVec3 size) {
     std::array<SurfaceBuilder::Ring, 2 * cap_rings + 2> rings;
     for (int i = 0; i <= cap_rings; ++i) {
@@ -79,7 +79,7 @@ void add_capsule(SurfaceBuilder& builder, DVec3 size) {
     builder.add_rings(rings.data(), int(rings.size()));
 }
 
-// By Newton's method: the same bits everywhere.
+// Computed by Newton's method, for the same bits on all platforms.
 double cube_root_near_one(double x) {
     double root = 1;
     for (int i = 0; i < 12; ++i) root = root - (root - x / (root * root)) / 3;
@@ -90,7 +90,7 @@ void grow_to(double volume, DVec3 center, std::vector<SurfaceTriangle>& triangle
     double sum = 0;
     for (const SurfaceTriangle& t : triangles)
         sum += math::dot(t.a - center, math::cross(t.b - center, t.c - center)) / 6;
-    if (!(sum > 0.25 * volume) || !(sum < 4 * volume)) return; // thinner than its rounding
+    if (!(sum > 0.25 * volume) || !(sum < 4 * volume)) return; // the shape is thinner than its rounding
     const double factor = cube_root_near_one(volume / sum);
     for (SurfaceTriangle& t : triangles)
         for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = center + factor * (*p - center);
@@ -128,7 +128,7 @@ void make_solid_surface(const Geometry& shape, const ShapeData& data, std::vecto
         for (SurfaceTriangle& t : triangles)
             for (DVec3* const p : {&t.a, &t.b, &t.c}) *p = position + turn * *p;
     }
-    if (shape.type != ShapeType::capsule && rounding == 0) return; // its volume is right as it is
+    if (shape.type != ShapeType::capsule && rounding == 0) return; // the volume is correct without scaling
     const MassSum mass = geometry_mass(shape, data, 1);
     grow_to(mass.mass, mass.center, triangles);
 }

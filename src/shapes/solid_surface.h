@@ -1,4 +1,4 @@
-// The surface of a solid as triangles, for what acts on all of it.
+// The surface of a solid as triangles, for forces that act on all of it.
 #pragma once
 
 #include "math/vec.h"
@@ -12,9 +12,9 @@ struct SurfaceTriangle {
     math::DVec3 a, b, c; // counterclockwise as seen from outside
 };
 
-// Replaces `triangles` by those of a shape, in the frame of its body. Round sides are polygons, and all of it is as
-// large as the shape: the triangles enclose its volume to rounding. None of balls, of which all is known in closed
-// form, and of surfaces.
+// Replaces `triangles` by those of a shape, in the frame of its body. Curved sides become polygons of such a size that
+// the triangles enclose the volume of the shape up to rounding. Yields none for spheres, which have closed formulas,
+// and for surfaces.
 void make_solid_surface(const Geometry& shape, const ShapeData& data, std::vector<SurfaceTriangle>& triangles);
 
 } // namespace cairn

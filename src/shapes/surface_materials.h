@@ -1,4 +1,4 @@
-// Materials of the parts of meshes and height fields: which one a triangle has.
+// Materials of individual triangles of meshes and cells of height fields.
 #pragma once
 
 #include "shapes/mesh.h"
@@ -13,10 +13,10 @@ namespace cairn {
 
 // Throws Error(invalid_value) with a field below `field`.
 void check_material(std::string_view field, const Material& material);
-// Of a "Mesh" or a "HeightField" of so many parts: triangles, or cells.
+// `type` is "Mesh" or "HeightField", and `parts` the number of its triangles or cells.
 void check_materials(const std::string& type, const SurfaceMaterials& materials, std::size_t parts);
 
-// The number of a triangle's material: 0 is that of the shape.
+// The index of a triangle's material; 0 is the material of the shape.
 inline std::uint32_t material_number(const MeshData& mesh, std::uint32_t triangle) {
     return mesh.materials.numbers.empty() ? 0 : mesh.materials.numbers[triangle];
 }

@@ -1,4 +1,5 @@
-// Rays at meshes (down the tree of boxes) and at height fields (along the cells). Triangles are met from outside only.
+// Ray casts at meshes (descending the tree of boxes) and at height fields (walking along the cells). Triangles are hit
+// from outside only.
 #include "shapes/rays.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// S. Woop, C. Benthin, I. Wald: Watertight ray/triangle intersection, JCGT 2(1), 2013. Corners are moved and sheared so
-// that the ray runs from the origin along the axis z, the one along which its direction is longest. Then two products
-// tell on which side of an edge it passes. Their rounded difference has the right sign or is zero, which counts as
-// inside, and both triangles of an edge see the same corners: no ray gets through between them.
+// S. Woop, C. Benthin, I. Wald: Watertight ray/triangle intersection, JCGT 2(1), 2013. Corners are translated and
+// sheared so that the ray starts at the origin and runs along axis z, the axis of its largest direction component. Two
+// products then decide on which side of an edge it passes. Their rounded difference has the correct sign or is zero,
+// which counts as inside, and both triangles of an edge use the same corners: no ray passes between them.
 template <int z> struct TriangleRay {
     static constexpr int x = (z + 1) % 3, y = (z + 2) % 3;
     double origin_x, origin_y, origin_z, shear_x, shear_y, scale, mirror;
@@ -34,10 +35,10 @@ template <int z> struct TriangleRay {
                 height};
     }
 
-    // True if the ray's line meets the triangle from outside, and then where.
+    // Whether the line of the ray hits the triangle from outside, and at which distance.
     bool meets(const Triangle& t, double& distance) const {
         const Corner a = moved(t.a), b = moved(t.b), c = moved(t.c);
-        // Twice the areas of the triangles that the origin makes with the edges, clockwise.
+        // Twice the areas of the triangles formed by the origin and each edge, clockwise.
         const double u = b.up * c.right - b.right * c.up, v = c.up * a.right - c.right * a.up,
                      w = a.up * b.right - a.right * b.up;
         if (u < 0 || v < 0 || w < 0) return false;
@@ -48,7 +49,7 @@ template <int z> struct TriangleRay {
     }
 };
 
-// The nearest hit so far; of equal ones that of the lower triangle, in whatever order they come.
+// The nearest hit so far; of equal distances, the lower triangle index wins, whatever the order of the tests.
 struct Nearest {
     double distance;
     std::uint32_t triangle = no_triangle;
@@ -65,7 +66,7 @@ template <class Data> std::optional<ShapeRayHit> to_hit(const Data& data, const 
     return ShapeRayHit{nearest.distance, math::normalized(math::cross(b - a, c - a)), nearest.triangle};
 }
 
-// Calls f with the number of the axis along which the direction is longest, as a type.
+// Calls f with the index of the axis along which the direction is longest, as a type.
 template <class F> auto with_longest_axis(DVec3 d, F&& f) {
     const DVec3 a = math::abs(d);
     if (a.x >= a.y && a.x >= a.z) return f(std::integral_constant<int, 0>{});
@@ -73,18 +74,19 @@ template <class F> auto with_longest_axis(DVec3 d, F&& f) {
     return f(std::integral_constant<int, 2>{});
 }
 
-// Where a ray enters and leaves boxes. Each distance has an error of at most three roundings, so that widening the
-// farther one by a few makes the test miss nothing (T. Ize: Robust BVH ray traversal, JCGT 2(2), 2013).
+// The intersection of a ray with boxes. Each distance has at most three rounding errors, so that widening the far
+// distance by a few makes the test conservative (T. Ize: Robust BVH ray traversal, JCGT 2(2), 2013).
 struct BoxRay {
     DVec3 origin, inverse;
 
-    // The distance at which it enters the box (at least 0), or infinity.
+    // The distance at which the ray enters the box (at least 0), or infinity.
     double enter(math::Vec3 least, math::Vec3 greatest, double max_distance) const {
         double near = 0, far = max_distance;
         auto cut = [&](double lo, double hi, double o, double scale) {
             const double a = (lo - o) * scale, b = (hi - o) * scale;
             const double first = scale < 0 ? b : a, last = scale < 0 ? a : b;
-            // In a side's plane and along it they are 0 times infinity: as comparisons have it, that cuts nothing.
+            // For a ray within a side's plane the distances are 0 x infinity = NaN, which cuts nothing in these
+            // comparisons.
             if (first > near) near = first;
             if (last < far) far = last;
         };
@@ -103,9 +105,9 @@ template <int z> Nearest search_mesh(const MeshData& mesh, const LocalRay& ray) 
     Nearest nearest{ray.max_distance};
     struct Entry {
         double enter;
-        std::uint32_t level, block; // the block of boxes, or of triangles at level 0, that is below it
+        std::uint32_t level, block; // child block: of boxes, or of triangles at level 0
     };
-    Entry stack[8 * 12]; // up to 8 of each level, and there are fewer than 12 of those
+    Entry stack[8 * 12]; // up to 8 entries per level, and there are fewer than 12 levels
     int depth = 0;
     const std::uint32_t top = std::uint32_t(mesh.levels.size()) - 1;
     stack[depth++] = {boxes.enter(mesh.lo, mesh.hi, nearest.distance), top, 0};
@@ -124,7 +126,7 @@ template <int z> Nearest search_mesh(const MeshData& mesh, const LocalRay& ray) 
         for (std::uint32_t i = first; i < std::min(first + 8, below); ++i) {
             const double enter = boxes.enter(block.lo_of(i - first), block.hi_of(i - first), nearest.distance);
             if (enter == infinity) continue;
-            int place = depth++; // the nearest last, as it is to be taken first
+            int place = depth++; // sorted so that the nearest is on top of the stack
             for (; place > bottom && stack[place - 1].enter < enter; --place) stack[place] = stack[place - 1];
             stack[place] = {enter, entry.level - 1, i};
         }
@@ -132,12 +134,12 @@ template <int z> Nearest search_mesh(const MeshData& mesh, const LocalRay& ray) 
     return nearest;
 }
 
-// One of the axes that the grid of a height field lies along.
+// A horizontal axis of a height field's grid.
 struct GridAxis {
     int lines;
     float spacing;
     double half, origin, direction;
-    double slack; // what rounding may take from a place: of lines to float, and of the ray
+    double slack; // bound of the rounding error of a position: of lines rounded to float, and of the ray
 
     GridAxis(int lines_, float spacing_, double o, double d, double reach)
         : lines(lines_), spacing(spacing_), half(grid_half(lines_, spacing_)), origin(o), direction(d),
@@ -152,7 +154,7 @@ struct GridAxis {
 
 struct Stretch {
     double from, to;
-    // The part of it that lies from lo to hi along an axis.
+    // The part of the stretch that is between lo and hi along an axis.
     Stretch within(double lo, double hi, double o, double d) const {
         if (d == 0) return o >= lo && o <= hi ? *this : Stretch{infinity, -infinity};
         const double a = (lo - o) / d, b = (hi - o) / d;
@@ -160,9 +162,9 @@ struct Stretch {
     }
 };
 
-// Along the cells as J. Amanatides and A. Woo have it (A fast voxel traversal algorithm for ray tracing, Eurographics
-// 1987), but a column of cells across the ray's main axis at a time, and there all cells that it comes within rounding
-// of: a cell too many costs little, one too few is a hole.
+// Walks along the cells as in J. Amanatides and A. Woo (A fast voxel traversal algorithm for ray tracing, Eurographics
+// 1987), but one column of cells across the ray's main axis at a time, testing all cells within rounding error of the
+// ray: an extra cell costs little, a missing one is a hole.
 template <int z> class FieldWalk {
   public:
     FieldWalk(const HeightFieldData& field, const LocalRay& ray)
@@ -214,7 +216,8 @@ template <int z> class FieldWalk {
         const float* near = field_.heights.data() + std::size_t(row) * std::size_t(field_.columns) + column;
         const float* far = near + field_.columns;
         const float least = std::min(std::min(near[0], near[1]), std::min(far[0], far[1]));
-        const float greatest = std::max(std::max(near[0], near[1]), std::max(far[0], far[1])); // infinite beside a hole
+        // infinite next to a hole
+        const float greatest = std::max(std::max(near[0], near[1]), std::max(far[0], far[1]));
         if (double(least) > high_ || double(greatest) < low_) return;
         const std::uint32_t index =
             2 * (std::uint32_t(row) * std::uint32_t(field_.columns - 1) + std::uint32_t(column));
@@ -227,7 +230,7 @@ template <int z> class FieldWalk {
     const LocalRay& ray_;
     TriangleRay<z> at_;
     Nearest nearest_;
-    double low_ = 0, high_ = 0; // heights of the ray over the column of cells
+    double low_ = 0, high_ = 0; // range of the ray's height over the column of cells
     double height_slack_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The accessor to one body.
+// Body: access to a single body of a world.
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
 #include "contacts/pairs.h"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// A body of a state.
+// A body within a state.
 struct Access {
     State& s;
     std::size_t b;
@@ -36,7 +36,7 @@ void require_pushable(const Access& a, const char* call) {
     require_dynamic(a, call);
     if (!a.s.bodies.is_enabled(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be enabled");
 }
-// What pushes a body in the next step.
+// The forces on a body in the next step; registers the body as pushed.
 BodyForces& pushed(const Access& a) {
     BodyForces& forces = a.s.bodies.forces[a.b];
     if (!forces.any) a.s.bodies.pushed.push_back(a.index());
@@ -48,7 +48,7 @@ void require_moving(const Access& a, const char* call) {
         throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
 }
 
-// Adds an impulse; what exceeds the maximum speed is cut, and counted.
+// Adds a change of velocity, clamped to the maximum speed; clamped velocities are counted.
 void add_velocity(const Access& a, math::DVec3 dv, math::DVec3 dw) {
     BodyMotion& m = a.motion();
     auto add = [](math::Vec3& v, math::DVec3 d, float most) {
@@ -277,7 +277,7 @@ void Body::set_allow_sleep(bool allow) {
 
 namespace {
 
-// From now on the simulation has it as something static that nothing touches: its contacts and joints end.
+// Turns the body into a static one without contacts, from the simulation's view: its contacts and joints end.
 void leave_simulation(const Access& a) {
     State& s = a.s;
     wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
@@ -292,7 +292,7 @@ void leave_simulation(const Access& a) {
     s.bodies.settings[a.b].type = BodyType::static_;
 }
 
-// With the type of its own, unless it is disabled; contacts are found at the next step.
+// Gives the body its own type back unless it is disabled; its contacts are found at the next step.
 void enter_simulation(const Access& a) {
     State& s = a.s;
     if (!s.bodies.is_enabled(a.index())) return;
@@ -353,7 +353,7 @@ void Body::set_enabled(bool enabled) {
     for_each_joint(s.bodies, s.joints, a.index(), [&](std::uint32_t joint, int) {
         JointInfo& info = s.joints.info[joint];
         info.force = info.torque = {};
-        info.substep_time = 0; // what it bore is nothing to begin with later
+        info.substep_time = 0; // no warm start from impulses of before
     });
 }
 

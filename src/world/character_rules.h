@@ -1,4 +1,4 @@
-// What characters may be asked for.
+// Validation of character definitions and of characters in snapshots.
 #pragma once
 
 #include "state/character_state.h"
@@ -9,7 +9,7 @@ namespace cairn {
 
 // Throws Error(invalid_value).
 void validate(const CharacterDef& def);
-// Whether a snapshot has it as it may be.
+// Whether every member of a character read from a snapshot is within its valid range.
 bool is_sound_character(const Character& character);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Making bodies characters, and telling them where to go.
+// Creating and commanding characters.
 #include "bodies/finalize.h"
 #include "state/state.h"
 #include "world/character_rules.h"
@@ -11,9 +11,10 @@ namespace cairn {
 
 namespace {
 
-constexpr float greatest_slope = 1.57f, least_skin = 1e-4f, greatest_skin = 1.0f; // rad, m, m
-constexpr float greatest_length = 1e6f;                                           // m
-constexpr float greatest_walk = 1e15f;                                            // m/s
+// Ranges of CharacterDef: max_slope up to greatest_slope (rad), skin from least_skin to greatest_skin (m).
+constexpr float greatest_slope = 1.57f, least_skin = 1e-4f, greatest_skin = 1.0f;
+constexpr float greatest_length = 1e6f; // greatest step height and stick distance, m
+constexpr float greatest_walk = 1e15f;  // greatest speed of a walking command, m/s
 
 void require_within(std::string_view field, float value, float least, float most) {
     if (value >= least && value <= most) return;

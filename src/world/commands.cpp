@@ -1,4 +1,4 @@
-// Who is told of changes, and how they are made again.
+// Command listeners, and execution of recorded commands.
 #include "commands/execute.h"
 #include "world/impl.h"
 
@@ -11,7 +11,7 @@ bool is_untouched(const State& s) {
            s.fields.slots.size() == 0;
 }
 
-// For `command_name`, which asks for no argument.
+// The source for `command_name`, which reads no shape or snapshot argument.
 class NoSource final : public CommandSource {
   public:
     const Shape& shape(std::uint64_t) override { throw Error(ErrorCode::invalid_file, "command", "", "has no source"); }

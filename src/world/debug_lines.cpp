@@ -1,4 +1,4 @@
-// Lines that show what a world consists of.
+// Debug lines: a drawing of the bodies, contacts and joints of a world.
 #include "world/impl.h"
 #include "world/validate.h"
 #include "world/wireframe.h"
@@ -15,7 +15,7 @@ constexpr Vec3 static_color{0.6f, 0.6f, 0.6f}, kinematic_color{0.3f, 0.8f, 0.9f}
     asleep_color{0.45f, 0.5f, 0.75f}, trigger_color{0.4f, 0.85f, 0.4f}, bounds_color{0.8f, 0.35f, 0.8f},
     velocity_color{1.0f, 1.0f, 0.4f}, contact_color{1.0f, 0.25f, 0.2f}, joint_color{1.0f, 1.0f, 1.0f};
 constexpr Vec3 axis_colors[3] = {{0.9f, 0.2f, 0.2f}, {0.2f, 0.8f, 0.2f}, {0.3f, 0.4f, 1.0f}};
-constexpr float shown_time = 0.1f; // s: of velocities
+constexpr float shown_time = 0.1f; // A velocity is drawn as the distance covered in this time, s.
 
 Position at(const Transform& frame, const Vec3& point) {
     return frame.position + Position(glm::dquat(frame.rotation) * glm::dvec3(point));
@@ -83,7 +83,7 @@ class LineWriter {
         for (const Edge& edge : edges_) line(at(pose, edge.from), at(pose, edge.to), color);
     }
     void box(const Bounds& bounds) {
-        if (!std::isfinite(bounds.min.x) || !std::isfinite(bounds.max.x)) return; // of an infinite plane
+        if (!std::isfinite(bounds.min.x) || !std::isfinite(bounds.max.x)) return; // an infinite plane
         const auto corner = [&](int i) {
             return Position(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
                             i & 4 ? bounds.max.z : bounds.min.z);

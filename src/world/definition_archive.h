@@ -1,5 +1,6 @@
-// How snapshots keep what users define: member by member. Between the members of such a struct, and in an optional
-// without a value, is whatever the caller's memory held; two equal worlds must save equal bytes.
+// Serialization of user definitions (joints, shapes, materials, force fields, events), member by member rather than as
+// raw memory: padding between members and the storage of an empty optional contain arbitrary bytes, and two equal
+// worlds must save equal bytes.
 #pragma once
 
 #include "core/archive.h"
@@ -17,11 +18,11 @@
 
 namespace cairn {
 
-// What is archived member by member has as many of them as below.
+// Fails to compile when a struct that is archived member by member gains or loses a member.
 #define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
     static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
 
-// Handles are kept without the number of their world: the same run gives the same bytes in any world.
+// Handles are saved without their world number, so that the same run gives the same bytes in any world.
 template <class Tag> Handle<Tag> without_world(Handle<Tag> id) {
     return Handle<Tag>::make(id.index(), id.generation(), 0);
 }
@@ -57,7 +58,7 @@ CAIRN_DEFINED(8, JointDrive, f(d.kind), f(d.is_acceleration), f(d.axis), f(d.max
 CAIRN_DEFINED(2, GeneralJoint, f(d.limits), f(d.drives))
 #undef CAIRN_DEFINED
 
-// A value and all that is in it.
+// Archives a value and, recursively, its members.
 template <class Archive> struct DefinitionArchive {
     Archive& archive;
 
@@ -78,13 +79,14 @@ template <class Archive> struct DefinitionArchive {
         archive(count);
         if constexpr (Archive::reading) values.clear();
         for (std::uint64_t i = 0; i < count; ++i) {
-            if constexpr (Archive::reading) values.emplace_back(); // one by one: a wrong count ends with the bytes
+            // one at a time: a wrong count fails at the end of the bytes
+            if constexpr (Archive::reading) values.emplace_back();
             (*this)(values[std::size_t(i)]);
         }
     }
 };
 
-// The alternative of that number, counted from `I`; whether there is one.
+// Sets the joint to the alternative with this index, counted from `I`. Returns whether there is such an alternative.
 template <std::size_t I = 0> bool select_joint(Joint& joint, std::uint64_t index) {
     if constexpr (I < std::variant_size_v<Joint>) {
         if (index != I) return select_joint<I + 1>(joint, index);
@@ -113,7 +115,7 @@ template <class Archive> void serialize_joint_def(Archive& archive, JointDef& de
     std::visit([&](auto& joint) { DefinitionArchive<Archive>{archive}(joint); }, def.joint);
 }
 
-// --- Vectors of structs, kept as structs of the same without gaps.
+// --- Vectors of structs, archived as structs with the same members and no implicit padding.
 
 CAIRN_ARCHIVES_MEMBERS(7, Material);
 struct MaterialFields {

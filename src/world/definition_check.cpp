@@ -1,4 +1,4 @@
-// The definitions of a snapshot.
+// Validation of the definitions of a snapshot.
 #include "core/sound.h"
 #include "world/joint_rules.h"
 #include "world/state_check.h"
@@ -13,12 +13,12 @@ namespace {
 template <class... Values> bool are_finite(Values... values) { return (std::isfinite(values) && ...); }
 bool is_finite(math::Vec3 v) { return are_finite(v.x, v.y, v.z); }
 
-// Of a mass, or a moment of inertia, and its inverse. It may be infinite: then nothing moves the body.
+// A mass or moment of inertia and its inverse. An infinite value (inverse 0) means immovable.
 bool are_inverse(float value, float inverse) {
     return value >= 0 && inverse >= 0 && std::isfinite(inverse) && (std::isfinite(value) || inverse == 0);
 }
 
-// What users may give is checked where they give it; here it was given by a file.
+// Values that users pass to calls are validated there; these come from a file.
 template <class T> void validate_definition(const char* list, std::size_t at, const T& value) {
     try {
         validate(value);

@@ -1,4 +1,4 @@
-// Undoing and redoing: going to a state that was kept, and doing again what came after it.
+// Undo and redo: restores a kept state, then executes the commands after it again.
 #include <cairn/history.h>
 
 #include <deque>
@@ -10,7 +10,7 @@ namespace cairn {
 
 namespace {
 
-// Commands from one state that is kept to the next: what undoing may have to do again.
+// The number of commands between two kept states: the most that an undo may have to execute again.
 constexpr std::size_t most_between_states = 64;
 
 using Commands = std::vector<std::vector<std::byte>>;
@@ -35,22 +35,22 @@ class History::Log final : public CommandListener, public CommandSource {
     struct Change {
         std::string name;
         Commands commands;
-        std::optional<Snapshot> before; // of some
+        std::optional<Snapshot> before; // kept for some changes only
     };
     std::deque<Change> changes;
-    std::size_t done = 0;              // how many of them are not undone
-    Commands pending;                  // what was done since the last commit
-    std::optional<Snapshot> last_kept; // before `pending`, if a state is due there
-    std::size_t since_kept = 0;        // commands since a state was kept
+    std::size_t done = 0;              // number of changes that are not undone
+    Commands pending;                  // commands since the last commit
+    std::optional<Snapshot> last_kept; // the state before `pending`, if one is due there
+    std::size_t since_kept = 0;        // number of commands since the last kept state
     std::size_t most_bytes = 0;
-    bool is_going = false; // to another state: what is done then is none of the user's
+    bool is_going = false; // while commands of an undo or redo are executed, which are not the user's
 
     void on_command(std::span<const std::byte> command) override {
         if (!is_going) pending.emplace_back(command.begin(), command.end());
     }
     std::uint64_t number_of(const Shape& shape) override {
         const auto [found, is_new] = numbers_.try_emplace(geometry_of(shape), shapes_.size());
-        if (is_new) shapes_.push_back(shape); // which keeps what the address is of
+        if (is_new) shapes_.push_back(shape); // which keeps the geometry alive, and its address unique
         return found->second;
     }
     std::uint64_t number_of(const Snapshot& snapshot) override {
@@ -61,7 +61,7 @@ class History::Log final : public CommandListener, public CommandSource {
     const Shape& shape(std::uint64_t number) override { return shapes_.at(std::size_t(number)); }
     const Snapshot& snapshot(std::uint64_t number) override { return snapshots_.at(std::size_t(number)); }
 
-    // Makes the world what it was before change number `index`.
+    // Restores the world to its state before the change `index`.
     void go_to(World& world, std::size_t index) {
         const Going going(is_going);
         std::size_t from = index;
@@ -88,7 +88,7 @@ class History::Log final : public CommandListener, public CommandSource {
         for (const Snapshot& s : snapshots_) sum += s.bytes.size();
         return sum;
     }
-    // The oldest changes go, from one state that is kept to the next.
+    // Discards the oldest changes, always up to the next change with a kept state.
     void keep_within_budget() {
         while (bytes() > most_bytes) {
             std::size_t next = 1;
@@ -111,13 +111,13 @@ class History::Log final : public CommandListener, public CommandSource {
 
     std::deque<Shape> shapes_;
     std::unordered_map<const void*, std::uint64_t> numbers_;
-    std::deque<Snapshot> snapshots_; // that the user restored
+    std::deque<Snapshot> snapshots_; // snapshots that the user restored
 };
 
 History::History(World& world, std::size_t bytes) : log_(std::make_shared<Log>()) {
     log_->most_bytes = bytes;
     log_->last_kept = world.save();
-    log_->is_going = true; // it is told of the state, which it has
+    log_->is_going = true; // the listener is first notified of the initial state, which is kept already
     world.set_command_listener(log_);
     log_->is_going = false;
 }
@@ -131,7 +131,8 @@ bool History::commit(World& world, std::string name) {
     log.since_kept += log.pending.size();
     std::optional<Snapshot> next;
     if (log.since_kept >= most_between_states) next = world.save();
-    const bool was_undone = log.done < log.changes.size(); // then the state is that before what was undone last
+    // then the state before this change is the one before changes[done]
+    const bool was_undone = log.done < log.changes.size();
     Log::Change change{std::move(name), std::move(log.pending),
                        was_undone ? std::move(log.changes[log.done].before) : std::move(log.last_kept)};
     log.changes.erase(log.changes.begin() + std::ptrdiff_t(log.done), log.changes.end());

@@ -1,4 +1,4 @@
-// What a World holds: the simulation, and what only users see of it.
+// The contents of a World: the simulation state, and the data that only users read.
 #pragma once
 
 #include "commands/generated/calls.h"
@@ -35,13 +35,13 @@ struct World::Impl {
     std::vector<Shape> shape_of;                // by shape
     std::vector<ShapeDef> def_of;               // by shape
     std::vector<JointDef> joint_defs;           // by joint
-    std::atomic<bool> stepping{false};          // to notice calls from other threads
-    std::shared_ptr<Communicator> communicator; // the other ranks of this world; null: there are none
-    const char* failed_call = nullptr;          // what ran out of memory half way; null: nothing has
+    std::atomic<bool> stepping{false};          // detects calls from other threads during a step
+    std::shared_ptr<Communicator> communicator; // to the other ranks of this world; null: a single process
+    const char* failed_call = nullptr; // the call that ran out of memory while it changed the world; null: none
 
-    std::shared_ptr<CommandListener> listener; // is told of all changes; null: nobody is
-    std::vector<std::byte> command_bytes;      // of the command that it is told of
-    bool telling = false;                      // while it is told of one
+    std::shared_ptr<CommandListener> listener; // is notified of all changes; null: none
+    std::vector<std::byte> command_bytes;      // the command that the listener is notified of
+    bool telling = false;                      // while the listener is being notified
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;
@@ -49,44 +49,46 @@ struct World::Impl {
     std::uint32_t index_of(JointId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
-    // The state, for a query with that filter. Throws Error(invalid_handle) if it ignores a body that is not there.
+    // The state for a query with this filter. Throws Error(invalid_handle) if the filter ignores a body that does not
+    // exist.
     const State& seen_by(const QueryFilter& filter, const char* call) const {
         for (const BodyId id : filter.ignored_bodies) index_of(id);
         return whole(call);
     }
 
-    // What a shape is, but for its body. `def`: with a unit rotation.
+    // Sets everything about a shape except its body. The rotation of `def` must be a unit quaternion.
     void define_shape(std::uint32_t shape, Shape&& geometry, const ShapeDef& def);
-    // Makes one that is there another one; `def` may be that of any shape of this world.
+    // Replaces an existing shape; `def` may refer to the definition of any shape of this world.
     void replace_shape(std::uint32_t shape, Shape geometry, const ShapeDef& def);
 
-    // For snapshots: those of the last one if nothing has changed. May be called from many threads.
+    // The definitions for a snapshot: those of the last snapshot if they have not changed. Thread-safe.
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
     std::shared_ptr<const SnapshotDefinitions> last_definitions;
-    std::uint64_t last_definitions_hash = 0;         // of their bytes
+    std::uint64_t last_definitions_hash = 0;         // of the bytes of last_definitions
     std::atomic<std::size_t> last_snapshot_size = 0; // bytes
-    bool are_definitions_known = false; // they are `last_definitions`: nothing that they have has changed since
-    // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
+    bool are_definitions_known = false;              // `last_definitions` is current: no definition has changed since
+    // Takes over the shapes of a snapshot. Throws Error(invalid_file) unless they match the geometry in the state.
     void set_shapes(const std::vector<Shape>& shapes);
 
-    // Without any state yet. Throws Error(invalid_file).
+    // A world with these definitions and no state yet. Throws Error(invalid_file).
     static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
                                             const WorldDef& settings);
-    // Reads a state of the definitions that the world has, in place of its own. It comes from this process, and is
-    // right. That takes no memory anew; where memory runs out all the same, the world is good for nothing.
+    // Replaces the state by one with the same definitions, saved by this process and therefore trusted. Allocates no
+    // new memory in general; if memory runs out nevertheless, the world becomes unusable.
     void restore_in_place(ImageReader& reader);
-    // The same for bytes that anybody may have written: they are checked. What throws leaves the world as it was.
-    // `tell_of_it()`: called when nothing else can go wrong, it sees the world as it was.
+    // As above, from untrusted bytes, which are checked. On an exception the world stays unchanged. `tell_of_it()` is
+    // called when nothing else can fail, and sees the world before the change.
     template <class F> void restore_in_place(ArchiveReader& reader, F&& tell_of_it);
-    SetAside set_aside; // what the state was before the last of these, for its memory
-    // What belongs to the world, and not to its state.
+    SetAside set_aside; // the state before the last checked restore, kept for its memory
+    // Takes over from `other` the members that belong to the world rather than to its state: threads, communicator,
+    // listener.
     void take_over(Impl& other);
 
-    // Takes a joint out of the world; with an event, if it was not asked for.
+    // Removes a joint from the world; with an event if the user did not request the removal.
     void retire_joint(std::uint32_t joint, const std::optional<JointEvent>& event);
     void retire_joints_of(std::int32_t body);
-    void break_joints(); // those whose load in the last step was too much
+    void break_joints(); // joints whose load in the last step exceeded their limits
     JointEvent joint_event(std::uint32_t joint, bool broke) const;
 
     // Throws Error(wrong_state) while another thread is in a step.
@@ -98,17 +100,17 @@ struct World::Impl {
         return state;
     }
 
-    // Throws Error(wrong_state) while the listener is told of a change.
+    // Throws Error(wrong_state) while the listener is being notified of a change.
     void require_not_telling(const char* call) const;
-    // Tells the listener, if there is one. `command`: one of commands/generated/calls.h.
+    // Notifies the listener, if there is one. `command`: one from commands/generated/calls.h.
     template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
 
     void make_step(float dt);
-    void gather_records(); // of contacts, from all ranks, which do so together
+    void gather_records(); // collects contact records from all ranks; a collective operation
 
-    // A call that changes the world, with its arguments: one of the table (api), or it does not compile. It is allowed
-    // between steps only. What has been checked is done; from `begin` on, of which the listener is told, only running
-    // out of memory can stop it half way, and then the world is good for nothing but `World::restore`.
+    // A call that changes the world, with its arguments, which must match the call table in api/ to compile. Such calls
+    // are allowed between steps only. The arguments are checked before `begin`, which notifies the listener; after it
+    // only running out of memory can interrupt the change, and then the world accepts nothing but `World::restore`.
     template <class Command, class... Given> class Change {
         static_assert(std::is_same_v<std::tuple<Given...>, typename Command::Arguments>,
                       "the call has other arguments in the table");
@@ -164,9 +166,9 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
-// Characters that stand on a shape do so no more.
+// Clears the ground of characters that stand on this shape.
 void forget_ground(Characters& characters, std::uint32_t shape);
-// Takes a shape out of the world; its body still lists it. Characters on it forget it.
+// Removes a shape from the world, though its body still lists it; characters that stand on it lose their ground.
 void retire_shape(Shapes& shapes, BroadPhase& broad_phase, Characters& characters, std::uint32_t shape);
 
 inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }

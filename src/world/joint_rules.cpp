@@ -11,7 +11,7 @@ namespace {
 
 constexpr float pi = 3.14159265358979f;
 
-// Adds rows to the rules of one joint.
+// Adds constraint rows to the rules of one joint.
 class Builder {
   public:
     JointRules rules;
@@ -125,7 +125,7 @@ void build(Builder& b, const WheelJoint& j, float) {
     }
 }
 void build(Builder& b, const ServoJoint& j, float) {
-    // Its target is folded into frame A.
+    // The target pose is folded into frame A (fill_frames in joints.cpp).
     for (int i = 0; i < 3; ++i) Builder::set_spring(b.add(AxisKind::linear, i, i), j.linear, j.max_force);
     for (int i = 0; i < 3; ++i) Builder::set_spring(b.add(AxisKind::rotation, i, i), j.angular, j.max_torque);
 }
@@ -148,7 +148,7 @@ int count_of(const std::array<bool, 3>& axes) { return int(axes[0]) + int(axes[1
 int first_of(const std::array<bool, 3>& axes) { return axes[0] ? 0 : axes[1] ? 1 : 2; }
 int missing_of(const std::array<bool, 3>& axes) { return !axes[0] ? 0 : !axes[1] ? 1 : 2; }
 
-// Whether a limit holds all of its axes where the frames coincide.
+// Whether the limit locks its axes at zero, where the frames coincide.
 bool is_plain_lock(const JointLimit& limit) {
     return !limit.stiffness && limit.min && limit.max && *limit.min == 0 && *limit.max == 0;
 }
@@ -219,7 +219,8 @@ void build(Builder& b, const GeneralJoint& j, float) {
         const int column = column_of(limit);
         Builder::set_range(b.add(kind_of(limit), column, column), range);
     }
-    // About one free axis the angle is counted on; among several it is a part of the rotation vector.
+    // The angle about a single free axis is counted beyond full turns; among several free axes it is a component of the
+    // rotation vector.
     const AxisKind angular = count_of(locks.angular) == 2 ? AxisKind::twist : AxisKind::rotation;
     for (const JointDrive& drive : j.drives) {
         JointAxisRule& rule = row_for(b, drive.kind == JointAxis::linear ? AxisKind::linear : angular, drive.axis);
@@ -230,7 +231,7 @@ void build(Builder& b, const GeneralJoint& j, float) {
     }
 }
 
-// --- checks
+// --- Checks.
 
 using Field = const std::string&;
 

@@ -1,4 +1,4 @@
-// From a joint's definition to the rows that the solver has of it.
+// Translates the definition of a joint into the constraint rows of the solver.
 #pragma once
 
 #include "state/joint_state.h"
@@ -9,9 +9,9 @@ namespace cairn {
 
 // Throws Error(invalid_value) naming the field, its value and what was expected.
 void validate(const Joint& joint);
-void validate(const JointDef& def); // all but the handles
+void validate(const JointDef& def); // everything except the handles
 
-// The rows of a valid joint. `pulley_length`: that of a pulley which does not say.
+// The constraint rows of a valid joint. `pulley_length`: used for a pulley that does not specify its length.
 JointRules make_rules(const Joint& joint, float pulley_length);
 
 } // namespace cairn

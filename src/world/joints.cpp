@@ -22,7 +22,7 @@ void fill_frames(JointInfo& info, const JointDef& def) {
     info.anchor_b = to_math(def.frame_b.position);
     info.frame_a = rotation(def.frame_a.rotation);
     info.frame_b = rotation(def.frame_b.rotation);
-    if (const auto* servo = std::get_if<ServoJoint>(&def.joint)) { // its target is where frame A is taken to be
+    if (const auto* servo = std::get_if<ServoJoint>(&def.joint)) { // its target pose is folded into frame A
         info.anchor_a += math::rotate(info.frame_a, math::to_double(to_math(servo->position)));
         info.frame_a = math::normalized(info.frame_a * rotation(servo->rotation));
     }
@@ -46,7 +46,7 @@ float pulley_length(const Bodies& bodies, const JointInfo& info, const Joint& jo
     return float(a + double(pulley->ratio) * b);
 }
 
-// Pairs of the two bodies' shapes are asked for anew at the next step.
+// Pairs of shapes of these two bodies are filtered again at the next step.
 void refilter_pairs(const Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, const JointInfo& info) {
     if (!info.enabled || info.enable_collision || info.body_a == none || info.body_b == none) return;
     for (std::int32_t i = bodies.links[info.body_a].first_shape; i != none; i = shapes.links[i].next)
@@ -59,7 +59,7 @@ void forget_impulses(JointInfo& info, JointAxes& axes) {
     for (JointAxisState& axis : axes.states) axis = {};
 }
 
-// Rows of another make begin without impulses.
+// If the kinds of the constraint rows change, their impulses are reset.
 void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const JointRules& rules) {
     JointInfo& info = joints.info[index];
     JointAxes& axes = joints.axes[index];
@@ -71,8 +71,8 @@ void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const 
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
     ++joints.changes;
     if (!same) forget_impulses(info, axes);
-    if (locks.turn == JointLock::none && locks.axis_count == 0) info.torque = {}; // nothing counts it any more
-    for (int i = 0; i < locks.axis_count; ++i) {                                  // what is no more must not act on
+    if (locks.turn == JointLock::none && locks.axis_count == 0) info.torque = {}; // no row measures the torque then
+    for (int i = 0; i < locks.axis_count; ++i) { // impulses of removed rows must not act in a warm start
         JointAxisState& axis = axes.states[i];
         if (!rules.axes[i].has_limits) axis.lower = axis.upper = 0;
         if (!rules.axes[i].has_drive) axis.drive = 0;
@@ -82,7 +82,8 @@ void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const 
     for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].is_idle = 0;
 }
 
-// The rope's length counts from then on, also in the definition, so that it outlives a change of the joint and a file.
+// Stores the rope length measured at creation in the definition too, so that changes of the joint and saved files keep
+// it.
 void keep_pulley_length(Joint& joint, float length) {
     auto* pulley = std::get_if<PulleyJoint>(&joint);
     if (pulley && !pulley->length && length > 0) pulley->length = length;
@@ -97,7 +98,7 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
-    are_definitions_known = false; // also in a step
+    are_definitions_known = false; // needed here because joints also break within a step
     refilter_pairs(s.bodies, s.shapes, s.broad_phase, s.joints.info[index]);
     deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
     unlink_joint(s.bodies, s.joints, index);
@@ -142,7 +143,7 @@ JointId World::create_joint(const JointDef& def) {
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
     require_slot(s.joints.slots, "World::create_joint");
-    JointDef given(def); // it may be one of this world, whose list grows
+    JointDef given(def); // `def` may refer to an element of joint_defs, which grows
     given.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
     given.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
     change.begin();
@@ -244,7 +245,7 @@ void World::set_joint_enabled(JointId id, bool enabled) {
     impl_->joint_defs[index].enabled = enabled;
     if (enabled) {
         info.enabled = 1;
-        // The angles of its axes are counted from where its bodies are now.
+        // Angles are counted from the current pose of the bodies.
         const Joint& own = impl_->joint_defs[index].joint;
         set_rules(s.bodies, s.joints, index, make_rules(own, pulley_length(s.bodies, info, own)));
         activate_joint(s.bodies, s.islands, s.joints, s.events, index);

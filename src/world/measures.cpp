@@ -20,7 +20,7 @@ template <class F> void for_each_dynamic(const Bodies& bodies, F&& f) {
         if (bodies.slots.is_live(i) && bodies.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
 }
 
-// What is immovable has no share in sums over masses.
+// The mass of a body for sums over masses; immovable bodies count as zero.
 double summed_mass(const Bodies& bodies, std::int32_t b) {
     const BodyMass& mass = bodies.mass[b];
     return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
@@ -37,7 +37,8 @@ Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts&
                 bodies.id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
-                std::max(int(c.point_count), 1), // of an impact the solver has no points: the record has the one of it
+                // an impact has one point, stored in the record but not counted by the solver
+                std::max(int(c.point_count), 1),
                 {},
                 c.surface_material};
     for (int i = 0; i < out.point_count; ++i) {

@@ -1,4 +1,4 @@
-// Ray casts, shapes whose bounds overlap a box, and the boxes that these are found by.
+// Ray casts, box overlaps, and bounding boxes.
 #include "bodies/bodies.h"
 #include "state/state.h"
 #include "world/impl.h"
@@ -76,7 +76,7 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
         if (!sight.sees(shape)) return max;
         const auto hit = cast_at_shape(s.shapes, shape, ray, max);
-        // Of two at the same distance the one with the lower index counts, in whatever order they come.
+        // Of two hits at the same distance, the shape with the lower index wins, whatever the order of the tests.
         if (!hit || (best && hit->distance == best->distance && shape > best_shape)) return max;
         best = hit;
         best_shape = shape;

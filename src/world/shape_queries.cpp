@@ -1,4 +1,4 @@
-// Shape casts, closest points and overlaps.
+// Shape casts, closest points and shape overlaps.
 #include "queries/query_frame.h"
 #include "shapes/convex_query.h"
 #include "world/impl.h"
@@ -14,7 +14,7 @@ using math::DVec3;
 
 namespace {
 
-// The first hit of a shape that starts at the query's origin.
+// A shape cast: finds the first hit of a convex shape that starts at the query's origin.
 class ShapeCast {
   public:
     ShapeCast(const Shapes& shapes, DVec3 origin, const QuerySolid& moving, DVec3 translation)
@@ -22,7 +22,7 @@ class ShapeCast {
           square_(math::dot(translation, translation)), half_way_(center_ + 0.5 * translation),
           reach_(math::length(moving.bounds.hi - moving.bounds.lo) + std::sqrt(square_)) {}
 
-    // Up to a fraction of the translation.
+    // The hit on a shape at a fraction of the translation up to `limit`, if any.
     std::optional<ConvexHit> against(std::uint32_t shape, double limit) const {
         const PosedInQuery still(shapes_, shape, origin_);
         switch (still.geometry.type) {
@@ -46,7 +46,7 @@ class ShapeCast {
         if (!start) return std::nullopt;
         return cast_convex(moving_.convex, translation_, convex(still), limit, *start);
     }
-    // Of a convex shape that it overlaps at the start.
+    // The hit on a convex shape that overlaps the moving shape at the start.
     ConvexHit from_within(std::uint32_t shape) const {
         return overlap_hit(moving_.convex, convex(PosedInQuery(shapes_, shape, origin_)));
     }
@@ -54,23 +54,23 @@ class ShapeCast {
   private:
     Convex convex(const PosedInQuery& still) const { return still.convex(half_way_, reach_); }
 
-    // Where the balls around both meet first, if they do.
+    // The first time at which the bounding spheres of both shapes touch, if they do.
     std::optional<Approach> where_balls_meet(const PosedInQuery& still, double limit) const {
-        constexpr double rounding = 1e-5; // of their radii, which are floats
+        constexpr double rounding = 1e-5; // relative error of the radii, which are floats
         const DVec3 to = still.middle() - center_;
         const double radii = moving_.radius + double(still.geometry.bounding_radius),
                      square = radii * radii * (1 + rounding);
-        if (math::dot(to, to) <= square) return Approach{to}; // from the start
+        if (math::dot(to, to) <= square) return Approach{to}; // spheres that overlap at the start
         const double along = math::dot(to, translation_);
         if (!(along > 0)) return std::nullopt;
-        const DVec3 off = to - (along / square_) * translation_; // where they are nearest
+        const DVec3 off = to - (along / square_) * translation_; // at closest approach
         const double inside = square - math::dot(off, off);
         if (!(inside >= 0)) return std::nullopt;
         const double at = along / square_ - std::sqrt(inside / square_);
         if (at > limit) return std::nullopt;
         return Approach{to - at * translation_, std::max(at, 0.0)};
     }
-    // The part of the way, as fractions of it up to `limit`, on which the bounds of both meet.
+    // The interval of the translation, in fractions up to `limit`, in which the bounding boxes overlap.
     std::optional<std::array<double, 2>> where_bounds_meet(const DBounds& still, double limit) const {
         double first = 0, last = limit;
         for (int i = 0; i < 3; ++i) {
@@ -87,7 +87,8 @@ class ShapeCast {
         if (!(first <= last + rounding)) return std::nullopt;
         return std::array{std::max(first - rounding, 0.0), std::min(last + rounding, limit)};
     }
-    // Piece by piece of the way, each about as long as the shape is large, so that few triangles are near.
+    // The translation is split into pieces of about the size of the moving shape, so that each is tested against few
+    // triangles.
     std::optional<ConvexHit> against_triangles(const PosedInQuery& still, double limit) const {
         constexpr double most_pieces = 256;
         const auto part = where_bounds_meet(
@@ -133,14 +134,14 @@ class ShapeCast {
     const Shapes& shapes_;
     DVec3 origin_;
     const QuerySolid& moving_;
-    DVec3 center_; // of a ball around it
+    DVec3 center_; // of the bounding sphere of the moving shape
     DVec3 translation_;
     double square_;
-    DVec3 half_way_; // and all that it meets is no farther from there than the reach
+    DVec3 half_way_; // middle of the swept region; everything that the cast may hit lies within reach_ of it
     double reach_;
 };
 
-// The point of a shape nearest to the query's origin, up to a distance.
+// The point of a shape nearest to the query's origin, within a distance of `most`.
 std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
     if (shape.geometry.type == ShapeType::plane) {
         const DVec3 up = shape.up();
@@ -150,8 +151,8 @@ std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
         return nearest.distance <= most ? std::optional(nearest) : std::nullopt;
     }
     if (shape.geometry.type < ShapeType::mesh) return nearest_point(shape.convex({}, 0), {}, most);
-    // Within twice the distance again and again, so that few triangles are near: from the bounds of all and about the
-    // size of one on.
+    // Searches within a radius that doubles each time, so that few triangles are tested. It starts at the distance to
+    // the bounds of the whole surface plus about the size of one triangle.
     const bool is_mesh = shape.geometry.type == ShapeType::mesh;
     const double count = is_mesh ? triangle_count(mesh_of(shape.data)) : triangle_count(height_field_of(shape.data));
     const DBounds bounds =
@@ -172,7 +173,7 @@ std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
     }
 }
 
-// Whether a convex shape has a point in common with another shape.
+// Whether a convex shape overlaps another shape.
 bool meets(const QuerySolid& asking, const PosedInQuery& other) {
     switch (other.geometry.type) {
     case ShapeType::plane: {
@@ -191,7 +192,7 @@ bool meets(const QuerySolid& asking, const PosedInQuery& other) {
     default: {
         const double radii = asking.radius + double(other.geometry.bounding_radius);
         const DVec3 to = other.middle() - middle(asking.convex);
-        constexpr double rounding = 1e-5; // of radii, which are floats
+        constexpr double rounding = 1e-5; // relative error of the radii, which are floats
         const bool is_far = math::dot(to, to) > radii * radii * (1 + rounding);
         if (is_far && other.geometry.type != ShapeType::rectangle) return false;
         return cairn::overlap(asking.convex,
@@ -220,7 +221,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     std::uint32_t met = 0;
     s.broad_phase.query_sweep(
         {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
-            // Of two at the same fraction the one with the lower index counts, in whatever order they come.
+            // Of two hits at the same fraction, the shape with the lower index wins, whatever the order of the tests.
             if (!sight.sees(other) || (limit == 0 && best && other > met)) return limit;
             const auto hit = cast.against(other, limit);
             if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
@@ -239,7 +240,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
                                                  const QueryFilter& filter) const {
     require_position("World::closest_point point", point);
     if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
-    const double most = std::min(max_distance, 1e15); // as far as positions reach
+    const double most = std::min(max_distance, 1e15); // the range of positions, m
     const DVec3 origin = to_math(point);
     const State& s = impl_->seen_by(filter, "World::closest_point");
     const Sight sight(s, filter);

@@ -13,7 +13,6 @@ namespace cairn {
 
 namespace {
 
-// Unlinks a shape from its body's list.
 void unlink_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape) {
     ShapeLinks& links = shapes.links[shape];
     BodyLinks& body = bodies.links[links.body];
@@ -40,8 +39,8 @@ void link_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape, std::int32_
     owner.last_shape = std::int32_t(shape);
 }
 
-// What a density makes of the body's mass must be a mass that could have been given. `replaced`: the shape of the body
-// that goes, or none.
+// The mass that a body gets from the densities of its shapes must be within the range of masses that users may set.
+// `replaced`: the shape of the body that is replaced, or none.
 void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, std::int32_t replaced,
                            const Shape& shape, const ShapeDef& def) {
     const BodyMass& mass = bodies.mass[body];
@@ -62,7 +61,8 @@ void require_still_surface(const char* field, const Vec3& velocity) {
                     "must be zero on a dynamic body: only surfaces of static and kinematic ones may move");
 }
 
-// What holds things from one side has that side as a whole, and does not move by forces.
+// A one-way shape must present a side as a whole, unlike infinite planes, meshes and height fields, and must not move
+// by forces.
 void require_ends(ShapeType type, bool is_dynamic, const Vec3& one_way) {
     if (one_way == Vec3(0.0f)) return;
     if (is_dynamic)
@@ -73,7 +73,8 @@ void require_ends(ShapeType type, bool is_dynamic, const Vec3& one_way) {
                     "must be zero for infinite planes, meshes and height fields");
 }
 
-// The frame of the geometry is that of the shape, but for planes, whose normal is its y axis.
+// Surface velocity and one-way direction in the frame of the geometry. It is the frame of the shape, except for planes,
+// whose geometry has its normal as y axis.
 ShapeTraits make_traits(const Geometry& geometry, const ShapeDef& def) {
     const auto in_geometry = [&](const Vec3& v) {
         if (v == Vec3(0.0f)) return math::Vec3{};
@@ -91,7 +92,7 @@ ShapeTraits make_traits(const Geometry& geometry, const ShapeDef& def) {
     return traits;
 }
 
-// Whether a body may have that shape. `replaced`: as above.
+// Throws unless the body may have this shape. `replaced`: as for require_mass_in_range.
 void require_fit(const State& s, std::int32_t body, std::int32_t replaced, const Shape& shape, const ShapeDef& def,
                  const char* argument) {
     validate(shape);
@@ -117,7 +118,7 @@ bool is_same(const CollisionFilter& a, const CollisionFilter& b) {
     return a.layers == b.layers && a.collides_with == b.collides_with;
 }
 
-// Whether what meets a shape is found and tested as before when it becomes another.
+// Whether a shape can change from `a` to `b` without a change in how its pairs are found and tested.
 bool is_tested_alike(const Geometry& a, const Geometry& b) {
     return a.type == b.type && has_wide_kernels(a) == has_wide_kernels(b) && a.is_double_sided == b.is_double_sided;
 }
@@ -152,7 +153,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     State& s = impl_->state;
     require_fit(s, b, none, shape, def, "World::add_shape shape");
     require_slot(s.shapes.slots, "World::add_shape");
-    Shape own(shape); // both may be a part of this world, whose lists grow
+    Shape own(shape); // both may refer to elements of this world's lists, which grow
     const ShapeDef own_def = with_unit_rotation(def);
     change.begin();
     const std::uint32_t i = s.shapes.slots.create();
@@ -198,14 +199,14 @@ void World::Impl::replace_shape(std::uint32_t i, Shape shape, const ShapeDef& gi
                        kinds_stay(s.shapes, s.contacts, i, changed);
     wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     wake_body(s.bodies, s.islands, s.events, b);
-    if (!stays) { // its contacts end, and are found anew at the next step
+    if (!stays) { // its contacts end and are found again at the next step
         s.broad_phase.remove(i);
         update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
     }
     define_shape(i, std::move(shape), def);
     refresh_mass(s.bodies, s.shapes, s.joints, b);
     place_shapes(s.bodies, s.shapes, b);
-    spend_budget(s.bodies, b); // all that it may meet is tested anew
+    spend_budget(s.bodies, b); // every pair of the body is tested again
     if (stays) {
         renew_contacts(s.shapes, s.contacts, i);
         renew_proxy(s.bodies, s.shapes, s.broad_phase, i);
@@ -240,7 +241,7 @@ const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_-
 Transform World::shape_transform(ShapeId id) const {
     const std::uint32_t i = impl_->index_of(id);
     const State& s = impl_->state;
-    // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
+    // The rotation of the shape as the user defined it: that of a plane's geometry includes the rotation to its normal.
     const BodyMotion& motion = s.bodies.motion[s.shapes.links[i].body];
     const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
     return {to_public(shape_position(s.shapes.poses[i])), to_public(math::to_float(math::normalized(q)))};

@@ -1,4 +1,4 @@
-// What queries see.
+// The visibility of shapes to queries.
 #pragma once
 
 #include "state/state.h"
@@ -7,7 +7,7 @@
 
 namespace cairn {
 
-// Which shapes a query sees. Of a state and a filter that stay as they are.
+// Decides which shapes a query sees. Keeps references to the state and the filter, which must not change meanwhile.
 class Sight {
   public:
     Sight(const State& state, const QueryFilter& filter);
@@ -22,7 +22,7 @@ class Sight {
     bool passes(const CollisionFilter& layers, std::int32_t body) const;
     const State& state_;
     const QueryFilter& filter_;
-    bool sees_all_others_; // than triggers
+    bool sees_all_others_; // no filter applies to shapes other than triggers
 };
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Saving a world and bringing it back.
+// Saving and restoring worlds.
 #include "bodies/bodies.h"
 #include "core/archive.h"
 #include "core/fields.h"
@@ -26,10 +26,12 @@ namespace {
 
 using Header = SnapshotHeader;
 
-// Of what is archived as it lies in memory. A member may take the place of padding: the size does not show it.
+// Hashes the member counts of structs that are archived as raw memory: a new member may fit into padding without a
+// change of size.
 template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_count<Plain>()), ...); }
 
-// Layouts that a snapshot depends on: one from another build is refused rather than misread.
+// A hash of the memory layouts that a snapshot depends on, so that a snapshot of another build is refused rather than
+// misread.
 std::uint64_t layout() {
     Hash64 hash;
     add_field_counts<BodyMotion, CountedPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
@@ -43,7 +45,7 @@ std::uint64_t layout() {
     return hash.value();
 }
 
-// --- what they do not change
+// --- Definitions, which steps do not change.
 
 template <class Archive> void serialize_defined_joints(Archive& archive, Joints& joints) {
     struct Defined {
@@ -87,7 +89,7 @@ template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
     std::uint32_t world = s.bodies.slots.world();
-    archive(world); // first of all: snapshot_header.h
+    archive(world); // must be first: see least_world in snapshot_header.h
     if constexpr (Archive::reading) s.set_world(world);
     serialize_settings(archive, s.settings);
     s.bodies.slots.serialize(archive), s.shapes.slots.serialize(archive);
@@ -159,12 +161,12 @@ std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const
 void World::Impl::restore_in_place(ImageReader& reader) {
     gather_records();
     state.contacts.owners = {};
-    failed_call = "World::restore"; // in case that memory runs out
+    failed_call = "World::restore"; // until this function succeeds: memory may run out
     state.statistics = {};
     serialize_state(reader, state, [](StatePart) {});
     name_world_in_events(state);
     state.events.forget();
-    ++state.joints.changes; // what was found out about joints was so in another state
+    ++state.joints.changes; // cached results about joints belong to the replaced state
     failed_call = nullptr;
 }
 
@@ -185,7 +187,7 @@ template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&&
         name_world_in_events(state);
         reader.end();
         check_state(state);
-        state.bodies.pushed.reserve(state.bodies.forces.capacity()); // pushing allocates nothing
+        state.bodies.pushed.reserve(state.bodies.forces.capacity()); // so that adding to it never allocates
     } catch (...) {
         exchange();
         state.statistics = before;
@@ -204,7 +206,7 @@ template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&&
 }
 
 void World::Impl::take_over(Impl& other) {
-    if (other.failed_call) { // half way through a step, whose memory is in no order
+    if (other.failed_call) { // in the middle of a step, whose scratch memory is inconsistent
         step.thread_pool = std::move(other.step.thread_pool);
     } else {
         step = std::move(other.step);
@@ -220,7 +222,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
     if (are_definitions_known) return last_definitions;
     auto now = std::make_shared<SnapshotDefinitions>();
     ArchiveWriter archive(now->bytes);
-    serialize_definitions(archive, *this); // a writer changes nothing
+    serialize_definitions(archive, *this); // writing changes nothing
     const bool is_unchanged =
         last_definitions && last_definitions->bytes == now->bytes &&
         std::equal(shape_of.begin(), shape_of.end(), last_definitions->shapes.begin(), last_definitions->shapes.end(),
@@ -242,12 +244,12 @@ Snapshot World::save() const {
     snapshot.definitions = impl_->definitions();
     Header header;
     const std::size_t last_size = impl_->last_snapshot_size;
-    snapshot.bytes.reserve(last_size + last_size / 8); // rather than to move what is there, again and again
+    snapshot.bytes.reserve(last_size + last_size / 8); // avoids repeated reallocation
     snapshot.bytes.resize(sizeof header);
     ArchiveWriter archive(snapshot.bytes);
     std::size_t last = snapshot.bytes.size();
     std::array<std::uint64_t, 5> sizes{};
-    serialize_state(archive, impl_->state, [&](StatePart part) { // changes nothing
+    serialize_state(archive, impl_->state, [&](StatePart part) { // writing changes nothing
         sizes[std::size_t(part)] = snapshot.bytes.size() - last;
         last = snapshot.bytes.size();
     });
@@ -323,7 +325,7 @@ void World::restore(const Snapshot& snapshot) {
     impl_ = std::move(fresh);
 }
 
-// What a ring of snapshots has.
+// Restores a state from a SnapshotRing.
 void World::restore_image(const StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions) {
     ImageReader reader(image);
     if (!impl_->listener && !impl_->failed_call && impl_->definitions() == definitions)

@@ -1,4 +1,4 @@
-// What comes before the state in a snapshot's bytes.
+// The header of a snapshot's bytes, before the state.
 #pragma once
 
 #include "core/hash.h"
@@ -15,12 +15,13 @@ inline constexpr std::uint64_t snapshot_magic = 0x34316e7269616321ull; // "!cair
 
 struct SnapshotHeader {
     std::uint64_t magic = 0, layout = 0;
-    std::uint64_t definitions = 0;                                       // their hash
-    std::uint64_t checksum = 0;                                          // of all that follows
+    std::uint64_t definitions = 0;                                       // hash of the definitions' bytes
+    std::uint64_t checksum = 0;                                          // of the header and all bytes after it
     std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
 };
 
-// Definitions begin with the number of the world, of 4 bytes: nothing else in a snapshot depends on it.
+// World number written by `without_world`. The definitions begin with the world number (4 bytes), and nothing else in a
+// snapshot depends on it.
 inline constexpr std::uint32_t least_world = 1;
 
 inline std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
@@ -29,7 +30,7 @@ inline std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
     return sum.value();
 }
 
-// In four parts, as each word waits for the one before it in its part.
+// Computed in four independent parts, since each word of a part has to wait for the one before it.
 inline std::uint64_t checksum_of(SnapshotHeader header, const std::vector<std::byte>& snapshot) {
     std::array<Hash64, 4> parts;
     header.checksum = 0;

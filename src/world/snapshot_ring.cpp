@@ -1,4 +1,4 @@
-// The last states of a world.
+// A ring of the most recent states of a world.
 #include "core/image_archive.h"
 #include "world/impl.h"
 #include "world/state_archive.h"
@@ -13,12 +13,12 @@ namespace cairn {
 struct SnapshotRing::Ring {
     struct Frame {
         std::shared_ptr<const SnapshotDefinitions> definitions;
-        StateDelta back; // from the image of the next one to that of this one; of the last one: not yet
+        StateDelta back; // from the image of the next frame to that of this one; empty for the newest
     };
     std::size_t capacity = 0;
-    StateImage image;            // of the last frame
-    std::deque<Frame> frames;    // the oldest first
-    std::vector<std::byte> room; // in which deltas are written
+    StateImage image;            // of the newest frame
+    std::deque<Frame> frames;    // oldest first
+    std::vector<std::byte> room; // scratch memory for writing deltas
 };
 
 SnapshotRing::SnapshotRing(std::size_t frames) : ring_(std::make_unique<Ring>()) {
@@ -39,10 +39,10 @@ void SnapshotRing::push(const World& world) {
         std::shared_ptr<const SnapshotDefinitions> definitions = impl.definitions();
         if (ring.frames.size() == ring.capacity) ring.frames.pop_front();
         ImageWriter archive(ring.image, ring.room);
-        serialize_state(archive, impl.state, [](StatePart) {}); // changes nothing of it
+        serialize_state(archive, impl.state, [](StatePart) {}); // writing changes nothing in the state
         if (!ring.frames.empty()) ring.frames.back().back = archive.delta();
         ring.frames.push_back({std::move(definitions), {}});
-    } catch (...) { // the image is of no state
+    } catch (...) { // the image may be incomplete
         clear();
         throw;
     }

@@ -1,4 +1,4 @@
-// What steps change of a state, to and from an archive: of snapshots (core/archive.h) or of a ring of them.
+// Serialization of the state that steps change, for snapshots (core/archive.h) and for rings of snapshots.
 #pragma once
 
 #include "bodies/bodies.h"
@@ -22,7 +22,7 @@ namespace cairn {
     throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
 }
 
-// Where a shape is if its body was not put elsewhere since the last step.
+// The pose that a shape has unless its body was moved by the user since the last step.
 inline ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::size_t shape) {
     ShapePose pose{};
     if (shape >= shapes.links.size() || shape >= shapes.geometry.size()) return pose;
@@ -59,8 +59,8 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
 
 static_assert(sizeof(ContactRecord) == 192, "ContactRecord has another member: used_record keeps or clears it");
 
-// The record of a contact without what it had while it had more points: pairs that have parted keep it, and places that
-// are not in use, until it is written over. In a heap that is nearly half of all.
+// The contact record reduced to the members in use. Contacts that have separated, unused slots, and contacts that had
+// more points before keep stale data until it is overwritten; in a pile this is nearly half of all records.
 inline const ContactRecord& used_record(const ContactInfo& c, const ContactRecord& r, ContactRecord& room) {
     if (c.in_use && c.point_count > 1) return r;
     room = {};
@@ -78,8 +78,8 @@ inline const ContactRecord& used_record(const ContactInfo& c, const ContactRecor
     room.approach_speed = r.approach_speed;
     if (c.kind == PairKind::box_box || c.kind == PairKind::convex_convex) room.features = r.features;
     if (c.touching || c.kind >= PairKind::convex_plane)
-        std::copy_n(r.normal, 3, room.normal); // the next test's first guess
-    if (c.touching) {                          // by an impact: it has left a point, which the solver does not have
+        std::copy_n(r.normal, 3, room.normal); // initial guess of the next test
+    if (c.touching) { // touches by an impact, which records a contact point that the solver does not have
         std::copy_n(r.first_point, 4, room.first_point);
         room.first_total = r.first_total;
     }
@@ -106,7 +106,7 @@ static_assert(field_count<JointInfo>() == 26, "JointInfo has another member: if 
                                               "moving_part, serialize_joints and serialize_defined_joints name it");
 static_assert(field_count<JointAxes>() == 2, "JointAxes has another member: archive it with states or with rules");
 
-// Without what a joint is defined by.
+// A joint without the members that its definition determines.
 inline JointInfo moving_part(const JointInfo& joint) {
     JointInfo moving = joint;
     moving.anchor_a = moving.anchor_b = moving.ground_a = moving.ground_b = {};
@@ -139,7 +139,7 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
     }
 }
 
-// What the last step has counted; the rest of the statistics follows from the state. Times are of one run.
+// Counters of the last step. Other statistics follow from the state, and times differ from run to run.
 CAIRN_ARCHIVES_MEMBERS(21, Statistics);
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
     archive(s.steps), archive(s.time), archive(s.clamped_speeds);
@@ -149,7 +149,7 @@ template <class Archive> void serialize_counters(Archive& archive, State& s) {
     serialize_fields(archive, s.events.joints.next), serialize_fields(archive, s.events.sleeps.next);
 }
 
-// In events that were read: their handles are kept without.
+// Sets the world number in the handles of events that were read, as handles are saved without it.
 inline void name_world_in_events(State& s) {
     const auto name = [world = s.bodies.slots.world()](auto&... ids) { (name_world(ids, world), ...); };
     for (ContactEnd& e : s.events.ends.next) name(e.shape_a, e.shape_b, e.body_a, e.body_b);
@@ -158,10 +158,10 @@ inline void name_world_in_events(State& s) {
     for (SleepEvent& e : s.events.sleeps.next) name(e.body);
 }
 
-// What a snapshot's bytes are for, in their order.
+// The parts of a snapshot's bytes, in order.
 enum class StatePart : std::uint8_t { bodies, contacts, joints, broad_phase, other };
 
-// Calls `end_part(part)` behind each.
+// Calls `end_part(part)` after each part.
 template <class Archive, class F> void serialize_state(Archive& archive, State& s, F&& end_part) {
     serialize_bodies(archive, s), end_part(StatePart::bodies);
     serialize_contacts(archive, s), end_part(StatePart::contacts);

@@ -13,7 +13,7 @@ namespace cairn {
 
 namespace {
 
-// Linear in the size of the state. Lists are walked by both of their links, so that none comes back to where it was.
+// Runs in linear time. Linked lists are verified in both directions, so that a list cannot loop.
 class StateCheck final : PairReader {
   public:
     explicit StateCheck(State& s)
@@ -36,7 +36,7 @@ class StateCheck final : PairReader {
     }
 
   private:
-    // What a body's links say of its contacts and joints, found anew.
+    // Contact and joint counts and used colors of a body, recomputed to be compared with its links.
     static constexpr int shape_classes = 2 * (int(ShapeType::height_field) + 1);
     struct Counted {
         std::int32_t contacts = 0, joints = 0;
@@ -232,7 +232,7 @@ class StateCheck final : PairReader {
     }
     bool is_moved(std::int32_t b) const { return b != none && bodies_.is_dynamic(b); }
 
-    // Of what is solved, if it is.
+    // Checks the color of a contact or joint: a valid graph color if it is solved, else no_color.
     static void require_color(const char* list, std::size_t at, std::uint8_t color, bool is_solved, bool both_move) {
         const bool is_of_those =
             color == overflow_color ||
@@ -364,7 +364,8 @@ class StateCheck final : PairReader {
         }
     }
 
-    // Each contact that is no patch belongs to one pair: that is noted first, as the pairs name them in no order.
+    // Each contact that is not a patch belongs to exactly one pair. The pairs are recorded first, as they come in no
+    // particular order.
     struct ShapePair {
         std::uint32_t a, b;
     };
@@ -376,15 +377,15 @@ class StateCheck final : PairReader {
         ++pairs_;
     }
 
-    // The kind of a pair follows from the types of the shapes, and whether wide kernels know them; but of what is small
-    // on what is large and round.
+    // The kind of a pair follows from the shape types and from whether wide kernels support the shapes, except for a
+    // small shape on the curved side of a large one. Cached by shape class.
     PairKind kind_of(std::uint32_t shape_a, std::uint32_t shape_b) {
         if (rests_on_round_side(shapes_.geometry[shape_a], shapes_.geometry[shape_b])) return PairKind::convex_convex;
         const std::uint8_t a = class_of_[shape_a], b = class_of_[shape_b];
         std::optional<PairKind>& known = kinds_[a][b];
         bool swapped = false;
         if (!known) known = pair_kind(shapes_.geometry[shape_a], shapes_.geometry[shape_b], swapped);
-        return known.value_or(PairKind::patch); // of two surfaces: none
+        return known.value_or(PairKind::patch); // two surfaces, which have no pair kind
     }
     void classify_shapes() {
         class_of_.resize(shape_count_);
@@ -394,7 +395,7 @@ class StateCheck final : PairReader {
         }
     }
 
-    // Shapes are held by the broad phase as their bodies say.
+    // Checks that the broad phase lists each shape according to the state of its body.
     void check_whereabouts() const {
         using Whereabouts = BroadPhase::State;
         for (std::uint32_t i = 0; i < shape_count_; ++i) {
@@ -456,7 +457,7 @@ class StateCheck final : PairReader {
     const Joints& joints_;
     const std::size_t body_count_, shape_count_;
     std::size_t in_islands_ = 0, ends_ = 0, patches_ = 0, pairs_ = 0, groups_and_pairs_ = 0;
-    std::vector<std::uint8_t> key_wakes_; // by island: the broad phase is to be told that it is awake
+    std::vector<std::uint8_t> key_wakes_; // by island: whether the broad phase has yet to be told that it is awake
     std::vector<std::uint8_t> seen_;      // by contact
     std::vector<ShapePair> pair_of_;      // by contact
     std::vector<std::uint8_t> class_of_;  // by shape

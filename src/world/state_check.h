@@ -1,5 +1,6 @@
-// Snapshots come from files, and from who would like to harm: whatever a later step or query follows is checked before
-// a world takes it. What holds between any two calls of a World stands here in one place.
+// Validation of snapshots, which come from files and may be malicious: everything that a later step or query relies on
+// is checked before a world accepts it. This is also the one list of invariants that hold between any two calls of a
+// World.
 #pragma once
 
 #include "state/state.h"
@@ -12,7 +13,7 @@
 
 namespace cairn {
 
-// What users define, as a snapshot's definitions have it, beside the state.
+// User definitions from a snapshot that are not part of the state.
 struct CheckedDefinitions {
     const std::vector<std::string>& names;
     const std::vector<std::uint64_t>& user_data;
@@ -20,8 +21,8 @@ struct CheckedDefinitions {
     const std::vector<JointDef>& joint_defs;
 };
 
-// Both throw Error(invalid_file), naming what it is, its value and what was expected. The first goes before anything is
-// read by what is defined; the second needs definitions that have been checked.
+// Both throw Error(invalid_file), naming the member, its value and the expected value. check_definitions must run
+// before any data is read whose layout depends on definitions; check_state requires checked definitions.
 void check_definitions(const State& state, const CheckedDefinitions& definitions);
 void check_state(State& state);
 

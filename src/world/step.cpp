@@ -1,5 +1,4 @@
-// One step, top to bottom. Each line is a stage; each stage is a file. A step is one pass through them; while
-// something whirls and touches (see bodies/motion_budget.h), it is several.
+// One step, from top to bottom: each line is a stage, and each stage has a file of its own.
 #include "bodies/finalize.h"
 #include "bodies/fluids.h"
 #include "bodies/motion_budget.h"
@@ -27,7 +26,7 @@ namespace cairn {
 
 namespace {
 
-// Measures the stages one after another.
+// Measures the time of consecutive stages.
 class StageClock {
   public:
     double lap() {
@@ -43,7 +42,7 @@ class StageClock {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-// Other calls that change the world are refused while it lives.
+// While an object of this class exists, other calls that change the world are refused.
 class Busy {
   public:
     explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
@@ -53,7 +52,7 @@ class Busy {
     std::atomic<bool>& flag_;
 };
 
-// Bodies have their own masses again when it ends.
+// On destruction, restores the masses of bodies that carried the added mass of fluids.
 class Unloading {
   public:
     Unloading(Bodies& bodies, FluidScratch& scratch) : bodies_(bodies), scratch_(scratch) {}
@@ -85,7 +84,7 @@ void World::Impl::make_step(float dt) {
     StageTimes& times = state.statistics.times;
     StageClock clock;
     const Busy busy(stepping);
-    if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
+    if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots are recycled
     state.events.begin_step();
     times = {};
     if (communicator) share_out_records(state.bodies, state.contacts, step.solver, *communicator);
@@ -106,7 +105,7 @@ void World::Impl::make_step(float dt) {
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
                         state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
     put_told_to_sleep(state.bodies, state.contacts, state.islands, state.events, step.solved);
-    push_by_fluids(fluids, step.fluids, *step.thread_pool, dt); // what has woken
+    push_by_fluids(fluids, step.fluids, *step.thread_pool, dt); // for bodies that have woken since
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, communicator.get(),
                  dt);
@@ -130,7 +129,7 @@ void World::Impl::make_step(float dt) {
     update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events, step.solved,
                  step.solver);
     times.finalize = clock.lap();
-    for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // they act for one step
+    for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // forces act for one step
     state.bodies.pushed.clear();
     state.events.publish();
     step.give_back_room();

@@ -11,9 +11,10 @@ namespace cairn {
 
 namespace {
 
-constexpr float greatest_speed = 1e15f;                     // m/s and rad/s
-constexpr double farthest = 1e15;                           // m: beyond this a double is coarser than a bolt
-constexpr float smallest_size = 1e-6f, largest_size = 1e9f; // m
+constexpr float greatest_speed = 1e15f; // greatest linear and angular speed, m/s and rad/s
+// Greatest coordinate of a position, m: beyond this the spacing of doubles exceeds the size of a bolt.
+constexpr double farthest = 1e15;
+constexpr float smallest_size = 1e-6f, largest_size = 1e9f; // The range of a shape's size, m.
 
 template <class V> std::string list_text(const V& v, int n) {
     std::string text = "(";
@@ -76,7 +77,7 @@ void require_above(std::string_view field, double value, double limit) {
 Quat checked_rotation(std::string_view field, const Quat& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     const double square = x * x + y * y + z * z + w * w;
-    if (std::fabs(square - 1) < 4e-7) return q; // as near to unit length as a float gets: leave its bits alone
+    if (std::fabs(square - 1) < 4e-7) return q; // the quaternion is normalized to float precision: keep its bits
     if (!std::isfinite(square)) refuse(field, to_text(q), "must be finite");
     if (!(square > 1e-24)) refuse(field, to_text(q), "must not be zero");
     const double scale = 1 / std::sqrt(square);
@@ -97,7 +98,7 @@ void validate(const WorldDef& def) {
     require_above("WorldDef.recovery_speed", def.recovery_speed, 0);
     require_above("WorldDef.max_linear_speed", def.max_linear_speed, 0);
     require_above("WorldDef.max_angular_speed", def.max_angular_speed, 0);
-    if (def.max_linear_speed > greatest_speed) // so that its square is still a float
+    if (def.max_linear_speed > greatest_speed) // so that its square does not overflow a float
         refuse("WorldDef.max_linear_speed", to_text(def.max_linear_speed), "must be at most 1e15");
     if (def.max_angular_speed > greatest_speed)
         refuse("WorldDef.max_angular_speed", to_text(def.max_angular_speed), "must be at most 1e15");
@@ -113,7 +114,8 @@ void validate(std::string_view field, const MassProperties& p) {
     for (int k = 0; k < 3; ++k)
         if (!(i[k] >= 0) || !std::isfinite(i[k]))
             refuse(name, to_text(i), "must be finite and >= 0 (0: does not turn about that axis)");
-    // Moments of a real body satisfy the triangle inequality; with a zero among them (immovable) it says nothing.
+    // Moments of inertia of a real body satisfy the triangle inequality; it does not apply if one of them is zero
+    // (immovable).
     const float largest = std::max({i.x, i.y, i.z});
     const bool all_positive = i.x > 0 && i.y > 0 && i.z > 0;
     if (all_positive && double(i.x) + i.y + i.z - largest < double(largest) * (1 - 1e-4))
@@ -170,7 +172,7 @@ struct ShapeValidator {
         if (cylinder.radius_top) require_tip("Cylinder.radius_top", *cylinder.radius_top);
         require_rounding("Cylinder.rounding", cylinder.rounding);
     }
-    // These were checked when they were made; but one that was moved from is empty.
+    // The data was validated at construction, but is null after a move.
     void operator()(const Hull& hull) const {
         require_data("Hull", hull.data() != nullptr);
         require_rounding("Hull.rounding", hull.rounding);

@@ -8,7 +8,7 @@
 
 namespace cairn {
 
-inline constexpr float smallest_mass = 1e-32f, largest_mass = 1e32f; // kg
+inline constexpr float smallest_mass = 1e-32f, largest_mass = 1e32f; // The range of a finite mass, kg.
 
 [[noreturn]] void refuse(std::string_view field, const std::string& value, const std::string& expected);
 std::string to_text(double value);
@@ -18,17 +18,17 @@ std::string to_text(const Quat& value);
 
 void require_finite(std::string_view field, double value);
 void require_finite(std::string_view field, const Vec3& value);
-void require_position(std::string_view field, const Position& value);      // finite, within 1e15 m
+void require_position(std::string_view field, const Position& value);      // finite, each coordinate within 1e15 m
 void require_at_least(std::string_view field, double value, double least); // and finite
 void require_above(std::string_view field, double value, double limit);    // and finite
 
-// The unit quaternion of a rotation; refuses zero and what is not finite.
+// The normalized rotation; refuses zero and non-finite quaternions.
 Quat checked_rotation(std::string_view field, const Quat& rotation);
 
 void validate(const WorldDef& def);
 void validate(const BodyDef& def);
 void validate(const Shape& shape);
-const char* shape_name(const Shape& shape); // of its type, as in the public headers
+const char* shape_name(const Shape& shape); // the name of its type in the public headers
 void validate(const ShapeDef& def);
 void validate(const ForceField& field);
 void validate(std::string_view field, const MassProperties& properties);

@@ -11,9 +11,9 @@ namespace cairn {
 namespace {
 
 constexpr int circle_steps = 24, arc_steps = 6;
-constexpr float plane_half = 10.0f, plane_cell = 2.0f; // m: of what is drawn of an infinite plane
+constexpr float plane_half = 10.0f, plane_cell = 2.0f; // the drawn part of an infinite plane, m
 
-// Points of the unit circle, by turns of 15 degrees.
+// Points of the unit circle at steps of 15 degrees.
 std::array<glm::vec2, circle_steps> unit_circle() {
     constexpr float cosine = 0.96592582628906831f, sine = 0.25881904510252074f;
     std::array<glm::vec2, circle_steps> points;
@@ -65,8 +65,8 @@ class EdgeLister {
     }
     void operator()(const Capsule& capsule) {
         const float low = capsule.radius, high = capsule.radius_top.value_or(low), apart = 2.0f * capsule.half_height;
-        const float sine = (low - high) / apart; // of the angle between the side and the axis
-        if (!(std::fabs(sine) < 1.0f)) {         // one ball is inside of the other
+        const float sine = (low - high) / apart; // of the angle between the lateral surface and the axis
+        if (!(std::fabs(sine) < 1.0f)) {         // one end sphere contains the other
             const float radius = std::max(low, high), y = capsule.half_height * (low > high ? -1.0f : 1.0f);
             for (int axis = 0; axis < 3; ++axis) circle({0, y, 0}, axis, radius);
             return;
@@ -85,7 +85,8 @@ class EdgeLister {
     void operator()(const Cylinder& cylinder) {
         const float low = cylinder.radius, high = cylinder.radius_top.value_or(low), h = cylinder.half_height;
         const float r = cylinder.rounding, length = std::hypot(2.0f * h, low - high);
-        const glm::vec2 outward(2.0f * h / length, (low - high) / length); // from the axis, and along it
+        // normal of the side: radial and axial component
+        const glm::vec2 outward(2.0f * h / length, (low - high) / length);
         circle({0, -h - r, 0}, 1, low);
         circle({0, h + r, 0}, 1, high);
         if (r > 0.0f) {
@@ -101,7 +102,7 @@ class EdgeLister {
         const std::span<const Vec3> vertices = hull.vertices();
         for (std::size_t f = 0; f < hull.face_count(); ++f) {
             const std::span<const std::uint32_t> face = hull.face(f);
-            Vec3 normal(0.0f); // Newell's
+            Vec3 normal(0.0f); // by Newell's method
             for (std::size_t i = 0; i < face.size(); ++i) {
                 const Vec3 a = vertices[face[i]], b = vertices[face[(i + 1) % face.size()]];
                 normal += glm::cross(a - vertices[face[0]], b - vertices[face[0]]);
@@ -129,7 +130,7 @@ class EdgeLister {
     void loop(const Vec3 (&corners)[4]) {
         for (int i = 0; i < 4; ++i) edges_.push_back({corners[i], corners[(i + 1) % 4]});
     }
-    // About an axis of the frame.
+    // A circle about an axis of the shape's frame.
     void circle(const Vec3& center, int axis, float radius) {
         static const std::array<glm::vec2, circle_steps> unit = unit_circle();
         if (!(radius > 0.0f)) return;
@@ -142,7 +143,7 @@ class EdgeLister {
         };
         for (int i = 0; i < circle_steps; ++i) edges_.push_back({point(i), point(i + 1)});
     }
-    // Of a ball, from one direction to another.
+    // An arc on a sphere, from one direction to another.
     void arc(const Vec3& center, float radius, const Vec3& from, const Vec3& to) {
         if (!(radius > 0.0f)) return;
         const auto point = [&](int i) {

@@ -1,4 +1,4 @@
-// The edges of shapes, for pictures of them.
+// Edges of shapes, for debug drawing.
 #pragma once
 
 #include <cairn/shape.h>
@@ -11,8 +11,8 @@ struct Edge {
     Vec3 from, to; // m, in the shape's frame
 };
 
-// Round surfaces have some circles, what is rounded the outlines of its flat faces, infinite planes a square of 20 m
-// with a grid. Empties the list before.
+// Clears `edges` first. Curved surfaces are drawn as a few circles, rounded shapes by the outlines of their flat faces,
+// and an infinite plane as a square of 20 m with a grid.
 void list_edges(const Shape& shape, std::vector<Edge>& edges);
 
 } // namespace cairn

@@ -1,4 +1,5 @@
-// Bodies, shapes and fields: making, changing and removing them. Every argument is checked before anything changes.
+// Bodies, shapes and force fields: creating, changing and removing them. Every argument is checked before anything
+// changes.
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
 #include "contacts/contact_update.h"
@@ -18,7 +19,7 @@ namespace cairn {
 
 namespace {
 
-// Worlds are told apart by a number that wraps around after 65,535 of them; zero is nobody's.
+// Worlds are distinguished by a number from 1 to 65,535, which wraps around; zero belongs to no world.
 std::uint32_t next_world_id() {
     static std::atomic<std::uint32_t> counter{0};
     return 1 + counter.fetch_add(1, std::memory_order_relaxed) % 0xffffu;
@@ -107,7 +108,7 @@ void World::set_threads(int count) {
     if (count < 1 || count > ThreadPool::max_threads)
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
-    std::unique_ptr<ThreadPool> pool; // before the change begins: what the system refuses leaves the world as it was
+    std::unique_ptr<ThreadPool> pool; // created before the change begins, so that a failure leaves the world as it was
     try {
         pool = std::make_unique<ThreadPool>(count);
     } catch (const std::system_error& error) {
@@ -134,7 +135,7 @@ void World::set_communicator(std::shared_ptr<Communicator> communicator) {
             refuse("World::set_communicator rank", std::to_string(rank), "must be 0 to size - 1, " + to_text(size - 1));
     }
     const bool is_alone = !communicator || communicator->size() == 1;
-    impl_->gather_records(); // from those that were
+    impl_->gather_records(); // from the previous communicator's ranks
     impl_->state.contacts.owners = {};
     impl_->communicator = is_alone ? nullptr : std::move(communicator);
 }
@@ -153,7 +154,7 @@ BodyId World::create_body(const BodyDef& def) {
         make_room(impl_->user_data, b);
     s.bodies.links[b] = {};
     s.bodies.forces[b] = {};
-    s.bodies.pushed.reserve(s.bodies.forces.capacity()); // pushing allocates nothing
+    s.bodies.pushed.reserve(s.bodies.forces.capacity()); // so that adding to it never allocates
     s.bodies.counted[b] = {};
     s.bodies.travel[b] = s.bodies.ahead[b] = s.bodies.boxes_until[b] = 0;
     s.bodies.mass[b] = {};
@@ -176,7 +177,7 @@ BodyId World::create_body(const BodyDef& def) {
     if (def.mass_properties) {
         mass.follows_shapes = 0;
         set_mass(s.bodies, s.joints, body, *def.mass_properties);
-        // The given velocity is that of the center of mass, wherever it is.
+        // The given velocity is that of the center of mass, wherever the center is.
         if (def.type != BodyType::static_) s.bodies.motion[b].v = to_math(def.linear_velocity);
         clamp_velocity(s.settings, s.bodies.motion[b].v, s.bodies.motion[b].w);
     } else {
@@ -242,7 +243,7 @@ ForceFieldId World::add_force_field(const ForceField& field) {
     validate(field);
     State& s = impl_->state;
     require_slot(s.fields.slots, "World::add_force_field");
-    const ForceField own(field); // it may be one of this world, whose list grows
+    const ForceField own(field); // `field` may refer to an element of this world's list, which grows
     change.begin();
     const std::uint32_t i = s.fields.slots.create();
     make_room(s.fields.all, i);

@@ -1,4 +1,4 @@
-// Many worlds on the threads of one pool.
+// A pool of worlds that are simulated by a shared set of threads.
 #include "jobs/thread_pool.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -23,8 +23,8 @@ int checked_threads(int count) {
     return count;
 }
 
-// The memory of steps changes hands. The threads of a world stay with it, and so does what was laid out for its joints,
-// which holds until they change.
+// Exchanges the step memory of two worlds, except their threads and the layouts of their joints, which stay valid until
+// the joints change.
 void exchange(StepScratch& a, StepScratch& b) {
     std::swap(a, b);
     std::swap(a.thread_pool, b.thread_pool);
@@ -46,14 +46,14 @@ struct WorldPool::Impl {
         } catch (...) {
             error = std::current_exception();
         }
-        if (world.impl_) { // not moved away, with the memory
+        if (world.impl_) { // unless the world was moved from, together with its memory
             exchange(world.impl_->step, scratch);
-            if (world.impl_->failed_call) scratch = {}; // half way through a step: in no order
+            if (world.impl_->failed_call) scratch = {}; // in the middle of a step, so it is inconsistent
         }
         if (error) std::rethrow_exception(error);
     }
 
-    // By all threads. The error of the world with the least number arrives.
+    // Visits all worlds on all threads. Rethrows the error of the world with the lowest index.
     void visit_all(const std::function<void(World&, std::size_t)>& work) {
         std::mutex mutex;
         std::exception_ptr first;
@@ -71,7 +71,7 @@ struct WorldPool::Impl {
 
     std::vector<World> worlds;
     ThreadPool threads;
-    std::vector<StepScratch> scratches; // one a thread
+    std::vector<StepScratch> scratches; // one per thread
 };
 
 WorldPool::WorldPool(const Snapshot& start, std::size_t count, int threads) {
