@@ -32,7 +32,7 @@ std::optional<Vec3> color_of(const urdf::Visual& visual) {
     if (!visual.material) return std::nullopt;
     const urdf::Color& c = visual.material->color;
     const bool has_none = c.r == 0.0f && c.g == 0.0f && c.b == 0.0f && !visual.material->texture_filename.empty();
-    // a black material color is the default of a textured material, and is not meant to darken it
+    // Black would hide the texture, and is not meant to multiply it.
     if (has_none) return Vec3(1.0f);
     const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
     return Vec3(part(c.r), part(c.g), part(c.b));

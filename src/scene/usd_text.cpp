@@ -81,7 +81,7 @@ class LayerReader {
     void require(char c) {
         if (!take(c)) fail(std::string("must have ") + c + " here", text_.substr(at_, 20));
     }
-    // Letters, digits, and what names and numbers have between them; empty if there are none.
+    // Returns a run of letters, digits and the punctuation of names and numbers; empty if there is none.
     std::string_view word() {
         skip_spaces();
         std::size_t end = at_;
