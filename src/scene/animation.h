@@ -56,7 +56,7 @@ class AnimationBaker {
 
     std::vector<Track> tracks_;
     std::vector<std::shared_ptr<const Surface>> surfaces_;
-    // surfaces by the bytes they were made from; looked up, never iterated
+    // Surface indices by the key of the shape or surface; looked up, never iterated.
     std::unordered_map<std::string, std::size_t> known_;
     std::vector<double> times_;
 };

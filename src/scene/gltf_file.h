@@ -23,7 +23,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path);
 
 struct GltfFile {
     nlohmann::json json;
-    // the binary chunk of a .glb file; a view into the bytes that were parsed
+    // The binary chunk of a .glb file: a view into the bytes that were parsed.
     std::optional<std::span<const std::byte>> binary;
 };
 

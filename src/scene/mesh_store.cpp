@@ -166,7 +166,7 @@ const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::
                     made.texture = std::make_shared<const Texture>(std::move(texture));
                 },
                 " (the texture is left out)");
-        // a black Kd is meant for rendering without the texture
+        // A black Kd is meant for rendering without the texture.
         if (made.texture && made.color == Vec3(0.0f)) made.color.reset();
         made.surface = std::make_shared<const Surface>(std::move(part));
         found.push_back(std::move(made));

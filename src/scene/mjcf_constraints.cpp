@@ -228,7 +228,7 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
         model.warnings.push_back(root.place() + ": contact pairs have no effect: there are too many");
         has_pairs = false;
     }
-    // all geoms collide
+    // Without filters all geoms collide.
     if (keys.size() <= 1 && (keys.empty() || (std::get<0>(keys[0]) & std::get<1>(keys[0])) != 0)) return;
     const auto meet = [&](const Key& a, const Key& b) {
         const auto [type_a, affinity_a, pair_a] = a;

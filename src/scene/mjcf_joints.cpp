@@ -12,7 +12,7 @@ namespace cairn::scene {
 namespace {
 
 constexpr double between_share = 0.05; // mass of a light body between two joints, as a share of the mass of the body
-// m/s or rad/s, a speed that is never reached: such a motor exerts its force at all times
+// Target speed, m/s or rad/s, that is never reached, so that the motor exerts its force at all times.
 constexpr float fast = 1000.0f;
 
 bool are_parallel(const glm::dvec3& a, const glm::dvec3& b) { return std::fabs(glm::dot(a, b)) > 1.0 - 1e-6; }

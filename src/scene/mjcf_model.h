@@ -20,7 +20,7 @@ namespace cairn::scene {
 // The drive of a joint coordinate: force = stiffness (position - q) + damping (velocity - q') + force.
 struct MjcfDrive {
     double stiffness = 0.0, damping = 0.0;
-    // sums over all actuators and springs of the coordinate
+    // Sums over all actuators and springs of the coordinate.
     double stiffness_position = 0.0, damping_velocity = 0.0, force = 0.0;
     double most = 0.0;                         // sum of the force bounds
     bool is_driven = false, is_bounded = true; // whether actuators drive it; whether all of them are bounded

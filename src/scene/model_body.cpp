@@ -49,7 +49,7 @@ BodyId add_model_body(const ModelBody& body, Scene& scene) {
         ShapeDef shape_def;
         shape_def.position = Vec3(shape.at.position);
         shape_def.rotation = Quat(shape.at.rotation);
-        // does not matter, as the body's mass properties are given
+        // The density does not affect the body, whose mass properties are given.
         shape_def.density = shape.is_trigger ? 0.0f : 1000.0f;
         shape_def.material = shape.material;
         shape_def.filter = shape.filter;

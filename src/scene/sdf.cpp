@@ -247,7 +247,7 @@ class SdfReader {
 
     // Links of a model do not collide with each other by default, if there are several.
     void set_filters(Scene& scene) {
-        // bitmask, and the model whose links do not collide with each other
+        // A bitmask, and the model whose links do not collide with each other.
         using Kind = std::pair<unsigned, std::size_t>;
         std::map<std::size_t, std::size_t> links_of;
         const auto whole = [&](std::size_t scope) { // the outermost model that contains this one

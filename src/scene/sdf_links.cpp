@@ -17,7 +17,7 @@ struct LinkSolid {
     bool is_cut = false;                    // decomposed into convex parts
 };
 
-// The format's default for a missing length or radius.
+// The format's default for a missing size, m.
 constexpr double left_out_length = 1.0;
 
 class LinkReader {
@@ -36,7 +36,7 @@ class LinkReader {
         }
         bool all_shown = true;
         for (const XmlElement& visual : element.children("visual")) all_shown = add_visual(visual) && all_shown;
-        // an incomplete set of visuals would hide the other shapes
+        // An incomplete set of visuals would hide the shapes of the others.
         if (!all_shown && !link_.body.shapes.empty()) link_.body.looks.clear();
         if (const auto gravity = element.child_text("gravity"))
             link_.body.gravity_scale = gravity->boolean() ? 1.0 : 0.0;

@@ -121,7 +121,7 @@ Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const 
     for (Vec3& normal : result.normals) {
         const glm::dvec3 turned = turn * glm::dvec3(normal);
         const double length = std::sqrt(glm::dot(turned, turned));
-        // already a unit vector to float precision: it must not drift
+        // A unit vector to float precision is not normalized again, so that it does not drift.
         const bool is_unit = std::fabs(length - 1.0) < 1e-6;
         if (length > 0.0 && std::isfinite(length)) normal = Vec3(is_unit ? turned : turned / length) + Vec3(0.0f);
     }

@@ -160,7 +160,7 @@ struct Tessellator {
     }
     void operator()(const HeightField& field) const {
         const std::vector<Vec3> vertices = field.vertices();
-        // the index of each height sample among the vertices plus 1; 0: none yet
+        // The index of each height sample among the vertices plus 1; 0: none yet.
         std::vector<std::uint32_t> number(vertices.size(), 0);
         for (const std::uint32_t corner : field.indices()) {
             if (number[corner] == 0) {

@@ -56,7 +56,7 @@ class SolidReader {
         const Surface plain = triangles(&numbers);
         const UsdValue* indices = stage_.value(prim_, "primvars:st:indices");
         const std::size_t pairs = places->numbers.size() / 2, count = indices ? indices->numbers.size() : pairs;
-        // one texture coordinate per face corner, else per point
+        // One texture coordinate per face corner, else per point.
         const bool is_of_corners = count != plain.vertices.size();
         Surface made;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -113,7 +113,7 @@ class SolidReader {
             solid.shape = Cylinder{half, radius, std::nullopt};
         }
         const glm::dquat turns[] = {{root_of_half, 0.0, 0.0, -root_of_half}, {1.0, 0.0, 0.0, 0.0}, y_to_z.rotation};
-        // from the y axis, which is that of shapes in the engine
+        // From the y axis, which is that of shapes in the engine.
         solid.at.rotation = glm::normalize(solid.at.rotation * turns[along]);
     }
 

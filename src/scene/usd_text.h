@@ -32,7 +32,7 @@ struct UsdPrim {
 struct UsdLayer {
     std::map<std::string, UsdValue> metadata;
     std::vector<UsdPrim> prims;
-    // unsupported features and how often each occurs: references, variantSet, timeSamples
+    // Unsupported features and how often each occurs: references, variantSet, timeSamples.
     std::map<std::string, int> left_out;
 };
 

@@ -105,7 +105,7 @@ class XmlFile {
     std::size_t bytes_ = 0, elements_ = 0;
     std::vector<Part> parts_;
     std::map<const tinyxml2::XMLElement*, const tinyxml2::XMLElement*> included_; // the root element of each include
-    // with the name of their parent element
+    // Pairs of the name of an element and of its attribute or child.
     std::set<std::pair<std::string, std::string>> asked_attributes_, asked_elements_;
 };
 

@@ -26,7 +26,7 @@ struct Measure {
         end,   // the value at the end
         at,    // the value after the step nearest to `time`
         max,   // the maximum over all steps and the initial state
-        min,   // the minimum, likewise
+        min,   // the minimum over all steps and the initial state
         mean,  // the mean over the steps
         first, // the first time at which the value is not 0, s
         since, // the time from which on the value is not 0 until the end, s
@@ -50,12 +50,12 @@ struct Plan {
     std::vector<Measure> measures;
     std::vector<Assignment> stops; // expressions that end a row; `path` is empty
     double seconds = 10.0;
-    // hash of everything that rows depend on except the scene: the plan's text and its table
+    // A hash of everything that rows depend on except the scene: the plan's text and its table.
     std::uint64_t fingerprint = 0;
 
     // Returns the names of the columns: index, parameters, measures, time, outcome.
     std::vector<std::string> columns() const;
-    // columns without the index
+    // The number of columns without the index.
     std::size_t numbers() const { return design.parameters().size() + measures.size() + 2; }
 };
 

@@ -14,7 +14,7 @@ namespace {
 // Lean and steer angles, rad, positive to the right, and their rates, rad/s.
 using Attitude = std::array<double, 4>;
 
-// of the steering axis, which meets the ground 8 cm in front of the front wheel's contact
+// Tilt of the steering axis, rad; it meets the ground 8 cm in front of the front wheel's contact.
 constexpr double tilt = pi / 10;
 constexpr double trail_point = 1.1, rear_radius = 0.3, front_radius = 0.35, wheelbase = 1.02; // m
 const glm::dvec3 steering_axis = {std::sin(tilt), -std::cos(tilt), 0};

@@ -142,7 +142,7 @@ Result measure_projectile() {
     for (const NamedIntegrator& integrator : integrators) {
         for (const double step : time_steps) {
             const Flight flight = throw_ball(integrator, step);
-            // upward speed of the parabola at the start
+            // Upward speed of the parabola at the start.
             const double rise = v + integrator.offset * gravity * flight.substep;
             auto add = [&](const char* quantity, double expected, double measured) {
                 result.rows.push_back({std::string(quantity) + ", " + integrator.name, step, expected, measured,

@@ -59,7 +59,7 @@ Deviation break_rack(std::uint32_t seed, double dt) {
         bodies.push_back(add_body(world, Sphere{float(radius)}, def, surface(0, 1)));
     }
     while (exact.impacts().size() < impacts_followed) {
-        // there are no further impacts, so nothing was measured
+        // Without further impacts nothing was measured.
         if (!std::isfinite(exact.until_next())) return {std::nan(""), std::nan("")};
         world.step(float(dt));
         exact.advance_to(world.time());

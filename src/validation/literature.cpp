@@ -27,7 +27,7 @@ struct RollingScene {
 
     RollingScene(double heading, double overlap) // initial penetration, m
         : along(std::cos(radians(heading)), 0, std::sin(radians(heading))) {
-        add_ground(world, material(0.5f)); // 0.5 x 0.8 and 1.0 x 0.8
+        add_ground(world, material(0.5f)); // coefficients multiply: 0.5 x 0.8 below the box, 1.0 x 0.8 below the balls
         BodyDef def;
         def.mass = float(box_mass);
         def.position = {0, 0.5 - overlap, 0};

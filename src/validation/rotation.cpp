@@ -94,7 +94,7 @@ double rotational_energy(const Body& body) {
 }
 
 Reference reference_of(const Body& body) {
-    // the body's axes coincide with those of the world and with the principal axes
+    // The body's axes coincide with those of the world and with the principal axes.
     const glm::dmat3 inertia(body.world_inertia());
     return {{inertia[0][0], inertia[1][1], inertia[2][2]}, glm::dvec3(body.angular_velocity())};
 }
