@@ -95,7 +95,7 @@ struct MjcfModel {
 struct MjcfMaterial {
     std::optional<XmlText> color;
     std::shared_ptr<const Texture> texture; // none: no texture
-    Vec3 tint{1.0f, 1.0f, 1.0f}; // linear; mean color of a flat cube texture, which is not mapped
+    Vec3 tint{1.0f, 1.0f, 1.0f};            // linear; mean color of a flat cube texture, which is not mapped
     std::array<double, 2> repeat{1.0, 1.0}; // how often the texture repeats across the geom, or across 2 m
     bool is_uniform = false;                // true: `repeat` is per 2 m
 };
