@@ -35,7 +35,7 @@ std::uint64_t read_component_type(const Value& value) {
     return type;
 }
 
-// One number, stored with its least byte first. Normalized integers stand for -1 to 1 (glTF 2.0, section 3.11).
+// Reads one number, stored in little-endian order. Normalized integers stand for -1 to 1 (glTF 2.0, section 3.11).
 double component(const std::byte* at, std::uint64_t type, bool normalized) {
     std::uint32_t bits = 0;
     const std::size_t size = size_of(type);
@@ -62,7 +62,7 @@ double component(const std::byte* at, std::uint64_t type, bool normalized) {
     return static_cast<double>(value);
 }
 
-// Where elements lie: from `offset` on in the view, `stride` bytes from one to the next. Refuses what leaves the view.
+// Returns the stride in bytes of elements that begin at `offset` in the view. Throws if they do not fit into the view.
 std::size_t checked_stride(const Value& owner, const Buffers::View& view, std::size_t offset, std::size_t count,
                            std::size_t element_size) {
     const std::size_t stride = view.stride != 0 ? view.stride : element_size;
@@ -70,7 +70,7 @@ std::size_t checked_stride(const Value& owner, const Buffers::View& view, std::s
         owner.fail("must not have elements of " + std::to_string(element_size) + " bytes in a view with a stride of " +
                    std::to_string(stride));
     }
-    // No overflow: the count is at most 2^26, the stride 252, the offset 2^29.
+    // The sum cannot overflow: the count is at most 2^26, the stride 252, the offset 2^29.
     const std::uint64_t end = std::uint64_t{offset} + std::uint64_t{stride} * (count - 1) + element_size;
     if (end > view.bytes.size()) {
         owner.fail("must end in its buffer view of " + std::to_string(view.bytes.size()) + " bytes, and reaches to " +
@@ -133,13 +133,13 @@ std::vector<double> Accessors::numbers(const Value& accessor, const Layout& layo
             }
         }
     } else {
-        result.assign(layout.count * layout.components, 0.0); // as the format says
+        result.assign(layout.count * layout.components, 0.0); // glTF: without a buffer view, all elements are zero
     }
     if (const auto sparse = accessor.find("sparse")) read_sparse(*sparse, layout, result);
     return result;
 }
 
-// Elements that replace those of the view, each with its index (glTF 2.0, section 3.6.2.3).
+// Sparse elements replace those of the view, each with its index (glTF 2.0, section 3.6.2.3).
 void Accessors::read_sparse(const Value& sparse, const Layout& layout, std::vector<double>& numbers) {
     const std::size_t count = static_cast<std::size_t>(sparse.require("count").whole(1, layout.count));
     const Value indices = sparse.require("indices"), values = sparse.require("values");
@@ -221,7 +221,7 @@ std::vector<glm::dmat4> Accessors::matrices(const Value& index) {
     const std::vector<float> values = finite_numbers(accessor, form);
     std::vector<glm::dmat4> result(form.count);
     for (std::size_t i = 0; i < values.size(); ++i)
-        result[i / 16][int(i % 16) / size][int(i % size)] = double(values[i]); // column by column
+        result[i / 16][int(i % 16) / size][int(i % size)] = double(values[i]); // column-major
     return result;
 }
 

@@ -11,7 +11,7 @@
 namespace cairn::scene {
 
 inline constexpr std::size_t max_accessors = 1'000'000;
-// Numbers that a file may have read, so that a small file cannot ask for endless memory.
+// The most numbers that the accessors of one file may yield, so that a small file cannot ask for endless memory.
 inline constexpr std::uint64_t max_accessor_numbers = std::uint64_t{1} << 26;
 
 class Accessors {
@@ -19,16 +19,16 @@ class Accessors {
     Accessors(const Value& document, Buffers buffers)
         : accessors_(document.find("accessors")), buffers_(std::move(buffers)) {}
 
-    // Throw Error naming the place of what is wrong. `index` refers to an accessor.
+    // Each of these throws Error naming the place of the fault. `index` refers to an accessor.
     std::vector<Vec3> vectors(const Value& index);          // VEC3 of floats, or of integers (KHR_mesh_quantization)
     std::vector<glm::vec2> coordinates(const Value& index); // VEC2 of floats, or of normalized integers
     std::vector<glm::vec4> quadruples(const Value& index);  // VEC4, of any numbers
-    std::vector<Vec3> colors(const Value& index);           // VEC3 or VEC4, of which the last one is left out
+    std::vector<Vec3> colors(const Value& index);           // VEC3, or VEC4 without its last component
     std::vector<glm::dmat4> matrices(const Value& index);   // MAT4 of floats
     std::vector<float> scalars(const Value& index);         // SCALAR of floats
     std::vector<std::uint32_t> indices(const Value& index); // SCALAR of unsigned bytes, shorts or ints
-    std::size_t count(const Value& index) const;            // of elements
-    // Counts what is made of so many numbers among those that the file may have read.
+    std::size_t count(const Value& index) const;            // number of elements of the accessor
+    // Takes `numbers` off the limit `max_accessor_numbers` of the file; throws Error at `place` when it is exceeded.
     void spend(std::uint64_t numbers, const Value& place);
     Buffers& buffers() { return buffers_; }
 

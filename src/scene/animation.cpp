@@ -18,7 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of shapes that have no color of their own: static ones gray, kinematic ones dark, dynamic ones in turns.
+// Colors of shapes without a color of their own: gray for static, dark for kinematic bodies; dynamic bodies cycle
+// through six colors.
 constexpr Vec3 static_color{0.55f, 0.57f, 0.6f}, kinematic_color{0.25f, 0.28f, 0.35f};
 constexpr std::array<Vec3, 6> dynamic_colors{{{0.8f, 0.3f, 0.2f},
                                               {0.2f, 0.5f, 0.8f},
@@ -32,7 +33,7 @@ Vec3 plain_color(BodyType type, std::size_t number) {
     return type == BodyType::kinematic ? kinematic_color : dynamic_colors[number % dynamic_colors.size()];
 }
 
-// What makes two shapes look the same: their kind and sizes, or the address of their data.
+// The key of a shape's geometry: its type and sizes, or the address of its shared data.
 struct ShapeKey {
     std::string operator()(const Sphere& s) const { return sizes("sphere", {s.radius}); }
     std::string operator()(const Box& b) const {
@@ -40,7 +41,8 @@ struct ShapeKey {
     }
     std::string operator()(const Plane& p) const {
         glm::vec2 half = p.half_extents.value_or(glm::vec2(0.0f));
-        for (int i = 0; i < 2; ++i) half[i] = std::isinf(half[i]) ? 0.0f : half[i]; // which no size is
+        // 0 stands for infinite, as no finite size is 0
+        for (int i = 0; i < 2; ++i) half[i] = std::isinf(half[i]) ? 0.0f : half[i];
         return sizes("plane", {p.normal.x, p.normal.y, p.normal.z, p.tangent.x, p.tangent.y, p.tangent.z, half.x,
                                half.y, p.double_sided ? 1.0f : 0.0f});
     }
@@ -100,7 +102,7 @@ AnimationBaker::AnimationBaker(const Scene& scene) {
     std::vector<const VisualMesh*> scenery;
     for (const VisualMesh& visual : scene.visuals) {
         if (!visual.surface || visual.surface->indices.empty()) continue;
-        for (const Bone& bone : visual.bones) visuals[bone.body.bits]; // its shapes are not shown
+        for (const Bone& bone : visual.bones) visuals[bone.body.bits]; // hides the shapes of the bone's body
         if (visual.body.is_null()) {
             scenery.push_back(&visual);
         } else {
@@ -133,7 +135,7 @@ AnimationBaker::AnimationBaker(const Scene& scene) {
         tracks_.push_back(std::move(track));
     }
     if (scenery.empty()) return;
-    Track track; // of no body, at the origin
+    Track track; // a track without a body, at the origin
     track.name = "scenery";
     track.is_static = true;
     for (const VisualMesh* visual : scenery) track.parts.push_back(part_of(*visual));
@@ -165,7 +167,8 @@ void AnimationBaker::add(const World& world) {
         Transform pose;
         if (!track.body.is_null()) pose = world.body(track.body).transform();
         Quat rotation = pose.rotation;
-        // A rotation has two quaternions: the nearer one, so that nothing turns the long way round.
+        // Both q and -q represent the rotation; the one nearer to the previous keyframe makes viewers interpolate the
+        // short way.
         if (!track.rotations.empty() && glm::dot(track.rotations.back(), rotation) < 0.0f) rotation = -rotation;
         track.positions.push_back(Vec3(pose.position));
         track.rotations.push_back(rotation);
@@ -179,7 +182,7 @@ std::string AnimationBaker::document(bool as_text) const {
     LookWriter looks(buffer);
     for (const auto& surface : surfaces_) primitives.push_back(looks.primitive(*surface));
     std::unordered_map<std::uint64_t, std::size_t> node_of;
-    std::size_t still_node = 0; // of what stands still: the next one after those of all bodies
+    std::size_t still_node = 0; // the node for bones that do not move: it follows the nodes of all bodies
     for (const Track& track : tracks_) {
         if (!track.body.is_null()) node_of[track.body.bits] = still_node;
         still_node += 1 + track.parts.size();
@@ -233,7 +236,7 @@ std::string AnimationBaker::document(bool as_text) const {
     Json json{{"asset", {{"version", "2.0"}, {"generator", "cairn"}}}, {"scene", 0}, {"scenes", Json::array({scene})}};
     if (looks.uses_glow_strength()) json["extensionsUsed"] = Json::array({"KHR_materials_emissive_strength"});
     const auto add = [&json](const char* name, Json array) {
-        if (!array.empty()) json[name] = std::move(array); // glTF has no empty arrays
+        if (!array.empty()) json[name] = std::move(array); // glTF does not allow empty arrays
     };
     add("nodes", std::move(nodes));
     add("meshes", parsed(meshes.lines()));

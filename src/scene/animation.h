@@ -1,5 +1,5 @@
 /// \file animation.h
-/// A run as an animated glTF file, which any viewer of such files plays: no physics in it, only meshes that move.
+/// Exports a run as an animated glTF file that any glTF viewer plays: it has no physics, only moving meshes.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,22 +13,23 @@
 
 namespace cairn::scene {
 
-/// Notes how the bodies of a scene move, and writes it. A body is shown by its visual meshes, or else by its shapes,
-/// but not by triggers. Times are measured from the first moment that is added.
+/// Records how the bodies of a scene move, and writes the animation. A body is shown by its visual meshes, or by its
+/// shapes if it has none, but never by its triggers. Times are measured from the first recorded moment.
 class AnimationBaker {
   public:
-    /// The bodies, shapes and visual meshes that the scene has now are those of the file.
+    /// The file shows the bodies, shapes and visual meshes that the scene has at this time.
     explicit AnimationBaker(const Scene& scene);
 
-    /// Notes the present moment; later than the one before. The bodies must still be there.
+    /// Records the present state of the world, which must be later than the previous one. The bodies must still exist.
     void add(const World& world);
 
-    /// A binary glTF file. Between the moments positions are interpolated linearly, and rotations spherically. Throws
-    /// `Error` (wrong_state) without any moment, and (io) when it would be larger than 4 GiB.
+    /// Returns a binary glTF file. Positions are interpolated linearly between the recorded moments, rotations
+    /// spherically. Throws `Error` (wrong_state) if no moment was recorded, and (io) when the file would be larger than
+    /// 4 GiB.
     std::string container() const;
-    /// The same as the text of a `.gltf` file, with its data inside. Throws as `container` does.
+    /// Returns the same animation as the text of a `.gltf` file with embedded data. Throws as `container` does.
     std::string text() const;
-    /// Writes a file: text if its name ends in `.gltf`, else binary. Throws `Error` (io, wrong_state).
+    /// Writes the file: text if its name ends in `.gltf`, else binary. Throws `Error` (io, wrong_state).
     void write(const std::filesystem::path& path) const;
 
   private:
@@ -55,7 +56,8 @@ class AnimationBaker {
 
     std::vector<Track> tracks_;
     std::vector<std::shared_ptr<const Surface>> surfaces_;
-    std::unordered_map<std::string, std::size_t> known_; // surfaces by what they were made of; never walked through
+    // Surface indices by the key of the shape or surface; looked up, never iterated.
+    std::unordered_map<std::string, std::size_t> known_;
     std::vector<double> times_;
 };
 

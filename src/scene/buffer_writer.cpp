@@ -31,7 +31,7 @@ void BufferWriter::append(float value) {
     append(word);
 }
 
-// Of what is written in the view that comes next.
+// An accessor of the buffer view that is written next.
 Json BufferWriter::accessor(int component_type, std::size_t count, const char* type) const {
     return {{"bufferView", views_.size()}, {"componentType", component_type}, {"count", count}, {"type", type}};
 }
@@ -81,7 +81,7 @@ std::size_t BufferWriter::add_numbers(std::span<const std::uint16_t> values) {
     const std::size_t start = bytes_.size();
     for (const std::uint16_t v : values) append(v);
     const std::size_t index = finish(start, no_target, accessor(short_type, values.size(), "SCALAR"));
-    if (values.size() % 2 != 0) append(std::uint16_t{0}); // what comes next begins at a multiple of four
+    if (values.size() % 2 != 0) append(std::uint16_t{0}); // the next view must begin at a multiple of four bytes
     return index;
 }
 
@@ -132,7 +132,7 @@ std::size_t BufferWriter::add_bindings(std::span<const Bone> bones) {
 std::size_t BufferWriter::add_file(const std::string& file) {
     views_.push_back(Json{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", file.size()}}.dump());
     bytes_ += file;
-    bytes_.append((4 - bytes_.size() % 4) % 4, '\0'); // numbers that follow lie at multiples of four
+    bytes_.append((4 - bytes_.size() % 4) % 4, '\0'); // numeric views that follow must begin at multiples of four bytes
     return views_.size() - 1;
 }
 

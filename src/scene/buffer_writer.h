@@ -1,4 +1,4 @@
-// Arrays of numbers on their way into a file: one buffer, and the accessors that divide it.
+// Writes the arrays of numbers of a glTF file: one buffer, and the accessors that divide it.
 #pragma once
 
 #include "scene/scene.h"
@@ -16,9 +16,9 @@ namespace cairn::scene {
 
 class BufferWriter {
   public:
-    // Each returns the index of the new accessor.
-    std::size_t add_vertices(std::span<const Vec3> values, bool with_bounds); // bounds: for POSITION
-    std::size_t add_vectors(std::span<const Vec3> values);                    // of anything else
+    // Each function returns the index of the new accessor.
+    std::size_t add_vertices(std::span<const Vec3> values, bool with_bounds); // bounds are required for POSITION
+    std::size_t add_vectors(std::span<const Vec3> values);                    // any other vectors, without bounds
     std::size_t add_quaternions(std::span<const Quat> values);
     std::size_t add_indices(std::span<const std::uint32_t> values);
     std::size_t add_numbers(std::span<const std::uint16_t> values);
@@ -27,10 +27,10 @@ class BufferWriter {
     std::size_t add_bone_numbers(std::span<const BoneWeights> weights);
     std::size_t add_bone_shares(std::span<const BoneWeights> weights);
     std::size_t add_bindings(std::span<const Bone> bones); // inverse bind matrices
-    std::size_t add_file(const std::string& file);         // the index of its buffer view
+    std::size_t add_file(const std::string& file);         // returns the index of the buffer view
 
     bool empty() const { return accessors_.empty(); }
-    const std::vector<std::string>& accessors() const { return accessors_; } // each a line of JSON
+    const std::vector<std::string>& accessors() const { return accessors_; } // each accessor is a line of JSON
     const std::vector<std::string>& views() const { return views_; }
     const std::string& bytes() const { return bytes_; }
 

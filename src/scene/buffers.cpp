@@ -22,7 +22,7 @@ int hex_digit(char c) {
     return -1;
 }
 
-// "%20" is a blank (RFC 3986, section 2.1).
+// Decodes percent encoding: "%20" is a space (RFC 3986, section 2.1).
 std::string percent_decoded(const Value& uri) {
     const std::string text = uri.text();
     std::string result;

@@ -1,5 +1,5 @@
-// The bytes that a document refers to: in its own text (data URIs), in files beside it, or in the binary chunk of a
-// .glb file. Each is read when it is first asked for.
+// The binary data that a document refers to: in its own text (data URIs), in files beside it, or in the binary chunk of
+// a .glb file. Each buffer is read at its first use.
 #pragma once
 
 #include "scene/json_value.h"
@@ -18,17 +18,18 @@ inline constexpr std::size_t max_buffer_bytes = std::size_t{512} << 20; // of al
 
 class Buffers {
   public:
-    // `binary` is the chunk of a .glb file; `folder` that of the scene file, without which other files are refused.
+    // `binary` is the binary chunk of a .glb file; `folder` is that of the scene file. Without a folder, buffers in
+    // other files are refused.
     Buffers(const Value& document, std::optional<std::span<const std::byte>> binary,
             std::optional<std::filesystem::path> folder);
 
     struct View {
         std::span<const std::byte> bytes;
-        std::size_t stride = 0; // bytes from one element to the next; 0: they follow each other closely
+        std::size_t stride = 0; // bytes from one element to the next; 0: elements are tightly packed
     };
-    // The buffer view that `index` refers to. Throws Error naming the place of what is wrong.
+    // Returns the buffer view that `index` refers to. Throws Error naming the place of the fault.
     View view(const Value& index);
-    // The bytes that a URI names: its own, or those of a file beside the document. Throws as `view` does.
+    // Returns the data of a URI: embedded in it, or the content of a file beside the document. Throws as `view` does.
     std::vector<std::byte> file(const Value& uri);
 
   private:
@@ -42,8 +43,8 @@ class Buffers {
     std::size_t loaded_bytes_ = 0;
 };
 
-// The file that a URI of a scene names: relative, in the scene's folder or below it, also after links are followed.
-// Throws Error through `uri` for anything else.
+// Returns the file that a URI of a scene names. The path must be relative and stay in the scene's folder or below it,
+// also after links are followed. Throws Error through `uri` for anything else.
 std::filesystem::path file_of_uri(const Value& uri, const std::filesystem::path& folder);
 
 } // namespace cairn::scene

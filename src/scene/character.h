@@ -7,9 +7,9 @@
 
 namespace cairn::scene {
 
-// Makes the body a character as the file says.
+// Makes the body a character with the settings in the file.
 void read_character(const Value& here, Body body);
-// What the file says of a character.
+// Returns the settings of a character as JSON.
 nlohmann::ordered_json written_character(const Body& body);
 
 } // namespace cairn::scene

@@ -15,7 +15,7 @@ bool has_no_mass(const Shape& shape) {
            std::holds_alternative<HeightField>(shape);
 }
 
-// Only the vertices that triangles use: others are no part of the surface.
+// Returns only the vertices that triangles use: others are no part of the surface.
 std::vector<Vec3> used_vertices(const GatheredTriangles& triangles) {
     std::vector<bool> used(triangles.vertices.size(), false);
     for (const std::uint32_t corner : triangles.indices) used[corner] = true;
@@ -64,7 +64,7 @@ std::vector<TurnedShape> Colliders::shapes(const Value& geometry, const glm::dve
     return {made};
 }
 
-// The parts that come near the mesh.
+// Returns the convex parts that approximate the mesh.
 const std::vector<Hull>& Colliders::parts_of(const Value& geometry, const Value& node, const glm::dvec3& scale,
                                              std::vector<std::string>& warnings) {
     const Key key{node.index(max_nodes, "nodes"), false, scale.x, scale.y, scale.z};
@@ -89,7 +89,7 @@ TurnedShape Colliders::implicit_shape(const Value& index, const glm::dvec3& scal
     return made;
 }
 
-// Those of its parts, one after the other.
+// Concatenates the materials of the primitives of a mesh.
 SurfaceMaterials Colliders::materials_of(const GatheredTriangles& triangles) {
     SurfaceMaterials result;
     const auto has_materials = [](const auto& part) {

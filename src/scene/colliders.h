@@ -1,4 +1,4 @@
-// The shapes that colliders and triggers ask for. What has the same mesh and scale shares its data.
+// Makes the shapes of colliders and triggers. Colliders with the same mesh and scale share their data.
 #pragma once
 
 #include "scene/decomposition.h"
@@ -19,9 +19,9 @@ class Colliders {
   public:
     Colliders(const Value& document, Surfaces& surfaces) : definitions_(document), surfaces_(surfaces) {}
 
-    // What `geometry` is on a body of that type, scaled; no component of `scale` is zero. A mesh on a dynamic body
-    // becomes several convex parts, a trigger its hull; other surfaces there are refused. Throws Error naming the
-    // place.
+    // Returns the shapes of `geometry` on a body of that type, scaled; no component of `scale` is zero. On a dynamic
+    // body a mesh is split into several convex parts if it is a collider, and becomes its convex hull if it is a
+    // trigger; other surfaces are refused there. Throws Error naming the place.
     std::vector<TurnedShape> shapes(const Value& geometry, const glm::dvec3& scale, BodyType type, bool is_trigger,
                                     std::vector<std::string>& warnings);
     Substance substance(const Value& index) const { return definitions_.substance(index); }
@@ -36,7 +36,7 @@ class Colliders {
 
     Definitions definitions_;
     Surfaces& surfaces_;
-    // By node or shape, whether it is a hull, and scale.
+    // The index of the node or shape, whether the shape is a hull, and the scale.
     using Key = std::tuple<std::size_t, bool, double, double, double>;
     std::map<Key, Shape> meshes_;
     std::map<Key, std::shared_ptr<const Surface>> surfaces_in_parts_;

@@ -1,4 +1,4 @@
-// Decimal numbers of text files, read the same in every locale.
+// Parses decimal numbers of text files independently of the locale.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace cairn::scene {
 
-// The double nearest to the whole of `text`: digits with an optional sign, point and exponent. Nothing for anything
-// else, and for what is beyond double's range.
+// Returns the double nearest to `text`, all of which must be one number: digits with an optional sign, point and
+// exponent. Returns nothing for any other text, and for numbers beyond double's range.
 std::optional<double> parse_decimal(std::string_view text);
 
 } // namespace cairn::scene

@@ -1,6 +1,7 @@
-// The cells of a solid are cut by planes of the grid, again and again, the part with the most air in its hull first,
-// each where its two sides have the least: the way of V-HACD (Mamou 2016) with the exact surface for the hulls in the
-// end, as in CoACD (Wei et al. 2022). Nothing depends on the clock, so that equal meshes give equal parts.
+// Approximate convex decomposition: the voxels of a solid are cut repeatedly by planes of the grid. The part whose hull
+// has the most empty volume ("air") is cut first, by the plane that leaves the least air in its two sides, as in V-HACD
+// (Mamou 2016). The final hulls are made from the exact surface, as in CoACD (Wei et al. 2022). Nothing depends on the
+// clock, so that equal meshes give equal parts.
 #include "scene/decomposition.h"
 
 #include "scene/voxels.h"
@@ -18,21 +19,22 @@ namespace cairn::scene {
 namespace {
 
 using Cell = std::array<int, 3>;
-constexpr int planes_per_axis = 7;   // tried first; then the neighbors of the best
-constexpr double balance = 0.02;     // of the volume: what two sides of unlike size cost
-constexpr double worth = 0.9;        // a cut must take away a tenth of the air
-constexpr double merge_share = 0.25; // of the concavity: what a merged part may gain of air
+constexpr int planes_per_axis = 7;   // planes tried first along an axis; the neighbors of the best one are tried next
+constexpr double balance = 0.02;     // cost of sides of unequal volume, as a share of the difference of their volumes
+constexpr double worth = 0.9;        // a cut must reduce the air to at most this share
+constexpr double merge_share = 0.25; // the air that merging two parts may add, as a share of the concavity limit
 constexpr std::size_t most_pieces = 64;
 
 struct Piece {
     std::vector<std::size_t> cells;
-    Cell low{}, high{}; // all within, both included
-    double hull = 0.0;  // in cells of volume
+    Cell low{}, high{}; // bounds of the cells, both inclusive
+    double hull = 0.0;  // volume of the hull in cells
     bool is_final = false;
     double air() const { return hull - static_cast<double>(cells.size()); }
 };
 
-// Corners of those cells that are outermost along all three axes: all corners of the hull are among them.
+// Adds the corners of cells that are extreme in their rows along all three axes; all vertices of the hull are among
+// them.
 void add_corners(const VoxelGrid& grid, const std::vector<std::size_t>& cells, const Cell& low, const Cell& high,
                  std::vector<Vec3>& points) {
     const auto extent = [&](std::size_t k) { return static_cast<std::size_t>(high[k] - low[k] + 1); };
@@ -104,7 +106,8 @@ class Decomposer {
         }
         whole_ = static_cast<double>(all.size());
         add_connected(all);
-        // Slanted faces have steps, and so are cut more than they need: what is no more than that is merged again.
+        // Slanted faces look like steps in the grid, and are therefore cut more than necessary; superfluous cuts are
+        // merged again.
         while (pieces_.size() < std::min(most_pieces, 2 * limits_.max_parts) && cut_the_worst()) {}
         std::vector<Hull> parts = hulls();
         merge(parts);
@@ -114,7 +117,8 @@ class Decomposer {
   private:
     static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-    // Cells that hang together, by faces, edges or corners, are a piece. The smallest of too many go together.
+    // Makes a piece of each set of cells that are connected by faces, edges or corners. If there are too many sets, the
+    // smallest ones are combined.
     void add_connected(const std::vector<std::size_t>& cells) {
         constexpr std::uint32_t waiting = nobody - 1;
         for (const std::size_t cell : cells) owner_[cell] = waiting;
@@ -170,14 +174,14 @@ class Decomposer {
         return true;
     }
 
-    // Below the plane, and from it on.
+    // Returns the parts of a piece below the plane, and from the plane on.
     std::pair<Piece, Piece> sides(const Piece& piece, std::size_t axis, int plane) const {
         std::vector<std::size_t> low, high;
         for (const std::size_t cell : piece.cells) (grid_.place(cell)[axis] < plane ? low : high).push_back(cell);
         return {make_piece(grid_, std::move(low)), make_piece(grid_, std::move(high))};
     }
 
-    // An axis and a plane; nothing if no cut is worth it.
+    // Returns an axis and a plane; nothing if no cut is worthwhile.
     std::optional<std::pair<std::size_t, int>> best_cut(const Piece& piece) const {
         double least = std::numeric_limits<double>::max(), least_air = 0.0;
         std::pair<std::size_t, int> best{0, 0};
@@ -207,12 +211,12 @@ class Decomposer {
             attempt(axis, plane - finer);
             attempt(axis, plane + finer);
         }
-        // Thin walls gain only after several cuts: half of a bowl is a bowl.
+        // Thin walls gain only after several cuts: half of a bowl is a bowl. Hence only small pieces are given up here.
         if (least_air > worth * piece.air() && piece.cells.size() < 64) return std::nullopt;
         return best;
     }
 
-    // Parts that together have hardly more air, or of which there are too many, are one.
+    // Merges parts whose common hull has hardly more air, or the cheapest ones if there are too many.
     void merge(std::vector<Hull>& parts) const {
         const double whole = whole_ * grid_.cell * grid_.cell * grid_.cell;
         const auto both = [&](std::size_t a, std::size_t b) {
@@ -247,7 +251,7 @@ class Decomposer {
         }
     }
 
-    // Of the surface itself, cut at the sides of each piece.
+    // Makes the hulls from the surface itself, clipped at the bounds of each piece.
     std::vector<Hull> hulls() {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             for (const std::size_t cell : pieces_[i].cells) owner_[cell] = static_cast<std::uint32_t>(i);
@@ -265,7 +269,7 @@ class Decomposer {
         return result;
     }
 
-    // What of a triangle is in the box of a piece, if it is that piece's and not another's in the same box.
+    // Adds the portion of a triangle in the box of a piece, unless it belongs to another piece in the same box.
     void add_clipped(std::size_t index, std::size_t t, std::vector<Vec3>& points) const {
         const Piece& piece = pieces_[index];
         std::vector<glm::dvec3> polygon;
@@ -293,7 +297,7 @@ class Decomposer {
         for (const glm::dvec3& corner : polygon) points.push_back(Vec3(grid_.origin + grid_.cell * corner));
     }
 
-    // Keeps what is on the side of `sign`.
+    // Keeps the portion of the polygon on the side of `sign`.
     static void cut(std::vector<glm::dvec3>& polygon, int axis, int plane, double sign) {
         std::vector<glm::dvec3> kept;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -309,7 +313,7 @@ class Decomposer {
         polygon = std::move(kept);
     }
 
-    // Corners of the box that are within the solid: no triangle reaches them.
+    // Adds the corners of the box that are inside the solid, which no triangle reaches.
     void add_inner_corners(std::size_t index, std::vector<Vec3>& points) const {
         const Piece& piece = pieces_[index];
         for (int corner = 0; corner < 8; ++corner) {
@@ -331,7 +335,7 @@ class Decomposer {
     std::span<const std::uint32_t> indices_;
     VoxelGrid grid_;
     DecompositionLimits limits_;
-    std::vector<std::uint32_t> owner_; // the piece of a cell
+    std::vector<std::uint32_t> owner_; // the piece of each cell
     std::vector<Piece> pieces_;
     double whole_ = 0.0;
 };

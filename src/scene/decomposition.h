@@ -1,5 +1,5 @@
 /// \file decomposition.h
-/// Concave meshes as several convex parts (docs/decisions/decomposition.md).
+/// Approximate convex decomposition of concave meshes (docs/decisions/decomposition.md).
 #pragma once
 
 #include "scene/scene.h"
@@ -15,20 +15,22 @@
 
 namespace cairn::scene {
 
-/// How fine a mesh is cut.
+/// How finely a mesh is decomposed.
 struct DecompositionLimits {
     std::size_t max_parts = 32; ///< 1 to 64.
-    int cells = 48;             ///< Of a grid along the longest side, 8 to 128: what is thinner is not told apart.
-    double concavity = 0.01; ///< A part is cut if its hull has that much more volume, as a share of the whole's; > 0.
+    int cells = 48;             ///< Voxels along the longest side, 8 to 128; thinner features are not resolved.
+    /// A part is cut if its hull has that much more volume than the part, as a share of the whole mesh's volume; > 0.
+    double concavity = 0.01;
 };
 
-/// Convex hulls that together come near the solid that triangles enclose, three indices each, all in range. One if it
-/// is convex, or too intricate for the bounds of time. Equal meshes give equal parts. Throws `Error` (invalid_value)
-/// for a mesh that has no hull.
+/// Returns convex hulls that together approximate the solid enclosed by the triangles, which have three indices each,
+/// all in range. There is one hull if the solid is convex, or too intricate for the limit of computing time. Equal
+/// meshes give equal parts. Throws `Error` (invalid_value) for a mesh that has no hull.
 std::vector<Hull> decompose(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices,
                             const DecompositionLimits& limits = {});
 
-/// The parts of the surfaces of one file, each cut once. Of more surfaces than anybody waits for, the rest are hulls.
+/// The convex parts of the surfaces of one file, each decomposed once. Surfaces beyond `max_surfaces`, which would take
+/// too long, become their convex hulls.
 class SurfaceParts {
   public:
     /// Throws `Error` like `decompose`.

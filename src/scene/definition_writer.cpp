@@ -41,7 +41,7 @@ Quat plane_frame(const Plane& plane) {
     return Quat(glm::quat_cast(glm::dmat3(x, up, glm::cross(x, up))));
 }
 
-// Empty unless the shape is a plane that the file has turned.
+// Returns the rotation of a plane that differs from the file's standard plane; nothing for other shapes.
 std::optional<Quat> turn_of_plane(const Shape& shape) {
     const Plane* plane = std::get_if<Plane>(&shape);
     if (plane == nullptr) return std::nullopt;
@@ -85,7 +85,7 @@ struct ShapeWriter {
     }
 };
 
-// Every face of a hull as a fan of triangles.
+// Triangulates every face of a hull as a fan.
 std::vector<std::uint32_t> triangles_of(const Hull& hull) {
     std::vector<std::uint32_t> indices;
     for (std::size_t f = 0; f < hull.face_count(); ++f) {
@@ -115,7 +115,7 @@ std::size_t DefinitionWriter::shape(const Shape& shape) {
 }
 
 Json DefinitionWriter::height_field(const HeightField& field) {
-    // Accessors have finite numbers alone.
+    // Accessors hold finite numbers only, so holes are listed separately.
     std::vector<float> heights(field.heights().begin(), field.heights().end());
     Json holes = Json::array();
     for (std::size_t i = 0; i < heights.size(); ++i)
@@ -130,7 +130,7 @@ Json DefinitionWriter::height_field(const HeightField& field) {
     return {{"type", "CAIRN_height_field"}, {"extensions", {{"CAIRN_height_field", std::move(grid)}}}};
 }
 
-// Of a mesh or height field, into its extension.
+// Writes the materials of a mesh or height field into its extension object.
 void DefinitionWriter::add_materials(const SurfaceMaterials& materials, Json& own) {
     if (materials.numbers.empty()) return;
     for (const Material& material : materials.materials) {
@@ -166,8 +166,8 @@ std::size_t DefinitionWriter::material(const Shape& shape, const ShapeDef& def) 
     return materials_.index(json);
 }
 
-// Only the layers that shapes are in can make a difference; each of them needs a name. The lowest needs none, unless
-// a shape is in it and in another one: the draft has no way to say that.
+// Only layers with shapes in them have an effect; each of them needs a name. The lowest layer needs none, unless a
+// shape is both in it and in another one, which the draft can only express with a name.
 void DefinitionWriter::name_layers(const Scene& scene) {
     std::uint64_t used = 0;
     bool lowest_is_shared = false;
@@ -206,11 +206,12 @@ Json DefinitionWriter::layer_names(std::uint64_t layers) const {
 
 std::optional<std::size_t> DefinitionWriter::filter(const CollisionFilter& filter) {
     Json json = Json::object();
-    const bool collides = filter.layers != 0; // what is in no layer meets nothing
+    const bool collides = filter.layers != 0; // a shape in no layer collides with nothing
     if (collides) {
         if (const Json systems = layer_names(filter.layers); !systems.empty()) json["collisionSystems"] = systems;
     }
-    // The unnamed layer can only be met by leaving others out, and only be left out by naming those that are met.
+    // The draft can only express collision with the unnamed layer by excluding other systems, and no collision with it
+    // only by listing the systems to collide with.
     if (!collides || (filter.collides_with & unnamed_layer) == 0) {
         json["collideWithSystems"] = layer_names(collides ? filter.collides_with : 0);
     } else if (const Json others = layer_names(~filter.collides_with); !others.empty()) {

@@ -1,5 +1,5 @@
-// The definitions of a file that is written, which its nodes refer to by index: shapes, materials, filters, meshes.
-// Each is listed once.
+// Collects the definitions of a file being written, to which its nodes refer by index: shapes, materials, filters,
+// meshes. Equal definitions are written once.
 #pragma once
 
 #include "scene/look_writer.h"
@@ -24,13 +24,13 @@ class DefinitionWriter {
   public:
     explicit DefinitionWriter(const Scene& scene);
 
-    // The index of a shape that is no hull and no mesh, in KHR_implicit_shapes.
+    // Returns the index in KHR_implicit_shapes of a shape that is neither a hull nor a mesh.
     std::size_t shape(const Shape& shape);
     std::size_t material(const Shape& shape, const ShapeDef& def);
-    // Nothing for a filter that keeps nothing apart.
+    // Returns nothing for a filter that lets everything collide.
     std::optional<std::size_t> filter(const CollisionFilter& filter);
     std::size_t joint(const JointDef& joint);
-    // The index of a glTF mesh with the triangles of a Hull or a Mesh.
+    // Returns the index of a glTF mesh with the triangles of a Hull or a Mesh.
     std::size_t collider_mesh(const Shape& shape);
     std::size_t visual_mesh(const VisualMesh& visual);
 
@@ -58,9 +58,9 @@ class DefinitionWriter {
     Table shapes_, materials_, filters_, joints_, meshes_, colors_;
     BufferWriter buffer_;
     LookWriter look_writer_{buffer_};
-    // By the address of shared data: looked up, never walked through.
+    // Keyed by the address of shared data; looked up, never iterated.
     std::unordered_map<const void*, std::size_t> collider_meshes_, height_fields_;
-    std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
+    std::map<std::size_t, std::string> layer_names_; // of the layers in use, by bit
     bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false,
          uses_mesh_extension_ = false;
 };

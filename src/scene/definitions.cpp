@@ -53,7 +53,7 @@ Shape read_plane(const Value& shape, const glm::dvec3& scale) {
     const auto plane = shape.find("plane");
     if (!plane) return result;
     if (const auto sides = plane->find("doubleSided")) result.double_sided = sides->boolean();
-    // Infinite without a size; some exporters write 0 for that.
+    // A plane is infinite without a size; some exporters write 0 for that.
     const auto half = [&](const char* name, double factor) {
         const auto size = plane->find(name);
         const double along = size ? size->number(nonnegative_float) : 0.0;
@@ -73,7 +73,7 @@ CombineRule read_rule(const Value& value) {
     value.fail("must be \"average\", \"minimum\", \"maximum\" or \"multiply\"");
 }
 
-// The sizes of a capsule or a cylinder; both have the same members.
+// The sizes of a capsule or a cylinder, which have the same members.
 struct Column {
     double height = 0.5, bottom = 0.25, top = 0.25;
 };
@@ -89,7 +89,7 @@ Column read_column(const Value& shape, const char* member) {
     return column;
 }
 
-// A shape of the engine has its tip, if it has one, at the top: others are turned upside down.
+// A pointed shape of the engine has its tip at the top; one with its tip at the bottom is turned upside down.
 template <class Column3d> TurnedShape upright_column(Column column, const glm::dvec3& scale, const Value& shape) {
     TurnedShape result;
     if (column.bottom == 0.0) {

@@ -9,7 +9,7 @@ namespace cairn::scene {
 
 namespace {
 
-// Extensions of how things look, which no simulation depends on.
+// Prefixes of extensions that affect appearance only, not the simulation.
 constexpr std::array<std::string_view, 8> visual_prefixes{
     "KHR_lights_", "KHR_materials_", "KHR_texture_",           "KHR_mesh_quantization", "KHR_draco_mesh_compression",
     "EXT_lights_", "EXT_texture_",   "EXT_meshopt_compression"};

@@ -19,7 +19,7 @@ Filters::Filters(const Value& document) {
     const auto physics = extension(document, "KHR_physics_rigid_bodies");
     filters_ = physics ? physics->find("collisionFilters") : std::nullopt;
     const std::size_t count = filters_ ? filters_->size(max_definitions, "collision filters") : 0;
-    std::set<std::string> names; // sorted, so that a file that is saved and loaded has the same bits
+    std::set<std::string> names; // sorted, so that systems keep their bits when a file is saved and loaded
     for (std::size_t i = 0; i < count; ++i) {
         const Value filter = (*filters_)[i];
         for (const char* member : lists) {

@@ -1,4 +1,4 @@
-// Collision filters: the names of the drafts' collision systems, and the bits that the engine has for them.
+// Collision filters: maps the names of the drafts' collision systems to the layer bits of the engine.
 #pragma once
 
 #include "scene/json_value.h"
@@ -11,7 +11,7 @@
 
 namespace cairn::scene {
 
-// The lowest bit is for colliders that are in no system: it is the layer that shapes are in by themselves.
+// The layer bit of colliders that are in no collision system: the lowest, which is also the default layer of shapes.
 inline constexpr std::uint64_t unnamed_layer = 1;
 inline constexpr std::size_t max_collision_systems = 63;
 
@@ -19,9 +19,9 @@ class Filters {
   public:
     explicit Filters(const Value& document);
 
-    // The filter that `index` (a collider's collisionFilter) refers to.
+    // Returns the filter that `index` (a collider's collisionFilter) refers to.
     CollisionFilter filter(const Value& index) const;
-    // The systems in use, by name; the i-th has the bit i + 1.
+    // The names of the collision systems in use; system i has bit i + 1.
     const std::vector<std::string>& names() const { return names_; }
 
   private:

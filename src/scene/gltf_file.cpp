@@ -27,8 +27,9 @@ constexpr std::uint32_t glb_magic = 0x46546C67;    // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A;   // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942; // "BIN\0"
 
-// The chunks of a .glb file: a header of 12 bytes (magic, version, length), then chunks, each of a header of 8 bytes
-// (length, type) and its data: first the JSON, then at most one of binary data (glTF 2.0, section 4.4).
+// The chunks of a .glb file. The file has a header of 12 bytes (magic, version, length), then chunks, each with a
+// header of 8 bytes (length, type) and its data: first the JSON, then at most one of binary data (glTF 2.0, section
+// 4.4).
 struct Container {
     std::span<const std::byte> json;
     std::optional<std::span<const std::byte>> binary;
@@ -59,13 +60,13 @@ Container open_container(std::span<const std::byte> bytes, const std::string& fi
                            " bytes is longer than the file");
         }
         if (i == 0) container.json = bytes.subspan(next, size);
-        if (i == 1 && type == binary_chunk) container.binary = bytes.subspan(next, size); // others are ignored
+        if (i == 1 && type == binary_chunk) container.binary = bytes.subspan(next, size); // other chunks are ignored
         next += size;
     }
     return container;
 }
 
-// Counts brackets outside of strings. (The parser's own hook for this takes quadratic time on long arrays.)
+// Counts brackets outside of strings. (The JSON parser's callback for this takes quadratic time on long arrays.)
 bool is_deeper_than(std::string_view text, int limit) {
     int depth = 0;
     bool in_string = false;
@@ -85,7 +86,7 @@ bool is_deeper_than(std::string_view text, int limit) {
     return false;
 }
 
-// nlohmann's messages begin with "[json.exception.parse_error.101] parse error at line 1, column 2: ".
+// Strips the prefix of nlohmann's messages: "[json.exception.parse_error.101] parse error at line 1, column 2: ".
 std::string without_prefix(const char* message) {
     const char* end = std::strchr(message, ']');
     return end != nullptr && end[1] == ' ' ? end + 2 : message;
@@ -101,7 +102,8 @@ std::vector<std::byte> read_file(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(status)) throw Error(ErrorCode::io, file, {}, "is a folder, not a file");
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw Error(ErrorCode::io, file, {}, "cannot be opened for reading");
-    // Read in pieces rather than by the size that the file system reports, which pipes and devices do not have.
+    // The file is read in pieces rather than by the size that the file system reports, which pipes and devices do not
+    // have.
     std::vector<std::byte> bytes;
     constexpr std::size_t piece = std::size_t{1} << 20;
     while (stream) {
@@ -122,7 +124,8 @@ GltfFile parse_gltf(std::span<const std::byte> bytes, const std::string& file) {
     Container parts{bytes, std::nullopt};
     if (bytes.size() >= 4 && little_endian_word(bytes, 0) == glb_magic) parts = open_container(bytes, file);
     std::string_view text(reinterpret_cast<const char*>(parts.json.data()), parts.json.size());
-    // Chunks are filled up with blanks, or against the rules with zeros. Elsewhere a zero ends what the parser sees.
+    // Chunks are padded with spaces, or by nonconforming writers with zeros. Anywhere else a zero byte would end the
+    // parser's input.
     const bool is_container = parts.json.size() != bytes.size();
     while (is_container && !text.empty() && text.back() == '\0') text.remove_suffix(1);
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {

@@ -33,7 +33,7 @@ const std::array<std::pair<const char*, Joint>, 13>& types() {
     return all;
 }
 
-// --- one list of the members of each type, for reading and writing
+// --- One list of the members of each joint type, for both reading and writing
 
 template <class Io, class Spring>
 requires std::is_same_v<std::remove_const_t<Spring>, JointSpring>
@@ -154,7 +154,7 @@ class Reader {
     const Value& value_;
 };
 
-// Looks for members that are none of the type's.
+// Warns of members that the joint type does not have.
 class JointSpeller {
   public:
     JointSpeller(const Value& value, std::vector<std::string> known, std::vector<std::string>& warnings)
@@ -220,7 +220,7 @@ class JointTypeWriter {
     }
 };
 
-// --- what the draft can say
+// --- Conversion to the nearest joint of the draft
 
 struct Nearest {
     GeneralJoint made;
@@ -235,7 +235,8 @@ struct Nearest {
         JointLimit limit{kind, axes, std::nullopt, std::nullopt, std::nullopt, 0.0f};
         if (std::isfinite(range.lower)) limit.min = range.lower;
         if (std::isfinite(range.upper)) limit.max = range.upper;
-        // The draft's springs are forces only; a rigid bound comes nearer than none.
+        // The draft's limits have force springs only; a rigid limit is a better approximation of an acceleration spring
+        // than no limit.
         if (range.spring && !range.spring->is_acceleration) {
             limit.stiffness = range.spring->stiffness;
             limit.damping = range.spring->damping;
@@ -254,7 +255,7 @@ struct Nearest {
         drive.damping = spring.damping;
         made.drives.push_back(drive);
     }
-    // It has no friction, and no motor that holds a velocity whatever it takes.
+    // The draft has neither friction nor a motor that holds a velocity with unlimited force.
     void control(JointAxis kind, int axis, const JointControl& control) {
         std::array<bool, 3> axes{};
         axes[static_cast<std::size_t>(axis)] = true;
@@ -312,11 +313,12 @@ struct Nearest {
         for (int i = 0; i < 3; ++i) {
             spring(JointAxis::linear, i, joint.linear, joint.max_force, joint.position[i], 0.0f);
         }
-        // Several angles at a time have no meaning that all agree on.
+        // Decomposing a rotation target into several angles has no agreed convention, so only the identity is
+        // converted.
         if (joint.rotation != Quat(1.0f, 0.0f, 0.0f, 0.0f)) return;
         for (int i = 0; i < 3; ++i) spring(JointAxis::angular, i, joint.angular, joint.max_torque, 0.0f, 0.0f);
     }
-    void operator()(const GearJoint&) {} // those three it has no words for
+    void operator()(const GearJoint&) {} // the draft has no equivalent of gear, rack and pulley joints
     void operator()(const RackJoint&) {}
     void operator()(const PulleyJoint&) {}
     void operator()(const GeneralJoint& joint) { made = joint; }

@@ -1,4 +1,4 @@
-// The types of joints that the draft does not have: as CAIRN_joint writes them, and as the draft comes nearest to them.
+// Joint types that the draft lacks: as CAIRN_joint writes them, and their nearest equivalents in the draft.
 #pragma once
 
 #include "scene/json_value.h"
@@ -12,16 +12,17 @@
 
 namespace cairn::scene {
 
-// The joint that CAIRN_joint describes. It must have a member "type".
+// Reads the joint that CAIRN_joint describes. `own` must have a member "type".
 Joint read_typed_joint(const Value& own);
 
-// Members of CAIRN_joint; none for a GeneralJoint. What has its default is left out.
-// Warns of members that its type does not have.
+// Warns of members that the joint type does not have.
+// `write_typed_joint` returns the members of CAIRN_joint; none for a GeneralJoint. Members with default values are left
+// out.
 void warn_of_unknown_joint_members(const Value& own, std::vector<std::string>& warnings);
 
 nlohmann::ordered_json write_typed_joint(const Joint& joint);
 
-// Limits and drives that do the same, as far as the draft has words for it.
+// Returns limits and drives with the same effect, as far as the draft can express it.
 GeneralJoint nearest_general_joint(const Joint& joint);
 
 } // namespace cairn::scene

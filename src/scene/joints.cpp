@@ -13,9 +13,9 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::size_t max_rules = 100; // limits, or drives, of one joint
+constexpr std::size_t max_rules = 100; // maximum number of limits, or of drives, of one joint
 
-// Three flags from a list of 1 to 3 different axes.
+// Reads a list of 1 to 3 different axes into flags.
 std::array<bool, 3> read_axes(const Value& list) {
     const std::size_t count = list.size(3, "axes");
     if (count == 0) list.fail("must list 1 to 3 axes");
@@ -99,7 +99,7 @@ JointSolver read_solver(const Value& value) {
 
 JointDef read_joint(const Value& value, std::vector<std::string>& warnings) {
     JointDef def;
-    def.joint = read_general(value); // checked even if another type is to replace it
+    def.joint = read_general(value); // validated even if CAIRN_joint replaces it with another type
     const auto own = extension(value, "CAIRN_joint");
     if (!own) return def;
     warn_of_unknown_joint_members(*own, warnings);
@@ -132,7 +132,7 @@ nlohmann::ordered_json write_drive(const JointDrive& drive) {
     json["mode"] = drive.is_acceleration ? "acceleration" : "force";
     json["axis"] = drive.axis;
     if (drive.max_force && std::isfinite(*drive.max_force)) json["maxForce"] = shortest(*drive.max_force);
-    // A target and its strength come together, as the draft's schema has it.
+    // The draft's schema requires a target together with its stiffness or damping.
     if (drive.position_target != 0.0f || drive.stiffness != 0.0f) {
         json["positionTarget"] = shortest(drive.position_target);
         json["stiffness"] = shortest(drive.stiffness);
@@ -156,7 +156,7 @@ int free_rows(const GeneralJoint& joint) {
             if (limit.axes[i]) locked[static_cast<std::size_t>(limit.kind)][i] = true;
         }
     }
-    // Two or three locked axes are held together; a single one takes a row of its own.
+    // Two or three locked axes form one constraint; a single locked axis takes a row of its own.
     for (const auto& axes : locked) {
         if (axes[0] + axes[1] + axes[2] == 1) ++rows;
     }

@@ -1,5 +1,5 @@
-// Joints of KHR_physics_rigid_bodies, read and written, and CAIRN_joint, the extension object on them that says what
-// the draft has no words for.
+// Reads and writes joints of KHR_physics_rigid_bodies, and CAIRN_joint, the extension object on them for properties
+// that the draft cannot express.
 #pragma once
 
 #include "scene/json_value.h"
@@ -18,7 +18,7 @@ int free_rows(const GeneralJoint& joint);
 class JointTable {
   public:
     JointTable(const Value& document, std::vector<std::string>& warnings); // reads and checks all entries
-    // All of a joint but its name, its bodies and frames, and whether they collide.
+    // Returns the definition of a joint except its name, its bodies and frames, and whether the bodies collide.
     const JointDef& joint(const Value& index) const;
     bool empty() const { return joints_.empty(); }
 
@@ -27,7 +27,7 @@ class JointTable {
     std::vector<JointDef> joints_;
 };
 
-// Has a member "extensions" only if it needs CAIRN_joint.
+// The result has a member "extensions" only if it needs CAIRN_joint.
 nlohmann::ordered_json write_joint(const JointDef& joint);
 
 } // namespace cairn::scene

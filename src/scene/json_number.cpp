@@ -10,8 +10,8 @@ namespace cairn::scene {
 
 namespace {
 
-// The fewest digits that name a float, with an exponent; returns their end. Emscripten's library has no std::to_chars
-// of floating point numbers; what it prints does not depend on a locale, and with 9 digits names every float.
+// Writes the fewest digits that identify a float, with an exponent, and returns their end. Emscripten's library lacks
+// std::to_chars for floating point; its snprintf does not depend on a locale, and 9 digits identify every float.
 char* write_digits(char (&digits)[32], float value) {
 #ifndef __EMSCRIPTEN__
     return std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific).ptr;
@@ -32,7 +32,7 @@ double shortest(float value) {
     char digits[32];
     const char* const end = write_digits(digits, value);
     const double decimal = nlohmann::json::parse(static_cast<const char*>(digits), end).get<double>();
-    // Reading rounds twice, to double and then to float, which in principle may end one float away.
+    // Reading rounds twice, to double and then to float, which could in principle give an adjacent float.
     return static_cast<float>(decimal) == value ? decimal : static_cast<double>(value);
 }
 

@@ -1,4 +1,4 @@
-// Numbers as they are written to files: the shortest decimal that reads back as the same float or double.
+// Numbers are written to files as the shortest decimal that reads back as the same float or double.
 #pragma once
 
 #include <cairn/math.h>
@@ -9,24 +9,24 @@
 
 namespace cairn::scene {
 
-// The double whose shortest decimal is also the float's: 0.1f becomes 0.1, not 0.10000000149011612.
-// Zero loses its sign, which says nothing in a file.
+// Returns the double whose shortest decimal is also the float's: 0.1f becomes 0.1, not 0.10000000149011612. Negative
+// zero loses its sign, which means nothing in a file.
 double shortest(float value);
 
 nlohmann::ordered_json number_array(const Vec3& v);
 nlohmann::ordered_json number_array(const Position& v);
 
-// A rotation as it is written. Whoever reads it normalizes it, which in float leaves the large components as they are
-// but shrinks small ones a little every time; seven decimals, about the precision of a float near one, make an end
-// of that.
+// Rounds a rotation to seven decimals for a file. Readers normalize rotations, which in float leaves large components
+// as they are but shrinks small ones a little every time; rounding to about the precision of a float near one stops
+// this drift.
 glm::dquat written_rotation(const Quat& q);
-// In the order of glTF: x, y, z, w.
+// The components are in the order of glTF: x, y, z, w.
 nlohmann::ordered_json number_array(const Quat& q);
 
-// Six digits at most, for messages.
+// At most six digits, for messages.
 std::string short_number(double value);
 
-// As text on one line. Names are any bytes: what is not UTF-8 in them becomes U+FFFD.
+// Returns JSON text on one line. Names may be any bytes; bytes that are not UTF-8 become U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
 
 } // namespace cairn::scene

@@ -7,7 +7,7 @@ namespace cairn::scene {
 
 namespace {
 
-// 0.5 rather than 0.500000: the way nlohmann-json writes numbers.
+// 0.5 rather than 0.500000, as nlohmann-json writes numbers.
 std::string plain(double v) {
     return v == std::floor(v) && std::fabs(v) < 1e15 ? std::to_string(static_cast<long long>(v))
                                                      : nlohmann::json(v).dump();
@@ -131,7 +131,7 @@ glm::dquat Value::rotation() const {
     numbers(v, 4, Range{-1.5, 1.5, false});
     const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
     if (square < 0.25 || square > 2.25) fail("must be a unit quaternion");
-    // What float precision leaves is no error, and changing it would make files drift from save to save.
+    // Deviations within float precision are no error, and normalizing them would make files drift from save to save.
     const bool is_unit = std::fabs(square - 1.0) < 1e-6;
     const double s = is_unit ? 1.0 : 1.0 / std::sqrt(square);
     return {v[3] * s, v[0] * s, v[1] * s, v[2] * s};
@@ -149,7 +149,7 @@ std::string Value::shown() const {
         }
     }
     if (json_->is_string() && json_->get_ref<const std::string&>().size() > longest) {
-        // Cut before it is escaped: buffers are long. The cut may fall into a letter, which is then left out.
+        // Text is cut before it is escaped, because buffers are long. A letter that the cut splits is left out.
         const nlohmann::json start = json_->get_ref<const std::string&>().substr(0, longest);
         return start.dump(-1, ' ', true, nlohmann::json::error_handler_t::ignore) + "...";
     }

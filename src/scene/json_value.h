@@ -1,5 +1,5 @@
-// A read-only view of a JSON value that knows where it stands in its file, so that every complaint names
-// the place. Values are cheap to pass around; the document must outlive them.
+// A read-only view of a JSON value that knows its place in its file, so that every error message names the place.
+// Values are cheap to copy; the document must outlive them.
 #pragma once
 
 #include <cairn/error.h>
@@ -17,10 +17,10 @@
 
 namespace cairn::scene {
 
-// Longest name, title or other text that is read, in bytes.
+// Maximum length of a name, title or other text that is read, in bytes.
 inline constexpr std::size_t max_text_length = 4096;
 
-// Which numbers a field may hold.
+// The interval of numbers that a field may hold.
 struct Range {
     double low = -std::numeric_limits<double>::max(), high = std::numeric_limits<double>::max();
     bool low_excluded = false;
@@ -43,14 +43,14 @@ class Value {
     bool is_null() const { return json_->is_null(); }
     const std::string& path() const { return path_; }
 
-    // Objects. `find` is empty if there is no such member; `require` complains.
+    // Objects. `find` is empty if there is no such member; `require` throws.
     std::optional<Value> find(const char* key) const;
     Value require(const char* key) const;
     void must_be_object() const;
-    // Names of members that are not among `known`, at most `limit` of them.
+    // Returns the names of members that are not among `known`, at most `limit` of them.
     std::vector<std::string> other_members(const std::vector<std::string>& known, std::size_t limit) const;
 
-    // Arrays. `size` complains about anything else, and about more than `limit` elements.
+    // Arrays. `size` throws if the value is not an array, or has more than `limit` elements.
     std::size_t size(std::size_t limit, const char* what) const;
     Value operator[](std::size_t index) const;
 
@@ -59,33 +59,33 @@ class Value {
     float real(const Range& range = any_float) const { return static_cast<float>(number(range)); }
     bool boolean() const;
     std::string text() const;
-    // A text of any length, where it stands: the data of a buffer, for example.
+    // Returns a text of any length without copying it: the data of a buffer, for example.
     const std::string& long_text() const;
-    // An index into an array of `count` elements, called `what`.
+    // Returns an index into an array of `count` elements, called `what` in messages.
     std::size_t index(std::size_t count, const char* what) const;
-    // A whole number from `low` to `high`.
+    // Returns an integer from `low` to `high`.
     int integer(int low, int high) const;
-    // Likewise, for sizes and offsets; `high` at most 2^53.
+    // Returns an unsigned integer from `low` to `high`, for sizes and offsets; `high` is at most 2^53.
     std::uint64_t whole(std::uint64_t low, std::uint64_t high) const;
 
-    // Arrays of numbers of a fixed length.
+    // Arrays of numbers of fixed length.
     glm::dvec3 vector3(const Range& range = any_float) const;
     Vec3 float_vector3(const Range& range = any_float) const { return Vec3(vector3(range)); }
-    // A quaternion, given as x, y, z, w; normalized unless it is a unit quaternion to float precision already.
+    // Reads a quaternion in the order x, y, z, w; normalized unless it is a unit quaternion to float precision already.
     glm::dquat rotation() const;
 
     [[noreturn]] void fail(const std::string& expected) const { raise(ErrorCode::invalid_file, expected, shown()); }
     [[noreturn]] void refuse(const std::string& why) const { raise(ErrorCode::unsupported, why, {}); }
-    // Passes on a complaint of the engine about what was read from here.
+    // Rethrows an error of the engine about the value, with the place of the value.
     [[noreturn]] void fail(const Error& error) const { raise(ErrorCode::invalid_file, error.what(), {}); }
-    // The place, for a warning.
+    // The place of the value in the file, for a warning.
     std::string place() const;
 
   private:
     Value(const nlohmann::json& json, std::string_view file, std::string path)
         : json_(&json), file_(file), path_(std::move(path)) {}
     void numbers(double* out, std::size_t count, const Range& range) const;
-    std::string shown() const; // the value as it stands in the file, shortened
+    std::string shown() const; // the value as the file has it, shortened
     [[noreturn]] void raise(ErrorCode code, const std::string& expected, std::string value) const;
 
     const nlohmann::json* json_;

@@ -1,4 +1,4 @@
-// Collision filters for shapes of a few kinds, any two of which meet or not.
+// Collision filters for shapes of a few kinds, where each pair of kinds either collides or does not.
 #pragma once
 
 #include <cairn/shape.h>
@@ -9,10 +9,11 @@
 
 namespace cairn::scene {
 
-inline constexpr std::size_t max_kinds = 63; // as many as there are layers beside the first
+inline constexpr std::size_t max_kinds = 63; // the number of layers beside the first
 
-// A layer for each kind, which collides with those that it meets, and with whatever is in the first layer: what is
-// added later, a floor for example. `meet` must be symmetric; at most `max_kinds`.
+// Returns one filter per kind: each kind has a layer of its own and collides with the layers for which `meet` is true,
+// and with the first layer, which shapes that are added later, such as a floor, are in. `meet` must be symmetric; there
+// may be at most `max_kinds` kinds.
 template <class Kind, class Meet>
 std::vector<CollisionFilter> filters_of_kinds(const std::vector<Kind>& kinds, Meet&& meet) {
     std::vector<CollisionFilter> filters(kinds.size());

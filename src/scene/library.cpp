@@ -1,4 +1,4 @@
-// The folder of scenes: finding it, listing it, and finding one scene in it.
+// The library of scenes: finding its folder, listing it, and finding one scene in it.
 #include "scene/document.h"
 #include "scene/gltf_file.h"
 #include "scene/node_graph.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Bodies at a node and below it, by the same rules as when the world is built.
+// Counts the bodies at a node and below it, by the same rules as when the world is built.
 std::size_t count_bodies(const Value& nodes, const NodeGraph& graph, std::size_t index, bool in_body,
                          std::size_t depth) {
     const Value node = nodes[index];
@@ -69,14 +69,15 @@ std::string without_number(const std::string& name) {
     return name.substr(digits + 1);
 }
 
-// "01_open_plane" -> 1; nothing without a number. Numbers of up to nine digits.
+// "01_open_plane" -> 1; nothing without a number. Numbers may have up to nine digits.
 std::optional<int> number_of(const std::string& name) {
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
     if (digits == 0 || digits > 9 || (digits < name.size() && name[digits] != '_')) return std::nullopt;
     return std::stoi(name.substr(0, digits));
 }
 
-// What a name stands for: the whole one is meant if there is such, else the one without a number, else the number.
+// Returns the files that a name matches: by the whole name if any does, else by the name without its number, else by
+// the number.
 std::vector<fs::path> scenes_named(const std::string& name, const std::vector<fs::path>& files) {
     const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
     const auto matches = [&](int way, const std::string& file_name, const std::string& stem) {
@@ -93,7 +94,7 @@ std::vector<fs::path> scenes_named(const std::string& name, const std::vector<fs
     return found;
 }
 
-// The folder of the running program; empty where the system has no way to tell.
+// Returns the folder of the running program; empty where the system does not tell it.
 fs::path program_directory() {
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code);
@@ -107,7 +108,7 @@ std::vector<fs::path> scene_files(const fs::path& directory) {
     std::error_code code;
     for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
         if (is_scene_file(entry->path()) && !entry->is_directory(code)) files.push_back(entry->path());
-        code.clear(); // of a single entry: reading that file will say what is wrong with it
+        code.clear(); // error of a single entry: reading that file will report it
     }
     if (code) throw Error(ErrorCode::io, directory.generic_string(), {}, "cannot be listed: " + code.message());
     std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -134,7 +135,7 @@ fs::path scenes_directory() {
 
 namespace {
 
-// The scene of that name in the library; nothing if there is none.
+// Returns the scene of that name in the library; nothing if there is none.
 std::optional<fs::path> named_scene(const std::string& name) {
     const fs::path directory = scenes_directory();
     std::error_code code;
@@ -169,7 +170,7 @@ fs::path find_scene(std::string_view path_or_name) {
     const fs::file_status status = fs::status(path, code);
     if (fs::exists(status) && !fs::is_directory(status)) return path;
     if (const std::optional<fs::path> found = named_scene(std::string(path_or_name))) return *found;
-    if (fs::exists(status)) return path; // a folder, which is said when it is read
+    if (fs::exists(status)) return path; // a folder: the error is reported when it is read
     fail_to_find(std::string(path_or_name));
 }
 

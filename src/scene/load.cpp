@@ -1,5 +1,5 @@
-// From a document to a world. Nodes are walked from the roots down, in the order of the file, so that equal
-// files give equal worlds: handles, storage and all.
+// Builds a world from a document. Nodes are visited from the roots down, in the order of the file, so that equal files
+// give equal worlds, including handles and storage.
 #include "scene/character.h"
 #include "scene/colliders.h"
 #include "scene/document.h"
@@ -30,34 +30,34 @@ namespace cairn::scene {
 
 namespace {
 
-// Where the walk stands.
+// The state of the traversal at a node.
 struct Place {
-    NodeTransform world;         // of the node above
-    Affine map;                  // the same, skewed or not
-    std::optional<BodyId> body;  // that a collider here belongs to
-    NodeTransform in_body;       // of the node above, seen from that body
-    std::optional<BodyId> fixed; // the nearest static body above that is nothing but a collider or trigger
+    NodeTransform world;         // transform of the parent node
+    Affine map;                  // the same as an affine map, which may be skewed
+    std::optional<BodyId> body;  // the body that a collider at this node belongs to
+    NodeTransform in_body;       // transform of the parent node relative to that body
+    std::optional<BodyId> fixed; // the nearest ancestor body that is static and was made for a lone collider or trigger
     NodeTransform in_fixed;
     std::size_t depth = 0;
 };
 
-// A node that a joint may be fixed to.
+// A node that a joint may be attached to.
 struct JointFrame {
-    std::optional<BodyId> body; // the one that it moves with, or stands on
-    NodeTransform transform;    // in that body, else in the world
-    Affine map;                 // in the world, skewed or not
+    std::optional<BodyId> body; // the body that the node moves with, or the static body above it
+    NodeTransform transform;    // relative to that body, else to the world
+    Affine map;                 // to the world, possibly skewed
 };
 
 const NodeTransform at_body(const NodeTransform& world) {
     return {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, world.scale, false};
 }
 
-// A velocity from the node's axes, in which the file has it, to the world's: turned with the node, and not scaled.
+// Rotates a velocity from the axes of the node, in which the file gives it, to those of the world; it is not scaled.
 Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
     if (rotation.x == 0.0 && rotation.y == 0.0 && rotation.z == 0.0) return Vec3(v);
     glm::dvec3 result = glm::normalize(rotation) * v;
-    // Turning back and forth leaves a speck where a component was zero; it is below what a float can tell of the
-    // whole vector, and would grow into a difference from save to save.
+    // Rotating back and forth leaves a tiny value where a component was zero; it is below float precision relative to
+    // the whole vector, and would grow from save to save. It is set to zero.
     const double speck = 1e-8 * std::max({std::fabs(result.x), std::fabs(result.y), std::fabs(result.z)});
     for (int i = 0; i < 3; ++i) {
         if (std::fabs(result[i]) < speck) result[i] = 0.0;
@@ -86,7 +86,7 @@ class Builder {
         for (const std::size_t root : graph_.roots) visit(root, {});
         for (const std::size_t skinned : skinned_nodes_)
             visuals_.add_skinned(node(skinned), bone_places_, scene_, warnings_);
-        // In the order of the file, which is the one that they are saved in: it matters to the solver.
+        // The order of the file, in which joints are also saved: the order of joints affects the solver.
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
         scene_.collision_systems = filters_.names();
@@ -128,7 +128,7 @@ class Builder {
         }
         std::optional<BodyId> body = place.body;
         NodeTransform in_body = place.in_body;
-        if (!body && (collider || trigger)) { // a body of its own, which holds nothing of what is below
+        if (!body && (collider || trigger)) { // a static body of its own, to which child nodes do not belong
             body = add_body(here, std::nullopt, std::nullopt, place.world);
             in_body = at_body(place.world);
             place.fixed = body;
@@ -149,7 +149,7 @@ class Builder {
             read_character(*walks, scene_.world.body(*place.body));
     }
 
-    // Whether a trigger is made of those on nodes below, instead of having a geometry.
+    // Returns whether a trigger combines the triggers on child nodes instead of having a geometry of its own.
     bool check_group(const Value& trigger, std::size_t index) const {
         const auto nodes = trigger.find("nodes");
         if (!nodes) return false;
@@ -177,7 +177,7 @@ class Builder {
         return true;
     }
 
-    // Where a joint could be fixed to this node, if the file has any joints.
+    // Records the frame for joints that may be attached to this node, if the file has any joints.
     void note_joint(std::size_t index, const std::optional<Value>& physics, const Place& place) {
         if (physics && physics->find("joint")) joint_nodes_.push_back(index);
         if (joints_.empty()) return;
@@ -215,8 +215,8 @@ class Builder {
         }
     }
 
-    // A frame has no shape that a skewed node could bend: its place and the direction of its x axis are as they stand,
-    // and the other two axes are made perpendicular to it.
+    // A joint frame has no shape that a skewed transform could deform: its position and the direction of its x axis are
+    // kept, and the other two axes are made perpendicular to it.
     Transform frame_of(const JointFrame& frame, const Value& here) {
         if (!frame.transform.is_skewed) {
             require_usable(frame.transform, here);
@@ -290,7 +290,8 @@ class Builder {
         if (const auto factor = motion.find("gravityFactor")) def.gravity_scale = factor->real();
     }
 
-    // What has to wait until the body has its shapes: they move its center of mass, and with it the velocities.
+    // Sets the properties that depend on the body having its shapes: shapes move its center of mass, and with it its
+    // velocities.
     void finish_motion(const Value& motion, BodyId id, const NodeTransform& world) {
         const auto linear = read_vector(motion, "linearVelocity"), angular = read_vector(motion, "angularVelocity");
         Body body = scene_.world.body(id);
@@ -299,7 +300,7 @@ class Builder {
         warn_of_speed(motion, "angularVelocity", angular, scene_.world.settings().max_angular_speed, "rad/s");
         try {
             if (mass) body.set_mass_properties(*mass);
-            // Every shape moved the center of mass, and with it the origin by a rounding error.
+            // Every added shape moves the center of mass, which changes the origin by a rounding error.
             if (body.position() != world.translation) body.set_position(world.translation);
             if (linear) body.set_linear_velocity(turned(world.rotation, *linear));
             if (angular) body.set_angular_velocity(turned(world.rotation, *angular));
@@ -320,7 +321,8 @@ class Builder {
         return vector ? std::optional(vector->vector3(range)) : std::nullopt;
     }
 
-    // The mass properties that the file gives, over those that follow from the shapes; nothing if they all follow.
+    // Returns the mass properties that the file gives, completed by those computed from the shapes; nothing if the file
+    // gives none.
     std::optional<MassProperties> read_mass(const Value& motion, const Body& body, const glm::dvec3& scale) {
         const auto center = read_vector(motion, "centerOfMass");
         const auto inertia = read_vector(motion, "inertiaDiagonal", nonnegative_float);
@@ -348,7 +350,7 @@ class Builder {
         return properties;
     }
 
-    // A zero among them stands for an axis about which nothing turns.
+    // A zero moment stands for infinite inertia about that axis.
     glm::dvec3 real_moments(const Value& motion, const glm::dvec3& given) {
         if (given.x == 0.0 || given.y == 0.0 || given.z == 0.0) return given;
         const auto nearest = nearest_real_moments(given);
@@ -394,7 +396,7 @@ class Builder {
         add_shape(here, trigger, body, in_body, def);
     }
 
-    // What a collider and a trigger have in common.
+    // Adds the shape of a collider or trigger.
     void add_shape(const Value& here, const Value& owner, BodyId body, const NodeTransform& in_body, ShapeDef def) {
         require_usable(in_body, here);
         const Value geometry = owner.require("geometry");
@@ -419,7 +421,7 @@ class Builder {
 
     Value document_;
     const NodeGraph& graph_;
-    bool aims_camera_ = false; // a camera of the file, which has a direction
+    bool aims_camera_ = false; // whether the camera comes from the file and has only a direction yet
     Surfaces surfaces_;
     Colliders colliders_;
     Visuals visuals_;
@@ -427,10 +429,10 @@ class Builder {
     std::vector<std::string> warnings_;
     JointTable joints_;
     Scene scene_;
-    std::map<int, std::vector<BodyId>> groups_;           // by the numbers that the file gives them
-    std::vector<std::optional<JointFrame>> joint_frames_; // by node; of those that the scene shows
+    std::map<int, std::vector<BodyId>> groups_;           // keyed by the group numbers of the file
+    std::vector<std::optional<JointFrame>> joint_frames_; // by node; only for nodes that the scene shows
     std::vector<std::size_t> joint_nodes_;
-    std::vector<std::optional<BonePlace>> bone_places_; // by node; if the file has skins
+    std::vector<std::optional<BonePlace>> bone_places_; // by node; filled if the file has skins
     std::vector<std::size_t> skinned_nodes_;
 };
 
@@ -452,7 +454,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
     const NodeGraph graph = read_node_graph(document, scene);
     const Buffers buffers(document, gltf.binary, folder);
     Scene result = Builder(document, buffers, graph, std::move(settings), std::move(warnings), options).build();
-    if (!own && result.world.bodies().empty()) { // not meant as an empty world
+    if (!own && result.world.bodies().empty()) { // without CAIRN_world, an empty world is hardly intended
         result.warnings.push_back(document.place() +
                                   "has no body: no node that is shown has a motion, a collider or a trigger of "
                                   "KHR_physics_rigid_bodies, and nothing will move");

@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 constexpr int wrap_codes[] = {10497, 33648, 33071}, nearest = 9728, linear = 9729; // glTF 2.0, section 5.26
 
 template <class T> void append_bytes(std::string& text, const T& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof value); // a key: compared, never read
+    // The bytes serve as a key only: they are compared, never decoded.
+    text.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace cairn::scene {
 
 namespace {
 
-// The inertia of a point of mass 1 at `d`.
+// The inertia of a point mass of 1 at `d`.
 glm::dmat3 of_point(const glm::dvec3& d) { return glm::dmat3(glm::dot(d, d)) - glm::outerProduct(d, d); }
 
 } // namespace
@@ -48,7 +48,7 @@ MassProperties MassSum::real_properties(const std::string& where, std::vector<st
 }
 
 PrincipalAxes principal_axes(glm::dmat3 matrix) {
-    constexpr int max_sweeps = 50; // it takes about 5
+    constexpr int max_sweeps = 50; // about 5 are enough
     glm::dmat3 axes(1.0);
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         const double off = std::fabs(matrix[0][1]) + std::fabs(matrix[0][2]) + std::fabs(matrix[1][2]);
@@ -74,7 +74,7 @@ PrincipalAxes principal_axes(glm::dmat3 matrix) {
 }
 
 std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
-    constexpr double tolerance = 1e-4; // of the largest
+    constexpr double tolerance = 1e-4; // relative to the largest
     int largest = 0;
     for (int i = 1; i < 3; ++i) {
         if (moments[i] > moments[largest]) largest = i;
@@ -84,7 +84,7 @@ std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
         if (i != largest) excess -= moments[i];
     }
     if (!(excess > tolerance * moments[largest])) return std::nullopt;
-    // The foot of the perpendicular to the plane in which the largest is the sum of the others.
+    // The nearest point on the plane where the largest moment equals the sum of the others.
     glm::dvec3 result = moments + excess / 3.0;
     result[largest] = moments[largest] - excess / 3.0;
     return result;

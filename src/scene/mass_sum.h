@@ -1,4 +1,4 @@
-// Rigid parts added up to one: mass, center of mass, principal moments of inertia.
+// Combines rigid parts into one: mass, center of mass, principal moments of inertia.
 #pragma once
 
 #include "scene/rigid.h"
@@ -13,15 +13,15 @@ namespace cairn::scene {
 
 class MassSum {
   public:
-    // A part of `mass` (kg, > 0), whose center of mass and axes are at `at`; `inertia` (kg m^2) about them.
+    // Adds a part of `mass` (kg, > 0) whose center of mass and axes are at `at`; `inertia` (kg m^2) is about them.
     void add(double mass, const glm::dmat3& inertia, const Rigid& at);
 
-    void add_inertia(const glm::dmat3& inertia) { inertia_ += inertia; } // without mass
+    void add_inertia(const glm::dmat3& inertia) { inertia_ += inertia; } // an inertia without mass
 
     double mass() const { return mass_; }
-    double inertia_size() const; // of that about the center of mass, all entries
+    double inertia_size() const; // norm of the inertia about the center of mass, over all entries
     MassProperties properties() const;
-    // Likewise, with an inertia that a body can have: see real_inertia.
+    // The mass properties with an inertia that is physically possible: see real_inertia.
     MassProperties real_properties(const std::string& where, std::vector<std::string>& warnings) const;
 
   private:
@@ -30,14 +30,14 @@ class MassSum {
     MassProperties properties_with(const glm::dmat3& inertia) const;
 
     double mass_ = 0.0;
-    glm::dvec3 moment_{0.0, 0.0, 0.0}; // sum of mass times place
+    glm::dvec3 moment_{0.0, 0.0, 0.0}; // sum of mass times position
     glm::dmat3 inertia_{0.0};          // about the origin
 };
 
-// Of the ball of 0.1 m radius that stands in for inertias that files do not give, kg m2.
+// The inertia (kg m2) of a ball of 0.1 m radius, a substitute where a file gives no inertia.
 inline glm::dmat3 blank_inertia(double mass) { return glm::dmat3(0.4 * mass * 0.1 * 0.1); }
 
-// Eigenvalues of a symmetric matrix, and the rotation whose columns are their axes (Jacobi, Golub and Van Loan,
+// Eigenvalues of a symmetric matrix, and the rotation whose columns are its eigenvectors (Jacobi, Golub and Van Loan,
 // Matrix Computations, section 8.5). A diagonal matrix keeps its axes.
 struct PrincipalAxes {
     glm::dvec3 values;
@@ -45,12 +45,12 @@ struct PrincipalAxes {
 };
 PrincipalAxes principal_axes(glm::dmat3 matrix);
 
-// Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Empty if
-// these do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
+// Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Returns
+// nothing if the moments satisfy it to the engine's tolerance, else the nearest moments that do (by least squares).
 std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
 
-// The inertia itself, or the nearest that a body can have, with a warning. Throws Error (invalid_file) naming `where`
-// if one of its principal moments is not positive.
+// Returns the inertia, or the nearest one that a body can have, with a warning. Throws Error (invalid_file) naming
+// `where` if one of its principal moments is not positive.
 glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
 
 } // namespace cairn::scene

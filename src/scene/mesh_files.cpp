@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t max_numbers = std::size_t{1} << 28; // vertices, or indices
 constexpr std::size_t max_materials = 10'000;
 
-// A text line by line, and word by word.
+// Splits a text into lines, and lines into words.
 class Lines {
   public:
     Lines(std::span<const std::byte> bytes, const std::string& name)
@@ -34,7 +34,7 @@ class Lines {
         ++number_;
         return true;
     }
-    // The next word of the line; empty at its end.
+    // Returns the next word of the line; empty at its end.
     std::string_view word() {
         const std::size_t start = line_.find_first_not_of(" \t\r\f\v");
         if (start == std::string_view::npos) return line_ = {};
@@ -43,7 +43,7 @@ class Lines {
         line_.remove_prefix(found.size());
         return found;
     }
-    // All that is left of the line, without spaces around it.
+    // Returns the rest of the line, without spaces around it.
     std::string_view rest() {
         const std::size_t start = line_.find_first_not_of(" \t\r\f\v");
         if (start == std::string_view::npos) return {};
@@ -74,7 +74,8 @@ bool is_index(std::string_view text) {
     return !digits.empty() && digits.size() <= 10 && digits.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// One index of a corner, counted from 1, or backwards from -1, as counted from 0. Nothing unless it is below `count`.
+// Converts one index of a face, counted from 1, or backwards from -1, to an index from 0. Returns nothing unless it is
+// below `count`.
 std::optional<std::uint32_t> read_index(std::string_view index, std::size_t count) {
     if (!is_index(index)) return std::nullopt;
     const bool is_negative = index[0] == '-';
@@ -85,7 +86,7 @@ std::optional<std::uint32_t> read_index(std::string_view index, std::size_t coun
     return static_cast<std::uint32_t>(is_negative ? count - value : value - 1);
 }
 
-// A corner of a face: "7", "7/1", "7//3" or "-1/2/3".
+// A vertex of a face: "7", "7/1", "7//3" or "-1/2/3".
 struct ObjCorner {
     std::uint32_t vertex = 0, coordinate = MeshFile::nothing, normal = MeshFile::nothing;
 };
@@ -109,7 +110,7 @@ class ObjReader {
             if (mesh_.vertices.size() > max_numbers) lines_.fail("must not have more vertices", word);
         } else if (word == "vt") {
             const float u = number_or_nothing(), v = number_or_nothing();
-            mesh_.coordinates.emplace_back(u, 1.0f - v); // theirs count upward
+            mesh_.coordinates.emplace_back(u, 1.0f - v); // OBJ counts v upward, Surface downward
             if (mesh_.coordinates.size() > max_numbers) lines_.fail("must not have more coordinates", word);
         } else if (word == "vn") {
             const float x = number_or_nothing(), y = number_or_nothing();
@@ -133,7 +134,7 @@ class ObjReader {
         for (int i = 0; i < 3; ++i) result[i] = lines_.number();
         return result;
     }
-    // What is only for looks is no reason to refuse a file: 0 where there is no number.
+    // Malformed data for visuals is no reason to refuse a file: returns 0 where there is no number.
     float number_or_nothing() {
         const std::optional<double> value = parse_decimal(lines_.word());
         constexpr double most = 1e9;
@@ -160,7 +161,7 @@ class ObjReader {
         return result;
     }
     void read_face(std::string_view word) {
-        std::array<ObjCorner, 2> ends{}; // the first corner and the last one so far
+        std::array<ObjCorner, 2> ends{}; // the first and the previous vertex of the face
         std::size_t count = 0;
         for (std::string_view text = lines_.word(); !text.empty(); text = lines_.word()) {
             const ObjCorner now = corner(text);
@@ -195,7 +196,8 @@ std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     return word;
 }
 
-// 80 bytes of anything, the number of triangles, and 50 bytes for each: a normal, three corners, two bytes more.
+// Binary STL: 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle: a normal, three vertices, two
+// attribute bytes.
 constexpr std::size_t stl_header = 84, stl_triangle = 50;
 
 MeshFile read_binary_stl(std::span<const std::byte> bytes, const std::string& name) {
@@ -236,7 +238,7 @@ std::string lower_case(std::string_view text) {
 MeshFile read_ascii_stl(std::span<const std::byte> bytes, const std::string& name) {
     MeshFile mesh;
     Lines lines(bytes, name);
-    int corners = -1; // of the loop that is open; -1: none is
+    int corners = -1; // vertices of the open loop so far; -1: no loop is open
     while (lines.next()) {
         const std::string_view first = lines.word();
         const std::string word = lower_case(first);
@@ -277,10 +279,10 @@ Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std
     const bool has_normals = has_all(mesh.normal_of), has_coordinates = !mesh.coordinate_of.empty();
     Surface made;
     struct Split {
-        std::uint32_t coordinate, normal, next; // the next vertex in the same place
+        std::uint32_t coordinate, normal, next; // `next`: the next vertex at the same position
     };
-    std::vector<std::uint32_t> first(mesh.vertices.size(), MeshFile::nothing); // vertex in that place
-    std::vector<Split> splits;                                                 // of each vertex
+    std::vector<std::uint32_t> first(mesh.vertices.size(), MeshFile::nothing); // by position: its last vertex
+    std::vector<Split> splits;                                                 // by vertex
     const auto vertex_of = [&](std::size_t corner) {
         const std::uint32_t place = mesh.indices[corner];
         const std::uint32_t coordinate = has_coordinates ? mesh.coordinate_of[corner] : MeshFile::nothing,
@@ -309,7 +311,7 @@ Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std
 
 MeshFile read_stl(std::span<const std::byte> bytes, const std::string& name) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    // Binary files may begin with "solid" too, but then their length gives them away.
+    // Binary files may begin with "solid" too, but then their length identifies them.
     const bool has_header = bytes.size() >= stl_header;
     const bool is_exact = has_header && bytes.size() == stl_header + stl_triangle * std::size_t{word_at(bytes, 80)};
     const bool is_ascii = !is_exact && lower_case(text.substr(0, 5)) == "solid";

@@ -15,12 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t max_vertices = std::size_t{1} << 26; // of all meshes of a model
+constexpr std::size_t max_vertices = std::size_t{1} << 26; // total of all meshes of a model
 
 struct Mtl {
     std::optional<Vec3> color; // Kd
-    std::string picture;       // map_Kd; the folder that it is looked for in is that of its library
-    std::string place;         // of `picture`: part.mtl:3: map_Kd
+    std::string picture;       // map_Kd; relative to the folder of the material library
+    std::string place;         // place of `picture` for messages: part.mtl:3: map_Kd
 };
 
 std::string trimmed(const std::string& text) {
@@ -28,7 +28,8 @@ std::string trimmed(const std::string& text) {
     return start == std::string::npos ? std::string() : text.substr(start, text.find_last_not_of(" \t\r") + 1 - start);
 }
 
-// A file that a file of the model names, beside itself or below the root. Throws Error naming the place.
+// Returns the path of a file that another file names, relative to its folder `from`; it must lie in `root` or below it.
+// Throws Error naming the place.
 fs::path find_beside(const std::string& name, const fs::path& from, const fs::path& root, const std::string& place) {
     std::string path = name;
     std::replace(path.begin(), path.end(), '\\', '/');
@@ -40,7 +41,7 @@ fs::path find_beside(const std::string& name, const fs::path& from, const fs::pa
     return found.path;
 }
 
-// The materials of one library (Wavefront MTL), of which only the diffuse color and its picture count.
+// Reads a material library (Wavefront MTL), of which only the diffuse color and its texture are used.
 class MtlReader {
   public:
     MtlReader(std::map<std::string, Mtl>& materials, std::vector<std::string>& warnings)
@@ -60,7 +61,7 @@ class MtlReader {
             if (current == nullptr) continue;
             if (word == "Kd") current->color = color(rest, place);
             if (word == "map_Kd") {
-                // Options stand before the name, which then must be one word.
+                // Options precede the name, which then must be one word.
                 const std::size_t last = rest.find_last_of(" \t");
                 current->picture = rest[0] == '-' && last != std::string::npos ? rest.substr(last + 1) : rest;
                 current->place = place;
@@ -136,7 +137,7 @@ const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::
     const auto try_to = [&](const auto& act, const char* otherwise) {
         try {
             act();
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             warnings.push_back(std::string(error.what()) + otherwise);
         }
     };
@@ -165,7 +166,8 @@ const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::
                     made.texture = std::make_shared<const Texture>(std::move(texture));
                 },
                 " (the texture is left out)");
-        if (made.texture && made.color == Vec3(0.0f)) made.color.reset(); // meant for what has no picture
+        // A black Kd is meant for rendering without the texture.
+        if (made.texture && made.color == Vec3(0.0f)) made.color.reset();
         made.surface = std::make_shared<const Surface>(std::move(part));
         found.push_back(std::move(made));
     }

@@ -1,4 +1,4 @@
-// Mesh files that models name, to touch and to look at, and the materials that .obj files name in their turn.
+// Mesh files that models name, for collision and for visuals, and the materials that .obj files name in their turn.
 #pragma once
 
 #include "scene/mesh_files.h"
@@ -14,28 +14,29 @@
 
 namespace cairn::scene {
 
-// A file, and what the model calls it, and where.
+// A file, with its name and place in the model for messages.
 struct NamedFile {
-    std::filesystem::path path, root; // without links; what it names must lie in `root`
+    std::filesystem::path path, root; // both without symbolic links; files that it names must lie in `root`
     std::string place, shown;
 };
 
-// What a mesh file shows with one of its materials.
+// The part of a mesh file that has one of its materials.
 struct MeshLook {
     std::shared_ptr<const Surface> surface;
-    std::optional<Vec3> color;              // none: the file does not say
-    std::shared_ptr<const Texture> texture; // none: not covered
+    std::optional<Vec3> color;              // none: the file does not give a color
+    std::shared_ptr<const Texture> texture; // none: no texture
 };
 
-// Each file is read once, and shared by all that use it with the same scale.
+// Reads each file once and shares it among all users with the same scale.
 class MeshStore {
   public:
-    // The triangles as they touch. Throws Error naming the place: unsupported if it is no .obj or .stl file,
-    // invalid_file if it is malformed.
+    // Returns the triangles for collision. Throws Error naming the place: unsupported if the file is neither .obj nor
+    // .stl, invalid_file if it is malformed.
     std::shared_ptr<const Surface> surface(const NamedFile& file, const glm::dvec3& scale);
-    // The same to look at, with its places in textures and its normals, if it has any.
+    // Returns the surface for visuals, with its texture coordinates and its normals, if it has any.
     std::shared_ptr<const Surface> look(const NamedFile& file, const glm::dvec3& scale);
-    // The same by its materials. What of those cannot be read is left out, with a warning.
+    // Returns the surface for visuals, split by material. Textures and materials that cannot be read are left out, with
+    // a warning.
     const std::vector<MeshLook>& looks(const NamedFile& file, const glm::dvec3& scale,
                                        std::vector<std::string>& warnings);
     Pictures& pictures() { return pictures_; }
@@ -55,8 +56,8 @@ class MeshStore {
     Pictures pictures_;
 };
 
-// Gives the body of `scene_of_mesh` the looks that the file has by its materials, if it names any. Pictures lie in the
-// folder of the file or below it.
+// Gives the body of `scene_of_mesh` visual meshes with the materials that the file names, if any. Pictures must lie in
+// the folder of the file or below it.
 void add_mesh_looks(const std::filesystem::path& file, double scale, Scene& scene);
 
 } // namespace cairn::scene

@@ -1,4 +1,4 @@
-// From an MJCF model to a world.
+// Builds a world from an MJCF model.
 #include "scene/mjcf.h"
 
 #include "scene/loaded_world.h"
@@ -13,7 +13,7 @@ namespace cairn::scene {
 
 namespace {
 
-// Total mass, bounds of mass and inertia, and the rotors of joints.
+// Applies the total mass, the lower bounds of mass and inertia, and the rotor inertias of joints.
 void settle_masses(MjcfModel& model) {
     double total = 0.0;
     for (const MjcfPart& part : model.parts) total += part.kind == MjcfPart::Kind::moving ? part.own_mass : 0.0;
@@ -33,7 +33,7 @@ void settle_masses(MjcfModel& model) {
                 model.warnings.push_back(joint.place + ": armature is left out, as of every slide");
                 continue;
             }
-            // A rotor that the body carries: a flat disk about the axis; of a ball joint, a ball.
+            // The rotor inertia of a joint, carried by the body: a flat disk about the axis; a ball for a ball joint.
             const double across = joint.kind == MjcfJoint::Kind::ball ? 1.0 : 0.5;
             const glm::dmat3 disk = glm::dmat3(across * joint.armature) +
                                     (1.0 - across) * joint.armature * glm::outerProduct(joint.axis, joint.axis);
@@ -59,8 +59,8 @@ void settle_masses(MjcfModel& model) {
     }
 }
 
-// The shapes, and how it looks: by what is there for looks only or has a texture, if there is any, with all else that
-// can be seen.
+// Moves shapes and visuals to the body. If any geom is a visual only or has a texture, all visible geoms become
+// visuals; else the body is shown by its shapes.
 void dress(MjcfPart& part) {
     bool has_looks = false;
     for (const MjcfGeom& geom : part.geoms) has_looks = has_looks || (geom.look && (!geom.shape || geom.look->texture));

@@ -1,4 +1,4 @@
-// Models in MJCF, the format of MuJoCo. docs/mjcf.md says what becomes of what.
+// Reads models in MJCF, the format of MuJoCo. docs/mjcf.md says how each element is converted.
 #pragma once
 
 #include "scene/scene.h"

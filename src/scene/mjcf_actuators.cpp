@@ -1,4 +1,4 @@
-// Actuators of MJCF models, as drives of the joints that they act on.
+// Converts the actuators of MJCF models to drives of their joints.
 #include "scene/mjcf_model.h"
 
 #include <algorithm>
@@ -40,11 +40,11 @@ class ActuatorReader {
         const std::optional<double> most_control = bound(element, "ctrllimited", "ctrlrange", &value);
         const std::optional<double> most_force = bound(element, "forcelimited", "forcerange", nullptr);
         Law law = law_of(element, joint, gear);
-        if (child.tag() == "intvelocity") value = 0.0; // its target starts at 0
+        if (child.tag() == "intvelocity") value = 0.0; // the integrated target starts at 0
         MjcfDrive& drive = joint.drive;
         drive.is_driven = true;
         const double k = law.stiffness * gear * gear, d = law.damping * gear * gear;
-        // gain x control + bias - stiffness gear q - damping gear q', and all of it times the gear
+        // Joint force: gear times (gain x control + bias - stiffness gear q - damping gear q').
         drive.stiffness += k;
         drive.damping += d;
         const double push = gear * (law.gain * value + law.bias);
@@ -67,12 +67,12 @@ class ActuatorReader {
     }
 
   private:
-    // force = gain x control + bias - stiffness x length - damping x its rate
+    // force = gain x control + bias - stiffness x length - damping x rate of length
     struct Law {
         double gain = 1.0, bias = 0.0, stiffness = 0.0, damping = 0.0;
     };
 
-    // The greatest size in a range, if there is one; `value` is cut to it.
+    // Returns the greatest absolute value of a range, if there is one, and clamps `value` to the range.
     std::optional<double> bound(const MjcfElement& element, const char* limited, const char* name,
                                 double* value) const {
         const bool is_on = element.is_on(limited, name, model_.settings.autolimits);
@@ -92,14 +92,14 @@ class ActuatorReader {
             law.damping = element.number("kv", 0.0, 0.0, 1e30);
             const double ratio = element.number("dampratio", 0.0, 0.0, 1e6);
             if (ratio > 0.0) {
-                // Per unit of the actuator's length, which is gear times the joint's.
+                // The damping is per unit of the actuator's length, which is gear times the joint coordinate.
                 const double mass = moved_inertia(joint) / std::max(gear * gear, 1e-30);
                 law.damping = 2.0 * ratio * std::sqrt(law.stiffness * mass);
             }
         } else if (kind == "velocity") {
             law.damping = law.gain = element.number("kv", 1.0, 0.0, 1e30);
         } else if (kind == "damper") {
-            law.gain = 0.0; // it damps by as much as its control says, which is 0 at first
+            law.gain = 0.0; // its damping is proportional to its control, which is 0 initially
         } else if (kind == "general") {
             const auto first = [&](const char* name, std::vector<double> otherwise) {
                 const auto text = element.attribute(name);
@@ -127,7 +127,8 @@ class ActuatorReader {
         return law;
     }
 
-    // What a joint moves if all others hold: mass, or moment of inertia about its axis, as the model is drawn.
+    // Returns the inertia that a joint moves if all other joints are locked: the mass, or the moment of inertia about
+    // its axis, in the pose of the model file.
     double moved_inertia(const MjcfJoint& joint) const {
         const MjcfPart& own = model_.parts[joint.part];
         const glm::dvec3 axis = own.drawn.rotation * joint.axis;

@@ -16,10 +16,10 @@ constexpr std::size_t max_inline_numbers = std::size_t{1} << 22;
 
 std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().generic_string(); }
 
-// The binary format of MuJoCo: rows, columns, and heights from the row of least y on.
+// The binary height field format of MuJoCo: rows, columns, and heights from the row of least y on.
 struct Heights {
     std::size_t rows = 0, columns = 0;
-    std::vector<float> values; // the row of greatest y first
+    std::vector<float> values; // beginning with the row of greatest y
 };
 
 Heights binary_heights(const std::vector<std::byte>& bytes, const XmlText& file) {
@@ -59,7 +59,7 @@ MjcfAssets::MjcfAssets(const XmlElement& root, const MjcfSettings& settings, con
             const MjcfElement element(child, defaults, 0);
             std::string name = element.name();
             if (name.empty()) name = stem_of(element.word("file"));
-            textures_.insert({name, element}); // the sky has none
+            textures_.insert({name, element}); // skyboxes have no name
         }
     }
 }

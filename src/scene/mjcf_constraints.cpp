@@ -1,4 +1,4 @@
-// Equality constraints of MJCF models, and which of their geoms meet.
+// Equality constraints of MJCF models, and the collision filters of their geoms.
 #include "scene/layers.h"
 #include "scene/mjcf_model.h"
 
@@ -34,7 +34,7 @@ class ConstraintMaker {
             const Rigid drawn_a = model_.parts[a->part].drawn * a->at, drawn_b = model_.parts[b->part].drawn * b->at;
             const glm::dvec3 anchor = element.vector3("anchor", glm::dvec3(0.0));
             const Rigid there{anchor, {1.0, 0.0, 0.0, 0.0}};
-            if (is_weld) { // the anchor is in body 2
+            if (is_weld) { // the anchor is in the frame of body 2
                 const std::optional<Rigid> given = relative_pose(element);
                 in_a = in_a * (given ? *given : inverse(drawn_a) * drawn_b * there);
                 in_b = in_b * there;
@@ -51,7 +51,7 @@ class ConstraintMaker {
         }
         def.name = element.name();
         def.enabled = is_active;
-        def.enable_collision = true; // it does not make them neighbors
+        def.enable_collision = true; // an equality constraint does not disable collision between its bodies
         create(def, *a, in_a, *b, in_b, element);
     }
 
@@ -63,7 +63,7 @@ class ConstraintMaker {
         const auto [low, high] = std::minmax(a->part, b->part);
         if (!excluded_.insert({low, high}).second) return;
         if (model_.parts[a->part].id.is_null() || model_.parts[b->part].id.is_null()) return; // without any shape
-        JointDef def; // holds nothing, and keeps the two from colliding
+        JointDef def; // a joint without limits, whose only effect is to disable collision between the two bodies
         def.joint = GeneralJoint{};
         def.name = "exclude " + child.text_of("body1") + " " + child.text_of("body2");
         create(def, *a, a->at, *b, b->at, element);
@@ -81,7 +81,7 @@ class ConstraintMaker {
         return nullptr;
     }
 
-    // Of the anchor of body 2 as seen from body 1; nothing if the model's own counts.
+    // Returns the pose of the anchor of body 2 relative to body 1; nothing if the pose of the model file applies.
     static std::optional<Rigid> relative_pose(const MjcfElement& element) {
         const auto text = element.attribute("relpose");
         if (!text) return std::nullopt;
@@ -118,7 +118,7 @@ class ConstraintMaker {
         }
     }
 
-    // One joint that follows another, or stands still.
+    // Couples a joint to another one, or locks it.
     void tie_joints(const MjcfElement& element, bool is_active) {
         const auto name = element.attribute("joint1"), other_name = element.attribute("joint2");
         if (!name) element.fail("must have the attribute joint1");
@@ -133,7 +133,7 @@ class ConstraintMaker {
         if (joint == nullptr || joint->id.is_null() || !joint->is_scalar()) {
             return without("its first joint is no hinge or slide of its own");
         }
-        const auto hold_it = [&] { // by its own limits, which cannot be disabled
+        const auto hold_it = [&] { // locks it by its limits, which cannot be disabled
             if (is_active) hold(*joint, joint->reference + curve[0]);
         };
         if (!other_name) return hold_it();
@@ -180,13 +180,13 @@ class ConstraintMaker {
 
 } // namespace
 
-// Geoms of the same bits, or of the same pair, are a layer; each collides with those layers that it meets.
+// Each combination of contype, conaffinity and contact pair becomes a layer; it collides with the layers that match it.
 void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
     std::map<std::string, MjcfGeom*> by_name;
     for (MjcfPart& part : model.parts) {
         for (MjcfGeom& geom : part.geoms) by_name[geom.name] = &geom;
     }
-    std::map<const MjcfGeom*, std::size_t> in_pairs; // and their number
+    std::map<const MjcfGeom*, std::size_t> in_pairs; // geoms in contact pairs, and their number
     std::set<std::pair<std::size_t, std::size_t>> pairs;
     std::vector<std::string> pair_places;
     for (const XmlElement& section : root.children("contact")) {
@@ -228,7 +228,8 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
         model.warnings.push_back(root.place() + ": contact pairs have no effect: there are too many");
         has_pairs = false;
     }
-    if (keys.size() <= 1 && (keys.empty() || (std::get<0>(keys[0]) & std::get<1>(keys[0])) != 0)) return; // all meet
+    // Without filters all geoms collide.
+    if (keys.size() <= 1 && (keys.empty() || (std::get<0>(keys[0]) & std::get<1>(keys[0])) != 0)) return;
     const auto meet = [&](const Key& a, const Key& b) {
         const auto [type_a, affinity_a, pair_a] = a;
         const auto [type_b, affinity_b, pair_b] = b;

@@ -1,4 +1,4 @@
-// Geoms of MJCF models: shapes, looks and masses.
+// Geoms of MJCF models: shapes, visuals and masses.
 #include "scene/mjcf_model.h"
 #include "scene/tessellation.h"
 
@@ -10,17 +10,17 @@ namespace cairn::scene {
 namespace {
 
 constexpr double smallest = 1e-6, largest = 1e6; // m
-constexpr long last_seen_group = 2;              // as the viewer of MuJoCo starts
+constexpr long last_seen_group = 2;              // the highest geom group that the viewer of MuJoCo shows by default
 
 struct GeomSolid {
     std::optional<Shape> shape;
-    Rigid turn;                             // of the shape in the geom
-    std::shared_ptr<const Surface> surface; // of a mesh, or an ellipsoid
+    Rigid turn;                             // pose of the shape in the frame of the geom
+    std::shared_ptr<const Surface> surface; // of a mesh or an ellipsoid
     bool is_mesh = false;
-    std::optional<SolidMass> mass; // in the geom, at 1 kg/m3; else that of the shape
+    std::optional<SolidMass> mass; // in the frame of the geom, at 1 kg/m3; none: computed from the shape
 };
 
-// Sizes, which must all be > 0.
+// Returns the sizes of a geom, all of which must be > 0.
 std::vector<double> sizes(const MjcfElement& element, std::size_t count) {
     const auto text = element.attribute("size");
     if (!text) element.fail("must have the attribute size");
@@ -36,7 +36,7 @@ class GeomReader {
   public:
     GeomReader(const MjcfElement& element, MjcfAssets& assets) : element_(element), assets_(assets) {}
 
-    // Its shape, and where it stands in what the geom stands in.
+    // Returns the shape of the geom. `frame` receives the pose of the geom relative to its parent element.
     GeomSolid read(Rigid& frame, const MjcfSettings& settings) {
         const auto type_text = element_.attribute("type");
         const std::size_t type = type_text ? type_text->choice({"sphere", "plane", "hfield", "capsule", "ellipsoid",
@@ -78,7 +78,7 @@ class GeomReader {
     }
 
   private:
-    // Puts the frame between both ends, with its z axis along them. Returns half the length.
+    // Centers the frame between both ends, with its z axis along them. Returns half the length.
     double stretch(const XmlText& text, Rigid& frame) const {
         const std::vector<double> v = text.numbers(6, 6);
         const glm::dvec3 from(v[0], v[1], v[2]), to(v[3], v[4], v[5]);
@@ -115,21 +115,21 @@ class GeomReader {
         return solid;
     }
 
-    // A mesh touches as its convex hull, as it does in MuJoCo.
+    // A mesh collides as its convex hull, as in MuJoCo.
     GeomSolid hull(const XmlText& name) const {
         GeomSolid solid;
         solid.surface = assets_.mesh(name);
         solid.is_mesh = true;
         try {
             solid.shape = Hull(used_vertices(*solid.surface));
-        } catch (const Error&) { // a flat one can only be looked at
+        } catch (const Error&) { // a flat mesh is a visual only
             return solid;
         }
         solid.mass = surface_mass(*solid.surface, 1.0);
         return solid;
     }
 
-    // A box around the mesh stands for whatever primitive is to be fitted to it.
+    // MuJoCo would fit a primitive to the mesh; the hull of the mesh itself is used instead.
     GeomSolid fitted(const XmlText& name) const {
         GeomSolid solid = hull(name);
         was_fitted = true;
@@ -159,7 +159,7 @@ Material geom_material(const MjcfElement& element) {
     const long directions = dimension ? dimension->whole(1, 6) : 3;
     const bool slides = directions == 1;
     material.static_friction = material.dynamic_friction = slides ? 0.0f : static_cast<float>(friction[0]);
-    // Ours is the radius of a patch that rubs with the friction, theirs already times the friction.
+    // The engine's value is the radius of a patch on which friction acts; MJCF's is that radius times the friction.
     material.torsional_friction =
         directions >= 4 && friction[0] > 0.0 ? static_cast<float>(friction[1] / friction[0]) : 0.0f;
     material.rolling_friction = directions >= 6 ? static_cast<float>(friction[2]) : 0.0f;
@@ -167,7 +167,7 @@ Material geom_material(const MjcfElement& element) {
     return material;
 }
 
-// Its own color, if that is not the default one; else that of its material, which is white unless it says another.
+// Returns the geom's own color, if it is not the default one; else that of its material, which is white by default.
 std::vector<double> geom_rgba(const MjcfElement& element, const std::optional<MjcfMaterial>& material) {
     const std::vector<double> gray{0.5, 0.5, 0.5, 1.0}, white(4, 1.0);
     const auto text = element.attribute("rgba");
@@ -181,7 +181,7 @@ Vec3 geom_color(const std::vector<double>& rgba) {
     return {part(0), part(1), part(2)};
 }
 
-// Whether the geom adds to the mass of its body.
+// Returns whether the geom adds to the mass of its body.
 bool weighs(const MjcfElement& element) {
     const auto given = element.attribute("mass");
     return (given ? given->number(0.0, 1e12) : element.number("density", 1000.0, 0.0, 1e12)) > 0.0;
@@ -200,13 +200,13 @@ void add_mass(const MjcfElement& element, const GeomSolid& solid, const Rigid& f
     part.own_mass += unit.mass * scale;
 }
 
-// That of its mesh, with its places in a texture; else what it is anyway.
+// Returns the mesh for visuals, with texture coordinates; else the surface of the geom, if any.
 std::shared_ptr<const Surface> look_surface(const MjcfElement& element, const GeomSolid& solid, MjcfAssets& assets) {
     const auto mesh = element.attribute("mesh");
     return solid.is_mesh && mesh ? assets.look(*mesh) : solid.surface;
 }
 
-// The triangles of a shape; a plane is as large as the model says.
+// Returns the triangles of a shape; a plane has the size that the model gives.
 Surface seen_surface(const MjcfElement& element, const Shape& shape) {
     if (const Plane* plane = std::get_if<Plane>(&shape)) {
         const auto size = element.attribute("size");
@@ -221,7 +221,7 @@ Surface seen_surface(const MjcfElement& element, const Shape& shape) {
     return tessellate(shape);
 }
 
-// Along x and y, by which a texture is stretched; 0 of what has no end.
+// Returns the half sizes along x and y by which a texture is stretched; 0 where the geom is infinite.
 glm::dvec2 half_sizes(const MjcfElement& element, const GeomSolid& solid, const Surface& surface) {
     const bool is_plane = solid.shape && std::holds_alternative<Plane>(*solid.shape);
     const auto size = element.attribute("size");
@@ -261,8 +261,8 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         solid = reader.read(frame, model.settings);
     } catch (const Error& error) {
         const bool is_weighed = has_mass && part.kind == MjcfPart::Kind::moving && weighs(element);
-        const bool is_look = !touches && !is_weighed;               // does not matter to the simulation
-        if (error.code() == ErrorCode::invalid_value && !is_look) { // of a shape
+        const bool is_look = !touches && !is_weighed;               // visuals do not affect the simulation
+        if (error.code() == ErrorCode::invalid_value && !is_look) { // a shape that the engine refuses
             throw Error(ErrorCode::invalid_file, element.place(), {}, error.what());
         }
         const bool is_missing = error.code() == ErrorCode::io || error.code() == ErrorCode::unsupported;

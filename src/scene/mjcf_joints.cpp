@@ -1,5 +1,5 @@
-// Joints of MJCF models. A body may have several, one after the other, each of which moves those that come later: they
-// become one joint where there is such a joint, else several with light bodies between them.
+// Joints of MJCF models. A body may have several joints in a chain, each of which moves the axes of the later ones:
+// they become one joint where a joint type of the engine matches, else several with light bodies between them.
 #include "scene/json_number.h"
 #include "scene/mjcf_model.h"
 
@@ -11,15 +11,16 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double between_share = 0.05; // of a body's mass, in a light body between two of its joints
-constexpr float fast = 1000.0f;        // m/s or rad/s, which no force reaches: a motor that pushes without end
+constexpr double between_share = 0.05; // mass of a light body between two joints, as a share of the mass of the body
+// Target speed, m/s or rad/s, that is never reached, so that the motor exerts its force at all times.
+constexpr float fast = 1000.0f;
 
 bool are_parallel(const glm::dvec3& a, const glm::dvec3& b) { return std::fabs(glm::dot(a, b)) > 1.0 - 1e-6; }
 bool are_square(const glm::dvec3& a, const glm::dvec3& b) { return std::fabs(glm::dot(a, b)) < 1e-4; }
 
 float single(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
 
-// The drive of a coordinate that is `sign` times the joint's, less `offset`.
+// Returns the motor of an engine coordinate that is `sign` times the joint coordinate minus `offset`.
 std::optional<JointMotor> motor_of(const MjcfJoint& joint, double sign, double offset) {
     const MjcfDrive& drive = joint.drive;
     const double k = drive.stiffness, d = drive.damping;
@@ -35,7 +36,7 @@ std::optional<JointMotor> motor_of(const MjcfJoint& joint, double sign, double o
         motor.velocity = single(sign * (drive.damping_velocity + push) / d);
         push = 0.0;
     }
-    // What springs hold is not bounded by what an actuator can do.
+    // A spring of the joint is not limited by the force of an actuator.
     if (drive.is_driven && drive.is_bounded && joint.stiffness == 0.0) motor.max_force = single(drive.most);
     if (drive.is_driven && joint.effort) motor.max_force = std::min(motor.max_force, single(*joint.effort));
     if (push != 0.0) {
@@ -56,7 +57,7 @@ JointControl control_of(const MjcfJoint& joint) {
     return {range_of(joint, 1.0, 0.0), motor_of(joint, 1.0, 0.0), single(joint.friction)};
 }
 
-// A frame with that x axis, and a y axis as near to the other as can be.
+// Returns a frame with that x axis, and a y axis as near to `y` as possible.
 glm::dquat frame_with(const glm::dvec3& x, const glm::dvec3& y) {
     const glm::dvec3 across = glm::normalize(y - glm::dot(x, y) * x);
     return glm::normalize(glm::quat_cast(glm::dmat3(x, across, glm::cross(x, across))));
@@ -85,7 +86,7 @@ class MjcfJointMaker {
         for (std::size_t first = 0; first < joints_.size();) {
             std::size_t count = joints_.size() - first;
             std::optional<JointDef> def = joined(first, count);
-            while (!def) def = joined(first, --count); // one alone always fits
+            while (!def) def = joined(first, --count); // a single joint always has a match
             if (first + count < joints_.size()) {
                 step_between(first, count, *def);
             } else {
@@ -120,17 +121,17 @@ class MjcfJointMaker {
         }
     }
 
-    // With a light body between them, a body and its parent have no joint that would keep them from colliding.
+    // With a light body between them, a body and its parent share no joint that would disable their collision.
     void keep_apart(BodyId parent) {
         JointDef def;
         def.body_a = parent;
         def.body_b = part_->id;
-        def.joint = GeneralJoint{}; // holds nothing
+        def.joint = GeneralJoint{}; // without limits; it only disables collision
         def.name = "exclude " + part_->body.name;
         scene_.world.create_joint(def);
     }
 
-    // A light body takes a share of the mass of the one that all of these joints move.
+    // The light body takes a share of the mass of the body that these joints move.
     void step_between(std::size_t first, std::size_t count, JointDef& def) {
         Body body = scene_.world.body(part_->id);
         MassProperties share = body.mass_properties(), rest = share;
@@ -170,7 +171,7 @@ class MjcfJointMaker {
         return general(first, count);
     }
 
-    // Frame A stands where the coordinate is 0, as seen from where the model is drawn.
+    // Frame A is the pose of the joint at coordinate 0, relative to the pose in the model file.
     JointDef one(const MjcfJoint& joint) const {
         Rigid along{joint.anchor, {1.0, 0.0, 0.0, 0.0}};
         if (joint.kind == MjcfJoint::Kind::ball) {
@@ -235,7 +236,7 @@ class MjcfJointMaker {
 
     static bool is_near(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b) < 1e-12; }
 
-    // Slides at right angles, then at most one hinge, along or across them.
+    // Combines slides at right angles, followed by at most one hinge along or across them.
     std::optional<JointDef> general(std::size_t first, std::size_t count) {
         std::array<glm::dvec3, 3> axes{};
         int known = 0;
@@ -262,7 +263,7 @@ class MjcfJointMaker {
         const double third = glm::dot(along.rotation * glm::dvec3(0, 0, 1), axes[2]);
         for (const std::size_t slot : {std::size_t{2}, std::size_t{5}}) signs[slot] *= known == 3 && third < 0 ? -1 : 1;
         GeneralJoint made = rows_of(at, signs);
-        if (rows(made) > 8) return std::nullopt; // more than a joint can have
+        if (rows(made) > 8) return std::nullopt; // the engine's limit for a joint
         JointDef def = def_at(along, along);
         def.joint = std::move(made);
         return def;
@@ -308,7 +309,7 @@ class MjcfJointMaker {
         JointDrive drive{type, false, axis, std::nullopt, motor.position, motor.velocity, 0.0f, 0.0f};
         if (std::isfinite(motor.max_force)) drive.max_force = motor.max_force;
         if (motor.spring) drive.stiffness = motor.spring->stiffness, drive.damping = motor.spring->damping;
-        if (!motor.spring) drive.damping = 1e6f; // it holds the speed as well as it can
+        if (!motor.spring) drive.damping = 1e6f; // high damping, to hold the velocity stiffly
         if (drive.stiffness > 0.0f || drive.damping > 0.0f) made.drives.push_back(drive);
     }
 
@@ -316,9 +317,9 @@ class MjcfJointMaker {
     Scene& scene_;
     const MjcfPart* part_ = nullptr;
     std::vector<MjcfJoint*> joints_;
-    BodyId above_; // what the next joint hangs on
-    Rigid frame_;  // of the part as it is drawn, in that
-    Rigid pose_;   // of the part in the world, moved by the joints so far
+    BodyId above_; // the body that the next joint attaches to
+    Rigid frame_;  // pose of the part in the frame of `above_`, in the pose of the model file
+    Rigid pose_;   // pose of the part in the world, moved by the joints so far
     bool collides_ = false;
 };
 

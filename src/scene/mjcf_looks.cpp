@@ -1,4 +1,4 @@
-// Textures of MJCF models, and how they lie on geoms.
+// Textures of MJCF models, and how they are mapped to geoms.
 #include "scene/mjcf_model.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::size_t most_pixels = 256; // along an edge of a picture that is only described
+constexpr std::size_t most_pixels = 256; // per edge of a procedural picture
 using Rgb = std::array<std::uint8_t, 3>;
 
 Rgb color_of(const MjcfElement& texture, const char* name, double otherwise) {
@@ -16,7 +16,7 @@ Rgb color_of(const MjcfElement& texture, const char* name, double otherwise) {
     const auto given = texture.attribute(name);
     const std::vector<double> parts = given ? given->numbers(3, 3) : std::vector<double>(3, otherwise);
     for (std::size_t i = 0; i < 3; ++i)
-        color[i] = static_cast<std::uint8_t>(255.0 * std::clamp(parts[i], 0.0, 1.0)); // rounded down as in MuJoCo
+        color[i] = static_cast<std::uint8_t>(255.0 * std::clamp(parts[i], 0.0, 1.0)); // truncated as in MuJoCo
     return color;
 }
 
@@ -29,7 +29,7 @@ bool is_flat_cube(const MjcfElement& texture) {
     return texture.word("type", "cube") == "cube" && texture.word("builtin") == "flat" && !texture.attribute("file");
 }
 
-// The name of the texture that gives the color.
+// Returns the name of the texture for the color.
 std::optional<XmlText> texture_name(const MjcfElement& material) {
     if (const auto name = material.attribute("texture")) return name;
     for (const XmlElement& layer : material.xml().children("layer")) {
@@ -39,7 +39,7 @@ std::optional<XmlText> texture_name(const MjcfElement& material) {
     return std::nullopt;
 }
 
-// The colors between two, in MuJoCo's course from the first one in the middle of the picture to the other.
+// The gradient palette: colors from the first one, in the middle of the picture, to the second, with MuJoCo's profile.
 constexpr std::size_t levels = 254;
 constexpr std::uint8_t mark = 255;
 
@@ -115,7 +115,7 @@ std::optional<MjcfMaterial> MjcfAssets::material(const XmlText& name, std::vecto
     if (!texture) return made;
     try {
         const MjcfElement& picture = find(textures_, *texture);
-        if (is_flat_cube(picture)) { // above in one color, around in the other, which are mostly the same
+        if (is_flat_cube(picture)) { // one color above, another around, usually the same; the mean is used
             const Rgb above = color_of(picture, "rgb1", 0.8), around = color_of(picture, "rgb2", 0.5);
             for (std::size_t i = 0; i < 3; ++i)
                 made.tint[static_cast<int>(i)] = 0.5f * (linear_of(above[i]) + linear_of(around[i]));
@@ -130,7 +130,7 @@ std::optional<MjcfMaterial> MjcfAssets::material(const XmlText& name, std::vecto
         }
         if (const auto uniform = element.attribute("texuniform")) made.is_uniform = uniform->boolean();
         made.texture = read_texture(picture);
-    } catch (const Error& error) { // looks do not matter to the simulation
+    } catch (const Error& error) { // visuals do not affect the simulation
         warnings.push_back(std::string(error.what()) + " (the texture is left out)");
     }
     return made;

@@ -1,4 +1,4 @@
-// An MJCF model between the file and the world: bodies, their joints and what stands on them.
+// The intermediate form of an MJCF model between the file and the world: bodies, their joints, geoms and sites.
 #pragma once
 
 #include "scene/decomposition.h"
@@ -17,97 +17,99 @@
 
 namespace cairn::scene {
 
-// What drives a coordinate of a joint: force = stiffness (position - q) + damping (velocity - q') + force.
+// The drive of a joint coordinate: force = stiffness (position - q) + damping (velocity - q') + force.
 struct MjcfDrive {
     double stiffness = 0.0, damping = 0.0;
-    double stiffness_position = 0.0, damping_velocity = 0.0, force = 0.0; // sums over all that drives it
-    double most = 0.0;                                                    // sum of the bounds of the force
-    bool is_driven = false, is_bounded = true;                            // by actuators; all of them have a bound
+    // Sums over all actuators and springs of the coordinate.
+    double stiffness_position = 0.0, damping_velocity = 0.0, force = 0.0;
+    double most = 0.0;                         // sum of the force bounds
+    bool is_driven = false, is_bounded = true; // whether actuators drive it; whether all of them are bounded
 };
 
 struct MjcfJoint {
     enum class Kind { free, ball, hinge, slide };
     Kind kind = Kind::hinge;
     std::string name, place;
-    glm::dvec3 anchor{0.0}, axis{0.0, 0.0, 1.0}; // in its body
+    glm::dvec3 anchor{0.0}, axis{0.0, 0.0, 1.0}; // in the frame of the body
     std::size_t part = 0;
-    double reference = 0.0;                          // of a hinge or slide: the coordinate as the model is drawn
-    double start = 0.0, speed = 0.0;                 // that coordinate, and its rate, when the world begins
-    glm::dquat start_turn{1.0, 0.0, 0.0, 0.0};       // of a ball joint
-    Rigid start_pose;                                // of a free joint
-    glm::dvec3 start_velocity{0.0}, start_spin{0.0}; // of free and ball joints
+    double reference = 0.0;                    // of a hinge or slide: the coordinate in the pose of the model file
+    double start = 0.0, speed = 0.0;           // initial value and rate of that coordinate
+    glm::dquat start_turn{1.0, 0.0, 0.0, 0.0}; // of a ball joint
+    Rigid start_pose;                          // of a free joint
+    glm::dvec3 start_velocity{0.0}, start_spin{0.0}; // of free and ball joints, initial
     std::optional<std::pair<double, double>> range;
     std::optional<double> effort;
     double stiffness = 0.0, damping = 0.0, rest = 0.0, friction = 0.0, armature = 0.0;
     MjcfDrive drive;
-    JointId id; // null if it became no joint of its own kind
+    JointId id; // null if the joint was not converted to a single joint of its own kind
 
     bool is_scalar() const { return kind == Kind::hinge || kind == Kind::slide; }
-    // What it moves its body by when its coordinate is `by` more than as the model is drawn; in the frame of the body.
+    // The displacement of the body, in its own frame, when the coordinate is greater by `by` than in the pose of the
+    // file.
     Rigid motion(double by) const;
 };
 
 struct MjcfGeom {
     std::string name, place;
-    std::optional<ModelShape> shape; // none: only to be seen
-    std::optional<ModelLook> look;   // none: not to be seen; without a surface: that of the shape
+    std::optional<ModelShape> shape; // none: a visual only
+    std::optional<ModelLook> look;   // none: invisible; without a surface: shown as the shape
     unsigned contype = 1, conaffinity = 1;
 };
 
-// Bodies that no joint parts.
+// A rigid part: one or more MJCF bodies that are not separated by joints.
 struct MjcfPart {
     enum class Kind { fixed, mocap, moving };
     Kind kind = Kind::moving;
-    ModelBody body; // its `world` is where it stands as the model is drawn until `MjcfTree::place`
+    ModelBody body; // its `world` is the pose in the model file until `MjcfTree::place`
     std::size_t parent = 0;
-    Rigid frame; // in the parent, as the model is drawn
-    Rigid drawn; // in the world of the file, as the model is drawn
+    Rigid frame; // in the parent, in the pose of the model file
+    Rigid drawn; // in the world of the file, in the pose of the model file
     std::vector<std::size_t> joints;
     std::vector<MjcfGeom> geoms;
-    bool lacks_looks = false; // something of it cannot be shown
-    BodyId id;                // null: the world, where nothing stands
+    bool lacks_looks = false; // some of its geoms cannot be shown
+    BodyId id;                // null: the static world without any shape
     double own_mass = 0.0;
 };
 
 struct MjcfAttached {
     std::size_t part = 0;
-    Rigid at; // in the part
+    Rigid at; // in the frame of the part
 };
 
 struct MjcfModel {
     const MjcfSettings& settings;
     const MjcfDefaults& defaults;
-    std::vector<MjcfPart> parts; // parents first; the first is the world
+    std::vector<MjcfPart> parts; // parents come first; the first part is the world
     std::vector<MjcfJoint> joints;
     std::map<std::string, MjcfAttached> bodies, sites;
     std::map<std::string, std::size_t> joint_names;
-    bool is_whole = true; // false: elements that are not read may have had bodies and joints of their own
+    bool is_whole = true; // false: elements that are not read may have contained bodies and joints
     std::vector<std::string> warnings;
-    bool decomposes = false; // meshes that move
+    bool decomposes = false; // whether moving meshes are decomposed into convex parts
     SurfaceParts surface_parts{};
 
-    const MjcfJoint* joint(const XmlText& name); // throws, or null where the model is not whole
+    const MjcfJoint* joint(const XmlText& name); // throws, or returns null where the model is not whole
 };
 
-// What a geom looks like by its material.
+// The appearance of a geom according to its material.
 struct MjcfMaterial {
     std::optional<XmlText> color;
-    std::shared_ptr<const Texture> texture; // none: not covered
-    Vec3 tint{1.0f, 1.0f, 1.0f};            // linear: the color of a flat texture around the geom
-    std::array<double, 2> repeat{1.0, 1.0}; // how often the texture lies across the geom, or across 2 m
-    bool is_uniform = false;                // across 2 m
+    std::shared_ptr<const Texture> texture; // none: no texture
+    Vec3 tint{1.0f, 1.0f, 1.0f};            // linear; mean color of a flat cube texture, which is not mapped
+    std::array<double, 2> repeat{1.0, 1.0}; // how often the texture repeats across the geom, or across 2 m
+    bool is_uniform = false;                // true: `repeat` is per 2 m
 };
 
 class MjcfAssets {
   public:
     MjcfAssets(const XmlElement& root, const MjcfSettings& settings, const MjcfDefaults& defaults,
                std::optional<std::filesystem::path> folder);
-    // Throw Error through `name` if there is none of that name, or if its file cannot be read.
+    // The functions throw Error through `name` if there is no asset of that name, or if its file cannot be read.
     std::shared_ptr<const Surface> mesh(const XmlText& name);
     HeightField height_field(const XmlText& name);
-    // The mesh to look at.
+    // Returns the mesh for visuals.
     std::shared_ptr<const Surface> look(const XmlText& name);
-    // Nothing if there is none of that name. A texture that cannot be shown is left out, which a warning says.
+    // Returns nothing if there is no material of that name. A texture that cannot be shown is left out, with a warning.
     std::optional<MjcfMaterial> material(const XmlText& name, std::vector<std::string>& warnings);
 
   private:
@@ -121,32 +123,32 @@ class MjcfAssets {
     std::map<std::string, MjcfMaterial> read_materials_;
 };
 
-// The surface of a geom with its places in the texture of its material: those of its file, or else, as in MuJoCo, those
-// seen along its z axis. `half_sizes`: of the geom along x and y; 0 of what has no end.
+// Returns the surface of a geom with coordinates in the texture of its material: those of its file, or else, as in
+// MuJoCo, a projection along its z axis. `half_sizes`: of the geom along x and y; 0 where it is infinite.
 Surface mjcf_covered(const Surface& surface, const Rigid& in_geom, const MjcfMaterial& material,
                      const glm::dvec2& half_sizes);
-// The picture that a texture describes in words, as a PNG file.
+// Returns the picture of a procedural texture as a PNG file.
 std::string mjcf_builtin_picture(const MjcfElement& texture);
 
-// Adds a geom that stands at `frame` in the part, and its mass if `has_mass`.
+// Adds a geom with the pose `frame` in the part, and its mass if `has_mass`.
 void add_mjcf_geom(const MjcfElement& element, const Rigid& frame, bool has_mass, const std::string& suffix,
                    MjcfPart& part, MjcfAssets& assets, MjcfModel& model);
 
-// Goes through the world body. With `fixed_base`, free joints hold.
+// Reads the tree of bodies below the world body. With `fixed_base`, free joints are locked.
 void read_mjcf_bodies(const XmlElement& root, bool fixed_base, MjcfAssets& assets, MjcfModel& model);
 
-// Where all parts stand when the world begins, by the first key frame if there is one. Returns its control values.
+// Sets the initial poses of all parts, from the first keyframe if there is one. Returns the keyframe's control values.
 std::vector<double> place_mjcf_parts(const XmlElement& root, MjcfModel& model);
 
-// What the actuators add to the drives of joints.
+// Adds the actuators to the drives of joints.
 void read_mjcf_actuators(const XmlElement& root, const std::vector<double>& control, MjcfModel& model);
 
-// Which geoms meet, by contype, conaffinity and pairs.
+// Sets the collision filters of geoms from contype, conaffinity and pairs.
 void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene);
 
-// Joints between the parts, whose bodies are in the scene; some make bodies of their own.
+// Adds the joints between the parts, whose bodies are in the scene; some joints need bodies of their own.
 void add_mjcf_joints(MjcfModel& model, Scene& scene);
-// Equality constraints, and what does not collide.
+// Adds the equality constraints, and the excluded pairs.
 void add_mjcf_constraints(const XmlElement& root, MjcfModel& model, Scene& scene);
 
 } // namespace cairn::scene

@@ -49,7 +49,7 @@ void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
         const double total = text->number(-1e12, 1e12);
         if (total > 0.0) settings.total_mass = total;
     }
-    // These change how a model is kept, not what it does.
+    // These attributes affect how a model is stored, not how it behaves.
     for (const char* name : {"discardvisual", "usethread", "fusestatic", "fitaabb", "saveinertial"}) {
         compiler.attribute(name);
     }
@@ -85,7 +85,7 @@ void read_option(const XmlElement& option, MjcfSettings& settings) {
     }
 }
 
-// All actuators share their defaults, whatever their kind.
+// All kinds of actuators share their defaults.
 std::string shelf_of(const std::string& tag) {
     for (const char* kind : {"motor", "position", "velocity", "intvelocity", "damper"}) {
         if (tag == kind) return "general";
@@ -186,7 +186,8 @@ glm::dvec3 unit_vector(const glm::dvec3& vector, const XmlText& text) {
     return vector / length;
 }
 
-// Small letters turn about the axes as they have been turned, capitals about those of the parent.
+// Lowercase letters are intrinsic rotations, about the rotated axes; capitals are extrinsic, about the axes of the
+// parent.
 glm::dquat mjcf_euler(const glm::dvec3& angles, const std::string& sequence) {
     glm::dquat result(1.0, 0.0, 0.0, 0.0);
     for (int i = 0; i < 3; ++i) {

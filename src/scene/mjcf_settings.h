@@ -1,4 +1,4 @@
-// What holds for all of an MJCF model: compiler, option, and the classes of default values.
+// Settings of a whole MJCF model: the elements compiler and option, and the default classes.
 #pragma once
 
 #include "scene/rigid.h"
@@ -34,14 +34,14 @@ class MjcfDefaults {
   public:
     explicit MjcfDefaults(const XmlElement& root);
 
-    // Index of the class of that name. Throws through `name` if there is none.
+    // Returns the index of the class of that name. Throws through `name` if there is none.
     std::size_t find(const XmlText& name) const;
-    // The value that the class has for an attribute of elements with that tag, or a class that it is derived from.
+    // Returns the default of an attribute of elements with that tag, from the class or the classes it is derived from.
     const XmlText* value(std::size_t index, const std::string& tag, const char* attribute) const;
 
   private:
     struct Class {
-        std::size_t parent = 0;                                       // of the first: itself
+        std::size_t parent = 0;                                       // the first class is its own parent
         std::map<std::string, std::map<std::string, XmlText>> values; // by tag and attribute
     };
     void read(const XmlElement& element, std::size_t index);
@@ -49,10 +49,10 @@ class MjcfDefaults {
     std::map<std::string, std::size_t> names_{{"main", 0}};
 };
 
-// An element with the values of its class behind its own.
+// An element whose missing attributes take the defaults of its class.
 class MjcfElement {
   public:
-    // `fallback_class` counts if the element names none.
+    // `fallback_class` applies if the element names no class.
     MjcfElement(XmlElement element, const MjcfDefaults& defaults, std::size_t fallback_class);
 
     const XmlElement& xml() const { return element_; }
@@ -64,7 +64,7 @@ class MjcfElement {
     double number(const char* name, double otherwise, double least = -1e30, double most = 1e30) const;
     glm::dvec3 vector3(const char* name, const glm::dvec3& otherwise) const;
     std::string word(const char* name, const std::string& otherwise = "") const;
-    // Of an attribute that is true, false, or auto: then it is on if the other attribute is there.
+    // For an attribute with the values true, false and auto, where auto means on if the attribute `other` is present.
     bool is_on(const char* name, const char* other, bool autolimits) const;
 
   private:
@@ -73,11 +73,11 @@ class MjcfElement {
     std::size_t class_;
 };
 
-// Where the attributes pos, quat, axisangle, xyaxes, zaxis and euler place an element.
+// The pose that the attributes pos, quat, axisangle, xyaxes, zaxis and euler give an element.
 Rigid mjcf_frame(const MjcfElement& element, const MjcfSettings& settings);
-// The rotation of three angles, in rad, in the order of the model's euler sequence.
+// The rotation of three Euler angles (rad) in the order of the model's euler sequence.
 glm::dquat mjcf_euler(const glm::dvec3& angles, const std::string& sequence);
-// Throws through `text` if it has no direction.
+// Throws through `text` if the vector has no direction.
 glm::dvec3 unit_vector(const glm::dvec3& vector, const XmlText& text);
 
 } // namespace cairn::scene

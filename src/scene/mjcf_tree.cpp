@@ -1,4 +1,4 @@
-// The tree of bodies of an MJCF model, and where its joints put them.
+// The body tree of an MJCF model, and the initial poses that follow from its joints.
 #include "scene/mass_sum.h"
 #include "scene/mjcf_model.h"
 
@@ -31,12 +31,12 @@ class TreeReader {
     }
 
   private:
-    // Where the walk stands.
+    // The state of the traversal at an element.
     struct Place {
         std::size_t part;
-        Rigid at; // in the part
+        Rigid at; // in the frame of the part
         std::size_t default_class;
-        std::string suffix; // of names, below replicas
+        std::string suffix; // appended to names inside replicas
         bool has_geom_mass;
     };
 
@@ -53,7 +53,7 @@ class TreeReader {
         return name ? model_.defaults.find(*name) : otherwise;
     }
 
-    // All that stands in a body, a frame or a replica.
+    // Reads all elements in a body, a frame or a replica.
     void below(const XmlElement& owner, const Place& place) {
         for (const char* tag : {"geom", "site", "body", "frame", "replicate", "inertial", "joint", "freejoint"}) {
             owner.know(tag);
@@ -102,7 +102,7 @@ class TreeReader {
             below(element, inside);
             inside.at = inside.at * step;
         }
-        model_.is_whole = false; // names of replicas may be meant by others in ways that are not followed
+        model_.is_whole = false; // other elements may refer to names of replicas in ways that are not supported
     }
 
     void body(const XmlElement& element, const Place& place) {
@@ -212,7 +212,7 @@ class TreeReader {
             const std::vector<double> bounds = range->numbers(2, 2);
             joint.effort = std::min(std::max(std::fabs(bounds[0]), std::fabs(bounds[1])), 1e30);
         }
-        const auto first = [&](const char* name) { // newer files may have a polynomial
+        const auto first = [&](const char* name) { // newer files may have polynomial coefficients
             const auto text = element.attribute(name);
             if (!text) return 0.0;
             const std::vector<double> values = text->numbers(1, 10);
@@ -258,7 +258,7 @@ class TreeReader {
     std::size_t geoms_ = 0;
 };
 
-// What is left of the numbers of a key frame.
+// Reads the numbers of a keyframe in order.
 class Numbers {
   public:
     explicit Numbers(std::vector<double> values) : values_(std::move(values)) {}
@@ -280,7 +280,8 @@ class Numbers {
     std::size_t at_ = 0;
 };
 
-// The values of a key frame; none if it has none, or if they are of a model that is not read as a whole.
+// Returns the values of a keyframe; nothing if it has none, or if their number does not match because parts of the
+// model are not read.
 std::optional<Numbers> key_numbers(const std::optional<XmlText>& text, std::size_t count, MjcfModel& model) {
     if (!text) return std::nullopt;
     const std::vector<double> values = text->numbers(0, 1000000);
@@ -328,7 +329,7 @@ void read_key(const XmlElement& key, MjcfModel& model) {
     }
 }
 
-// A rigid bound would throw out at once what begins beyond it.
+// A joint that begins beyond a rigid limit would be pushed back violently at once, so it starts at the limit.
 void keep_in_ranges(MjcfModel& model) {
     std::string first;
     int count = 0;
@@ -344,12 +345,12 @@ void keep_in_ranges(MjcfModel& model) {
                              ": outside of its range at the start, and taken to the nearest end of it");
 }
 
-// Where a part stands and how it moves, by those of its parent and its joints.
+// Computes the pose and velocities of a part from those of its parent and its joints.
 void place_part(MjcfPart& part, const MjcfPart& parent, const MjcfModel& model) {
-    Rigid frame = parent.body.world * part.frame; // that the next joint moves, and its motion
+    Rigid frame = parent.body.world * part.frame; // the frame that the next joint moves, and its velocities
     glm::dvec3 w = parent.body.angular_velocity;
     glm::dvec3 v = parent.body.velocity + glm::cross(w, frame.position - parent.body.world.position);
-    const auto move = [&](const Rigid& motion) { // with the frame as a body
+    const auto move = [&](const Rigid& motion) { // moves the frame as part of a rigid body
         const Rigid next = frame * motion;
         v += glm::cross(w, next.position - frame.position);
         frame = next;

@@ -49,7 +49,8 @@ BodyId add_model_body(const ModelBody& body, Scene& scene) {
         ShapeDef shape_def;
         shape_def.position = Vec3(shape.at.position);
         shape_def.rotation = Quat(shape.at.rotation);
-        shape_def.density = shape.is_trigger ? 0.0f : 1000.0f; // the body has its mass already
+        // The density does not affect the body, whose mass properties are given.
+        shape_def.density = shape.is_trigger ? 0.0f : 1000.0f;
         shape_def.material = shape.material;
         shape_def.filter = shape.filter;
         shape_def.surface_velocity = shape.surface_velocity;

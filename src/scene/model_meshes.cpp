@@ -91,7 +91,7 @@ std::vector<Vec3> used_vertices(const Surface& surface) {
     return result;
 }
 
-// The icosahedron, each face cut in four, twice.
+// A subdivided icosahedron: each face is divided into four, twice.
 Surface ellipsoid_surface(const glm::dvec3& half_axes) {
     const double g = 0.5 * (1.0 + std::sqrt(5.0));
     std::vector<glm::dvec3> corners{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
@@ -131,7 +131,7 @@ SolidMass shape_mass(const Shape& shape, double density) {
         std::holds_alternative<HeightField>(shape) || density <= 0.0) {
         return {};
     }
-    World world; // knows the mass of all of its shapes
+    World world; // computes the mass properties of all shape types
     const BodyId body = world.create_body({});
     world.add_shape(body, shape, {.density = 1.0f});
     const MassProperties unit = world.body(body).mass_properties();
@@ -153,7 +153,7 @@ std::optional<SolidMass> surface_mass(const Surface& surface, double density) {
             return glm::dvec3(surface.vertices[surface.indices[i + k]]) - middle;
         };
         const glm::dvec3 a = corner(0), b = corner(1), c = corner(2), sum = a + b + c;
-        const double six = glm::dot(a, glm::cross(b, c)); // six volumes of the tetrahedron with the middle
+        const double six = glm::dot(a, glm::cross(b, c)); // six times the volume of the tetrahedron with the middle
         volume += six / 6.0;
         moment += six / 24.0 * sum;
         second +=
@@ -162,7 +162,7 @@ std::optional<SolidMass> surface_mass(const Surface& surface, double density) {
     }
     const glm::dvec3 size = high - low;
     if (volume < 0.0) volume = -volume, moment = -moment, second = -second; // inside out
-    if (!(volume > 1e-5 * size.x * size.y * size.z)) return std::nullopt;   // no more than rounding errors
+    if (!(volume > 1e-5 * size.x * size.y * size.z)) return std::nullopt;   // within rounding errors
     const glm::dvec3 center = moment / volume;
     second -= volume * glm::outerProduct(center, center);
     const double trace = second[0][0] + second[1][1] + second[2][2];

@@ -18,7 +18,7 @@ namespace cairn::scene {
 
 namespace {
 
-// The first character that is no space is a "<".
+// Whether the first character that is not white space is "<".
 bool is_xml(std::span<const std::byte> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const std::size_t first = text.find_first_not_of(" \t\r\n");

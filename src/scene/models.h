@@ -1,4 +1,4 @@
-// Models of robots and scenes in other formats than glTF: which reader a file is for.
+// Models of robots and scenes in formats other than glTF: selects the reader of a file.
 #pragma once
 
 #include "scene/scene.h"
@@ -11,9 +11,9 @@
 
 namespace cairn::scene {
 
-// The scene of a file in URDF, MJCF, SDF or USD, which shows in its first bytes; nothing if it is none of them. `name`
-// stands for the file in messages; without a `folder`, other files that it names are refused. Throws Error, also
-// (unsupported) for every such file where the library is built without models (CAIRN_MODELS).
+// Returns the scene of a file in URDF, MJCF, SDF or USD, which is recognized by its first bytes; nothing if it is none
+// of them. `name` stands for the file in messages; without a `folder`, other files that it names are refused. Throws
+// Error, also (unsupported) for every such file where the library is built without models (CAIRN_MODELS).
 std::optional<Scene> load_model(std::span<const std::byte> bytes, const std::string& name,
                                 const std::optional<std::filesystem::path>& folder, const LoadOptions& options);
 

@@ -1,5 +1,5 @@
-// From a name that stands in a file to a file on the disk: the one way for all readers, and the only one. What comes
-// from strangers chooses the name, never the folder that it stays in.
+// Resolves file names that occur in files; all readers use this function only. Scene files are untrusted: they choose
+// the name, never the folder that it must stay in.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,19 @@
 
 namespace cairn::scene {
 
-// The folder of a file as the disk knows it, without links. Throws Error (io).
+// Returns the canonical path of a folder, without symbolic links. Throws Error (io).
 std::filesystem::path folder_on_disk(const std::filesystem::path& folder);
 
 struct NearbyFile {
     enum class Verdict { found, outside, missing, not_a_file };
     Verdict verdict = Verdict::missing;
-    std::filesystem::path path; // without links, if it was found
-    std::string reason;         // why it is missing, in the words of the system
+    std::filesystem::path path; // without symbolic links, if the file was found
+    std::string reason;         // why the file is missing, as the system reports it
 };
 
-// The regular file of that name, which starts at `from`: it must lie in `root` or below it, both as the name is written
-// and where links lead. `root` and `from` are as `folder_on_disk` gives them. Nothing outside of `root` is looked at
-// for a name that leads out of it.
+// Finds the regular file of that name, relative to `from`: it must lie in `root` or below it, both as the name is
+// written and after symbolic links are followed. `root` and `from` are as `folder_on_disk` returns them. For a name
+// that leads out of `root`, nothing outside of it is accessed.
 NearbyFile nearby_file(std::string_view name, const std::filesystem::path& from, const std::filesystem::path& root);
 
 } // namespace cairn::scene

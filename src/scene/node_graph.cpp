@@ -10,12 +10,12 @@ constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
 std::string node_name(std::size_t index) { return "nodes[" + std::to_string(index) + "]"; }
 
-// Every node but the roots has exactly one parent, so a circle is a chain of parents that never ends.
+// Every node except the roots has exactly one parent, so a cycle is an endless chain of parents.
 void refuse_circles(const Value& nodes, const std::vector<std::size_t>& parents) {
     std::vector<std::size_t> seen_from(parents.size(), nobody);
     for (std::size_t start = 0; start < parents.size(); ++start) {
         for (std::size_t node = start; node != nobody && seen_from[node] != start; node = parents[node]) {
-            if (seen_from[node] != nobody) break; // walked up from here before, and it ended
+            if (seen_from[node] != nobody) break; // visited from an earlier start, where the chain ended
             seen_from[node] = start;
             if (parents[node] != nobody && seen_from[parents[node]] == start) {
                 nodes[node].fail("must not be its own ancestor");

@@ -1,4 +1,4 @@
-// The hierarchy of the nodes: which of them the scene shows, and what hangs below each.
+// The hierarchy of nodes: which nodes the scene shows, and the children of each.
 #pragma once
 
 #include "scene/json_value.h"
@@ -16,8 +16,8 @@ struct NodeGraph {
     std::vector<std::size_t> roots;                 // of the scene
 };
 
-// Reads and checks the children of all nodes: indices in range, at most one parent each, no circles.
-// `scene` is the scene object, if the file has one; without it, every node that has no parent is a root.
+// Reads and checks the children of all nodes: indices in range, at most one parent each, no cycles. `scene` is the
+// scene object, if the file has one; without it, every node that has no parent is a root.
 NodeGraph read_node_graph(const Value& document, const std::optional<Value>& scene);
 
 } // namespace cairn::scene

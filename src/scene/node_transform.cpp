@@ -7,17 +7,17 @@ namespace cairn::scene {
 
 namespace {
 
-// Sizes beyond this, in either direction, are mistakes of the file rather than scenes.
+// Scales beyond this range are errors of the file.
 constexpr Range scale_range{-1e9, 1e9, false};
-// Cosine between two axes that still count as perpendicular: a tenth of what a tolerance of 1 mm per meter is.
+// Maximum cosine between two axes that count as perpendicular: a tenth of a tolerance of 1 mm per meter.
 constexpr double skew_tolerance = 1e-4;
 
-// Rotation and scale of a linear map whose columns are perpendicular. A mirror image is turned into a negative
+// Decomposes a linear map whose columns are perpendicular into rotation and scale. A reflection becomes a negative
 // scale along x.
 void decompose(glm::dmat3 linear, NodeTransform& out) {
     for (int i = 0; i < 3; ++i) out.scale[i] = std::sqrt(glm::dot(linear[i], linear[i]));
     if (out.scale.x == 0.0 || out.scale.y == 0.0 || out.scale.z == 0.0) {
-        out.rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // flattened: what hangs on it is disabled
+        out.rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // flattened: shapes below this node are disabled
         return;
     }
     for (int i = 0; i < 3; ++i) linear[i] /= out.scale[i];

@@ -1,4 +1,4 @@
-// Where nodes stand: translation, rotation and scale, read from a node and composed down the hierarchy.
+// Poses of nodes: translation, rotation and scale, read from a node and composed down the hierarchy.
 #pragma once
 
 #include "scene/json_value.h"
@@ -10,27 +10,27 @@ struct NodeTransform {
     glm::dvec3 translation{0.0, 0.0, 0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
     glm::dvec3 scale{1.0, 1.0, 1.0};
-    bool is_skewed = false; // a rotation below an uneven scale: the parts above only come near the real thing
+    bool is_skewed = false; // a rotation below a nonuniform scale: the components above only approximate the map
 };
 
 // The transform of a node relative to its parent, from its translation, rotation and scale or its matrix.
 NodeTransform read_transform(const Value& node);
 
-// `child` as seen from where `parent` is seen.
+// Returns the transform of `child` in the frame in which `parent` is given.
 NodeTransform compose(const NodeTransform& parent, const NodeTransform& child);
 
-// Any affine map: what a node does to a mesh, skewed or not.
+// Any affine map, as a node applies it to a mesh, with or without skew.
 struct Affine {
     glm::dmat3 linear{1.0};
     glm::dvec3 translation{0.0, 0.0, 0.0};
 };
 Affine read_affine(const Value& node);
 Affine compose(const Affine& parent, const Affine& child);
-Affine affine(const glm::dvec3& scale); // nothing but a scale
+Affine affine(const glm::dvec3& scale); // a scale only
 NodeTransform parts_of(const Affine& map);
 
-// The rotation that has the direction of the first axis, and the second in the plane of the first two; empty where they
-// span none. A mirror image is mirrored along the last axis.
+// Returns the rotation whose first axis is the direction of the first column, and whose second axis is in the plane of
+// the first two columns; nothing if those are linearly dependent. A reflection is attributed to the last axis.
 std::optional<glm::dquat> rotation_of(const glm::dmat3& linear);
 
 // Refuses a transform that no body or shape can have: skewed, or out of the range of a float.

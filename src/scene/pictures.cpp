@@ -23,7 +23,7 @@ std::string png_chunk(std::string_view name, std::string_view data) {
     return big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(files::crc32(body));
 }
 
-// As zlib has it, in blocks that are not compressed (RFC 1950; RFC 1951, section 3.2.4).
+// A zlib stream of uncompressed blocks (RFC 1950; RFC 1951, section 3.2.4).
 std::string zlib_stream(std::string_view bytes) {
     constexpr std::size_t most = 65535;
     constexpr std::uint32_t adler_modulus = 65521;
@@ -31,7 +31,7 @@ std::string zlib_stream(std::string_view bytes) {
     for (std::size_t at = 0; at < bytes.size(); at += most) {
         const std::string_view part = bytes.substr(at, most);
         const auto size = static_cast<std::uint16_t>(part.size()), inverse = static_cast<std::uint16_t>(~size);
-        stream += static_cast<char>(at + most >= bytes.size()); // the last one
+        stream += static_cast<char>(at + most >= bytes.size()); // marks the last block
         for (const std::uint16_t word : {size, inverse})
             stream += static_cast<char>(word & 255), stream += static_cast<char>(word >> 8);
         stream += part;
@@ -71,7 +71,7 @@ std::string png_file(std::size_t width, std::size_t height, std::span<const std:
         for (const std::uint8_t part : color) palette += static_cast<char>(part);
     const std::string size =
         big_endian(static_cast<std::uint32_t>(width)) + big_endian(static_cast<std::uint32_t>(height));
-    return "\x89PNG\r\n\x1A\n"s + png_chunk("IHDR", size + "\x08\x03\0\0\0"s) + // 8 bits, by a palette
+    return "\x89PNG\r\n\x1A\n"s + png_chunk("IHDR", size + "\x08\x03\0\0\0"s) + // 8 bits per pixel, with a palette
            png_chunk("PLTE", palette) + png_chunk("IDAT", zlib_stream(rows)) + png_chunk("IEND", "");
 }
 

@@ -1,4 +1,4 @@
-// Pictures in the files that a model names, and such as it only describes.
+// Pictures in the files that a model names, and procedural pictures.
 #pragma once
 
 #include <array>
@@ -13,13 +13,14 @@
 
 namespace cairn::scene {
 
-// Whether it is a PNG or JPEG file, by its first bytes.
+// Whether the file is a PNG or JPEG file, by its first bytes.
 bool is_picture(std::string_view file);
 
-// Files, each read once.
+// Picture files, each read once.
 class Pictures {
   public:
-    // `shown` is what the model calls the file, at `place` in it. Throws Error: unsupported if it is of another kind.
+    // `shown` is the name of the file in the model, at `place` in it. Throws Error: unsupported if it is neither PNG
+    // nor JPEG.
     std::shared_ptr<const std::string> read(const std::filesystem::path& file, const std::string& place,
                                             const std::string& shown);
 
@@ -27,7 +28,8 @@ class Pictures {
     std::map<std::filesystem::path, std::shared_ptr<const std::string>> read_;
 };
 
-// A PNG file of `width` times `height` pixels from the top left corner on, each one of up to 256 colors in sRGB.
+// Returns a PNG file of `width` times `height` pixels in rows from the top left corner. Pixels are indices into up to
+// 256 colors in sRGB.
 std::string png_file(std::size_t width, std::size_t height, std::span<const std::uint8_t> pixels,
                      std::span<const std::array<std::uint8_t, 3>> colors);
 

@@ -1,5 +1,5 @@
-// From a world to a document. Everything is written in the order of the world, one node to a line, with the
-// shortest numbers that read back the same: equal worlds give equal bytes.
+// Writes a world as a document. Everything is written in the order of the world, one node per line, with the shortest
+// numbers that read back the same: equal worlds give equal bytes.
 #include "scene/character.h"
 #include "scene/definition_writer.h"
 #include "scene/gltf_file.h"
@@ -59,7 +59,7 @@ class Writer {
     std::string document(bool with_data) const {
         Json settings = write_world_settings(scene_.world.settings(), scene_.info);
         Json scene{{"nodes", roots_}, {"extensions", {{"CAIRN_world", std::move(settings)}}}};
-        if (roots_.empty()) scene.erase("nodes"); // glTF has no empty arrays
+        if (roots_.empty()) scene.erase("nodes"); // glTF does not allow empty arrays
         std::string text = "{\n\"asset\": {\"version\":\"2.0\",\"generator\":\"cairn\"},\n\"extensionsUsed\": " +
                            json_text(extensions_used()) + ",\n\"scene\": 0,\n\"scenes\": [\n" + json_text(scene) +
                            "\n]";
@@ -77,7 +77,7 @@ class Writer {
         return text + extensions() + "\n}\n";
     }
 
-    // Members of the document's own extensions.
+    // Returns the extension objects of the document.
     std::string extensions() const {
         std::string shapes = list("shapes", definitions_.shapes().lines());
         std::string physics = list("physicsMaterials", definitions_.materials().lines()) +
@@ -91,7 +91,7 @@ class Writer {
         return text.empty() ? "" : ",\n\"extensions\": {\n" + text.substr(2) + "\n}";
     }
 
-    // A member that is an array, with a comma before it; nothing if it is empty.
+    // Returns an array member, preceded by a comma; nothing if it is empty.
     static std::string list(const char* name, const std::vector<std::string>& entries) {
         if (entries.empty()) return {};
         std::string text = std::string(",\n\"") + name + "\": [";
@@ -126,7 +126,7 @@ class Writer {
         return std::holds_alternative<Hull>(shape) || std::holds_alternative<Mesh>(shape);
     }
 
-    // Meshes of colliders hang on nodes that the scene does not show, as the draft has it.
+    // The draft requires that meshes of colliders belong to nodes that the scene does not show.
     void add_mesh_nodes(BodyId id) {
         for (const ShapeId shape_id : scene_.world.body(id).shapes()) {
             const Shape& shape = scene_.world.shape(shape_id);
@@ -148,7 +148,7 @@ class Writer {
         const std::size_t index = nodes_.size();
         roots_.push_back(index);
         node_of_[id.bits] = index;
-        nodes_.emplace_back(); // its children follow it
+        nodes_.emplace_back(); // its child nodes are appended after it
         const bool is_alone = shapes.size() == 1 && stands_at_origin(shapes[0]);
         Json children = Json::array();
         if (is_alone) {
@@ -161,7 +161,8 @@ class Writer {
         if (visuals != visuals_.end()) {
             for (const std::size_t i : visuals->second) children.push_back(add_visual(scene_.visuals[i]));
         }
-        // A static body is one body only by this mark, unless it is nothing but a collider.
+        // Without this mark the shapes of a static body would be read as several bodies, unless it has one lone
+        // collider.
         const bool needs_mark = body.type() == BodyType::static_ && (!is_alone || !children.empty());
         if (!children.empty()) node["children"] = std::move(children);
         if (!physics.empty()) node["extensions"]["KHR_physics_rigid_bodies"] = std::move(physics);
@@ -169,7 +170,7 @@ class Writer {
         nodes_[index] = std::move(node);
     }
 
-    // From 0, without those of which fewer than two bodies are left.
+    // Numbers the groups from 0, without groups of which fewer than two bodies still exist.
     void number_groups() {
         int number = 0;
         for (std::vector<BodyId> bodies : scene_.groups) {
@@ -215,7 +216,7 @@ class Writer {
         if (found != colors_.end()) node["extras"]["cairn_color"] = number_array(found->second);
     }
 
-    // The collider or the trigger of a shape.
+    // Writes the collider or the trigger of a shape.
     void add_shape(ShapeId id, Json& physics) {
         const Shape& shape = scene_.world.shape(id);
         const ShapeDef& def = scene_.world.shape_def(id);
@@ -247,7 +248,7 @@ class Writer {
         return nodes_.size() - 1;
     }
 
-    // Bones stand where their bodies do; those that stand still, at the origin.
+    // Returns the node of a bone, which is that of its body; bones without a body share a node at the origin.
     std::size_t bone_node(BodyId body) {
         if (!body.is_null()) return node_of_.at(body.bits);
         if (!still_node_) {
@@ -258,7 +259,7 @@ class Writer {
         return *still_node_;
     }
 
-    // At a node of its own, whose z axis points against the way it shines.
+    // Adds a light at a node of its own, whose z axis points opposite to the direction in which it shines.
     void add_light(const Light& light) {
         constexpr const char* names[] = {"directional", "point", "spot"};
         Json json{{"type", names[int(light.kind)]}}, node;
@@ -298,7 +299,7 @@ class Writer {
         if (color != nullptr) nodes_[first]["extras"]["cairn_color"] = number_array(*color);
     }
 
-    // A node for the frame of a joint, below its body.
+    // Adds a node for the frame of a joint, below its body.
     std::size_t add_frame(BodyId id, const Transform& frame) {
         Json node;
         place(frame, node);
@@ -325,15 +326,16 @@ class Writer {
         return json;
     }
 
-    // A world vector in the node's axes, where the file has velocities, as they are turned by the rotation that the
-    // file has. In doubles, so that turning it back gives the same floats.
+    // Rotates a world vector to the axes of the node, in which the file gives velocities, by the rotation as it is
+    // written. In doubles, so that rotating it back gives the same floats.
     static Json local(const Body& body, const Vec3& v) {
         if (is_identity(body.rotation())) return number_array(v);
         const glm::dquat rotation = glm::normalize(written_rotation(body.rotation()));
         return number_array(Position(glm::conjugate(rotation) * glm::dvec3(v)));
     }
 
-    // As little as possible: nothing if the masses follow from the shapes, the mass alone if it scales them.
+    // Writes as little as possible: nothing if the mass properties follow from the shapes, only the mass if they scale
+    // with it.
     void add_mass(const Body& body, Json& json) {
         const MassProperties properties = body.mass_properties();
         if (same(properties, from_shapes(body, std::nullopt))) return;
@@ -344,7 +346,7 @@ class Writer {
         json["inertiaOrientation"] = number_array(properties.inertia_orientation);
     }
 
-    // Mass properties that the body would have without any of its own.
+    // Returns the mass properties that the body would have if they were computed from its shapes.
     MassProperties from_shapes(const Body& body, std::optional<float> mass) {
         BodyDef def;
         def.mass = mass;
@@ -352,13 +354,13 @@ class Writer {
         bool has_mass = false;
         for (const ShapeId shape : body.shapes()) {
             ShapeDef shape_def = scene_.world.shape_def(shape);
-            if (shape_def.is_trigger) shape_def.density = 0.0f; // as it is read
+            if (shape_def.is_trigger) shape_def.density = 0.0f; // triggers are read without mass
             has_mass = has_mass || shape_def.density > 0.0f;
             scratch_.add_shape(id, scene_.world.shape(shape), shape_def);
         }
         MassProperties properties = std::as_const(scratch_).body(id).mass_properties();
         scratch_.destroy_body(id);
-        if (!has_mass) properties.mass = 0.0f; // like no body: everything has to be written
+        if (!has_mass) properties.mass = 0.0f; // differs from every body, so that all properties are written
         return properties;
     }
 
@@ -369,8 +371,8 @@ class Writer {
     std::unordered_map<std::uint64_t, Vec3> joint_colors_;                // by joint
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> visuals_; // by body
     std::unordered_map<std::uint64_t, std::size_t> node_of_;              // by body
-    std::optional<std::size_t> still_node_;                               // of bones of no body
-    std::unordered_map<std::uint64_t, int> group_of_;                     // likewise
+    std::optional<std::size_t> still_node_;                               // the node of bones without a body
+    std::unordered_map<std::uint64_t, int> group_of_;                     // by body
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
     std::vector<Json> nodes_;
     std::vector<std::string> lights_;
@@ -378,9 +380,9 @@ class Writer {
     bool uses_body_extension_ = false, uses_rounded_hulls_ = false;
 };
 
-// Reading rounds a little: the engine normalizes rotations, and keeps the center of mass rather than the origin of a
-// body. So the file is read and written again until it repeats, which it does after a step or two; where it
-// alternates, the least of its forms is taken. The next save starts in the same circle, and ends at the same form.
+// Reading rounds slightly: the engine normalizes rotations, and stores the center of mass rather than the origin of a
+// body. So the file is read and written again until a form repeats, usually after one or two rounds. If several forms
+// alternate, the lexicographically least is taken. The next save enters the same cycle, and ends at the same form.
 std::vector<std::byte> stable_container(const Scene& scene) {
     constexpr std::size_t max_rounds = 16;
     std::vector<std::string> forms{Writer(scene).container()};

@@ -1,4 +1,4 @@
-// From an SDF file to a world.
+// Builds a world from an SDF file.
 #include "scene/sdf.h"
 
 #include "scene/gltf_file.h"
@@ -46,7 +46,7 @@ class SdfReader {
         set_filters(scene);
         add_bodies(scene);
         scene.warnings = std::move(model_.warnings);
-        std::set<std::string> lines; // a file may be included any number of times
+        std::set<std::string> lines; // a file may be included several times
         for (const auto& file : files_) {
             const auto line = file->unused();
             if (line && lines.insert(*line).second) scene.warnings.push_back(*line);
@@ -100,7 +100,7 @@ class SdfReader {
         model_.frames.push_back(std::move(frame));
     }
 
-    // Models, links, joints and frames of a world or a model.
+    // Reads the models, links, joints and frames of a world or a model.
     void read_members(const XmlElement& owner, std::size_t scope, bool is_old, int depth) {
         if (depth > max_nesting) owner.fail("must be at most 32 models inside each other");
         const std::size_t base = model_.scopes[scope].frame;
@@ -144,7 +144,7 @@ class SdfReader {
         }
     }
 
-    // `include`: what brought the model from another file, whose words count before its own.
+    // `include` is the element that included the model from another file; its values override the model's own.
     void add_model(const XmlElement& element, std::size_t parent, bool is_old, int depth, const XmlElement* include,
                    const std::string& folder = "") {
         if (model_.scopes.size() > max_models) element.fail("must be one of at most 100000 models");
@@ -231,7 +231,7 @@ class SdfReader {
         open_.pop_back();
     }
 
-    // What the folder of a model says in its model.config.
+    // Returns the name of the model file according to model.config in the folder of a model.
     std::string file_in(const std::string& folder) {
         const NearbyFile config = nearby_file(folder + "/model.config", *root_, *root_);
         if (config.verdict != NearbyFile::Verdict::found) return "model.sdf";
@@ -245,11 +245,12 @@ class SdfReader {
         }
     }
 
-    // Models of several links do not collide with themselves, unless they say so.
+    // Links of a model do not collide with each other by default, if there are several.
     void set_filters(Scene& scene) {
-        using Kind = std::pair<unsigned, std::size_t>; // bits, and the model that does not touch itself
+        // A bitmask, and the model whose links do not collide with each other.
+        using Kind = std::pair<unsigned, std::size_t>;
         std::map<std::size_t, std::size_t> links_of;
-        const auto whole = [&](std::size_t scope) { // the model that others stand in
+        const auto whole = [&](std::size_t scope) { // the outermost model that contains this one
             while (model_.scopes[scope].parent != 0) scope = model_.scopes[scope].parent;
             return scope;
         };
@@ -290,7 +291,7 @@ class SdfReader {
         }
     }
 
-    // Links by the body that they are part of: fixed joints hold them together.
+    // Returns for each link the first link of its body: fixed joints connect links to one body.
     std::vector<std::size_t> groups() const {
         std::vector<std::size_t> first(model_.links.size());
         std::iota(first.begin(), first.end(), std::size_t{0});
@@ -314,7 +315,8 @@ class SdfReader {
         return first;
     }
 
-    // Bodies that a fixed joint holds to the world; with a fixed base, the first of every model.
+    // Returns the bodies that a fixed joint connects to the world; with a fixed base, also the first body of every
+    // model.
     std::set<std::size_t> held(const std::vector<std::size_t>& group) const {
         std::set<std::size_t> result;
         for (const SdfJoint& joint : model_.joints) {
@@ -367,7 +369,8 @@ class SdfReader {
         add_sdf_joints(model_, bodies, model_.warnings, scene);
     }
 
-    // A body that lacks looks shows its shapes, which would be hidden by those of another: both then show shapes.
+    // Merges a part into a body. A part without visuals is shown by its shapes, which the visuals of the other part
+    // would hide: then the whole body is shown by its shapes.
     static void merge(ModelBody& part, const Rigid& at, ModelBody& into) {
         for (ModelMass& mass : part.masses) mass.at = at * mass.at, into.masses.push_back(mass);
         const bool hides = (into.looks.empty() && !into.shapes.empty()) || (part.looks.empty() && !part.shapes.empty());
@@ -383,7 +386,7 @@ class SdfReader {
     SdfModel model_;
     std::vector<std::unique_ptr<XmlFile>> files_;
     std::vector<std::pair<XmlElement, std::size_t>> link_elements_;
-    std::vector<std::filesystem::path> open_; // of the includes that are being read
+    std::vector<std::filesystem::path> open_; // files of the includes that are being read
     std::size_t bytes_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Models and worlds in SDF, the format of Gazebo. docs/sdf.md says what becomes of what.
+// Reads models and worlds in SDF, the format of Gazebo. docs/sdf.md says how each element is converted.
 #pragma once
 
 #include "scene/scene.h"

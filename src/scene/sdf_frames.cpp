@@ -1,4 +1,4 @@
-// Frames of SDF files: what they refer to, and where they stand.
+// Frames of SDF files: reference frames and poses.
 #include "scene/sdf_model.h"
 
 #include <cairn/error.h>
@@ -11,7 +11,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr int deepest = 200; // frames that refer to each other one after the other
+constexpr int deepest = 200; // maximum length of a chain of frames that refer to each other
 
 [[noreturn]] void refuse_circle(const SdfFrame& frame) {
     throw Error(ErrorCode::invalid_file, frame.place, {},
@@ -114,7 +114,7 @@ std::string sdf_path(const std::string& uri, const std::string& folder, const st
     const std::string name = rest.substr(0, slash), inner = rest.substr(std::min(slash + 1, rest.size()));
     if (name.empty() || name == "." || name == "..") return {};
     std::error_code code;
-    // The folder of the file itself, or one of that name beside it, or in a folder of models.
+    // The folder of the file itself, or one of that name beside it, or one in the folder `models`.
     if (std::filesystem::path(folder).filename() == name) return inner.empty() ? folder : in(folder, inner);
     if (folder.empty() && root.filename() == name) return inner.empty() ? "." : inner;
     for (const std::string& place : {name, "models/" + name}) {

@@ -11,7 +11,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double endless = 1e6; // m or rad: bounds beyond it are none
+constexpr double endless = 1e6; // m or rad: limits beyond this are treated as unlimited
 constexpr double most_double = std::numeric_limits<double>::max();
 
 class SdfJointMaker {
@@ -25,7 +25,7 @@ class SdfJointMaker {
         const std::size_t kind = type.choice(
             {"revolute", "continuous", "prismatic", "fixed", "ball", "universal", "revolute2", "screw", "gearbox"});
         const std::size_t a = body(joint, "parent"), b = body(joint, "child");
-        if (kind == 3 && (a == b || !(is_dynamic(a) || is_dynamic(b)))) return; // one body, or held already
+        if (kind == 3 && (a == b || !(is_dynamic(a) || is_dynamic(b)))) return; // already one body, or already fixed
         if (a == b) return without(element, "it joins nothing that can part");
         if (!is_dynamic(a) && !is_dynamic(b)) return without(element, "neither of its links moves");
         JointDef def;
@@ -66,7 +66,7 @@ class SdfJointMaker {
         warnings_.push_back(element.place() + ": has no effect: " + why);
     }
 
-    // The index of a body; sdf_none: the world.
+    // Returns the index of a body; sdf_none: the world.
     std::size_t body(const SdfJoint& joint, const char* which) const {
         const auto name = joint.element.child_text(which);
         if (!name) joint.element.fail(std::string("must have the element ") + which);
@@ -83,7 +83,7 @@ class SdfJointMaker {
         at = (body == sdf_none ? upright * frame : inverse(bodies_.worlds[body]) * (upright * frame)).transform();
     }
 
-    // In the world of the file.
+    // Returns the axis in the world of the file.
     glm::dvec3 axis_of(const SdfJoint& joint, const std::optional<XmlElement>& axis, const char* name) const {
         const auto xyz = axis ? axis->child("xyz") : std::nullopt;
         Rigid in = model_.world(joint.frame);
@@ -146,7 +146,7 @@ class SdfJointMaker {
         return control;
     }
 
-    // Any number; the format writes 1e16, and inf, for none.
+    // Reads a limit, which may be any number; the format writes 1e16 or inf for unlimited.
     static double bound(const XmlText& text) {
         if (text.text == "inf" || text.text == "+inf") return endless;
         if (text.text == "-inf") return -endless;

@@ -1,4 +1,4 @@
-// Links of SDF files: collisions, looks and masses.
+// Links of SDF files: collisions, visuals and masses.
 #include "scene/mass_sum.h"
 #include "scene/sdf_model.h"
 #include "scene/tessellation.h"
@@ -12,12 +12,12 @@ namespace {
 
 struct LinkSolid {
     std::optional<Shape> shape;
-    Rigid turn;                             // of the shape in its geometry
+    Rigid turn;                             // pose of the shape in the frame of its geometry
     std::shared_ptr<const Surface> surface; // of a mesh
-    bool is_cut = false;                    // into convex parts
+    bool is_cut = false;                    // decomposed into convex parts
 };
 
-// What the format says where a size is left out.
+// The format's default for a missing size, m.
 constexpr double left_out_length = 1.0;
 
 class LinkReader {
@@ -36,7 +36,8 @@ class LinkReader {
         }
         bool all_shown = true;
         for (const XmlElement& visual : element.children("visual")) all_shown = add_visual(visual) && all_shown;
-        if (!all_shown && !link_.body.shapes.empty()) link_.body.looks.clear(); // half of them would hide the rest
+        // An incomplete set of visuals would hide the shapes of the others.
+        if (!all_shown && !link_.body.shapes.empty()) link_.body.looks.clear();
         if (const auto gravity = element.child_text("gravity"))
             link_.body.gravity_scale = gravity->boolean() ? 1.0 : 0.0;
         if (const auto kinematic = element.child_text("kinematic")) link_.is_kinematic = kinematic->boolean();
@@ -47,7 +48,7 @@ class LinkReader {
     }
 
   private:
-    // In the link: relative to it, or to whatever the pose names.
+    // Returns the pose of an element in the frame of the link; the element's pose may be relative to another frame.
     Rigid place_of(const XmlElement& element) const {
         const SdfPose pose = read_sdf_pose(element);
         if (!pose.relative_to) return pose.pose;
@@ -55,7 +56,7 @@ class LinkReader {
         return inverse(model_.world(link_.frame)) * base * pose.pose;
     }
 
-    // Without one, the format says: 1 kg, and 1 kg m2 about every axis.
+    // Reads the inertial; the format's defaults are 1 kg, and 1 kg m2 about every axis.
     void read_inertial(const XmlElement& element, const std::optional<XmlElement>& inertial) {
         double mass = 1.0;
         glm::dmat3 inertia(1.0);
@@ -94,7 +95,7 @@ class LinkReader {
             model_.warnings.push_back(std::string(error.what()) + " (the collision is left out)");
             return;
         }
-        if (!solid.shape) return; // an empty one
+        if (!solid.shape) return; // an empty geometry
         ModelShape shape{*solid.shape, at * solid.turn, {}, material_of(collision), {}, {}, std::nullopt, place};
         if (solid.is_cut) shape.parts = model_.surface_parts.of(solid.surface);
         unsigned bitmask = 0xFFFF;
@@ -201,20 +202,20 @@ class LinkReader {
             const std::shared_ptr<const Texture> texture = material ? texture_of(*material) : nullptr;
             for (const MeshLook& part : parts) {
                 ModelLook look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
-                if (material) { // it stands for those of the file
+                if (material) { // it overrides the materials of the file
                     look.texture = part.surface->coordinates.empty() ? nullptr : texture;
                     look.color = color_of(*material, look.texture != nullptr);
                 }
                 link_.body.looks.push_back(std::move(look));
             }
             return true;
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             model_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             return false;
         }
     }
 
-    // The picture of the base color; null if there is none, or if it cannot be shown, which a warning says.
+    // Returns the texture of the base color; null if there is none, or if it cannot be shown, with a warning.
     std::shared_ptr<const Texture> texture_of(const XmlElement& material) {
         const auto pbr = material.child("pbr");
         const auto metal = pbr ? pbr->child("metal") : std::nullopt;
@@ -226,7 +227,7 @@ class LinkReader {
             Texture made;
             made.file = meshes_.picture(*map, path_of(*map), "");
             return std::make_shared<const Texture>(std::move(made));
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             model_.warnings.push_back(std::string(error.what()) + " (the texture is left out)");
             return nullptr;
         }
@@ -249,7 +250,7 @@ class LinkReader {
             try {
                 return read_kind(*found, kind, as_surface);
             } catch (const Error& error) {
-                if (error.code() != ErrorCode::invalid_value) throw; // of a shape
+                if (error.code() != ErrorCode::invalid_value) throw; // not an error of a shape
                 throw Error(ErrorCode::invalid_file, found->place(), {}, error.what());
             }
         }
@@ -278,7 +279,7 @@ class LinkReader {
         return {Cylinder{half, radius, std::nullopt}, y_to_z, nullptr, false};
     }
 
-    // Endless to touch; looks have a size.
+    // Planes are infinite for collision; only their visuals have a size.
     static LinkSolid plane(const XmlElement& element) {
         Plane plane;
         plane.normal = {0.0f, 0.0f, 1.0f};
@@ -291,7 +292,7 @@ class LinkReader {
         return {plane, {}, nullptr, false};
     }
 
-    // Of the file that an URI means, in the model's folder.
+    // Returns the path that a URI refers to, relative to the model's folder.
     std::string path_of(const XmlText& uri) const {
         if (!root_) {
             throw Error(ErrorCode::unsupported, uri.place, "\"" + printable(uri.text, 200) + "\"",
@@ -305,7 +306,7 @@ class LinkReader {
         return path;
     }
 
-    // What the element `mesh` asks for.
+    // The attributes of a `mesh` element.
     struct MeshRequest {
         XmlText uri;
         std::string path;

@@ -1,4 +1,4 @@
-// An SDF file between its XML and the world: frames, links and joints by their places.
+// The intermediate form of an SDF file between its XML and the world: frames, links and joints with their poses.
 #pragma once
 
 #include "scene/decomposition.h"
@@ -19,25 +19,25 @@ inline constexpr std::size_t sdf_none = static_cast<std::size_t>(-1);
 
 // A frame of reference that has a name: of a model, link, joint or frame.
 struct SdfFrame {
-    std::size_t scope = 0;                  // whose names it refers to
-    std::size_t base = sdf_none;            // the frame that counts where it names none; of the world: none
-    Rigid pose;                             // in the frame that it refers to
-    std::optional<XmlText> relative_to;     // instead of the base
-    std::optional<XmlText> attached_to;     // a frame: what it moves with
-    std::optional<XmlText> placement_frame; // of a model: the frame in it that its pose is of
-    std::size_t link = sdf_none;            // of a link
-    std::size_t model = sdf_none;           // of a model: its scope
-    std::string place;                      // in the file
+    std::size_t scope = 0;                  // the scope in which its names are resolved
+    std::size_t base = sdf_none;            // the default frame of its pose where it names none; sdf_none for the world
+    Rigid pose;                             // in the frame that it is relative to
+    std::optional<XmlText> relative_to;     // replaces the base
+    std::optional<XmlText> attached_to;     // the frame that a frame element moves with
+    std::optional<XmlText> placement_frame; // of a model: the frame in it whose pose `pose` is
+    std::size_t link = sdf_none;            // the index, if it is the frame of a link
+    std::size_t model = sdf_none;           // the scope, if it is the frame of a model
+    std::string place;                      // in the file, for messages
 };
 
-// The names of a model, or of the world.
+// The namespace of a model, or of the world.
 struct SdfScope {
     std::size_t parent = 0;
-    std::string prefix;                                // of the names of its links, "outer::inner::"
-    std::string folder;                                // of the file that it comes from, in the folder of the main file
-    std::size_t frame = 0;                             // of its own
-    std::map<std::string, std::size_t> frames, models; // by name; of models, the scopes
-    std::size_t canonical = sdf_none;                  // the link that its own frame moves with
+    std::string prefix;    // prefix of the names of its links, "outer::inner::"
+    std::string folder;    // folder of the file that the model comes from, relative to that of the main file
+    std::size_t frame = 0; // the frame of the model itself
+    std::map<std::string, std::size_t> frames, models; // indices by name; `models` refers to scopes
+    std::size_t canonical = sdf_none;                  // the canonical link, which the model's own frame moves with
     bool is_static = false, collides_itself = false, has_old_axes = false;
 };
 
@@ -46,8 +46,8 @@ struct SdfLink {
     std::size_t frame = 0, scope = 0;
     std::string place;
     bool is_static = false, is_kinematic = false;
-    ModelBody body;                 // its poses are in the link
-    std::vector<unsigned> bitmasks; // of its shapes
+    ModelBody body;                 // its poses are in the frame of the link
+    std::vector<unsigned> bitmasks; // one for each shape
 };
 
 struct SdfJoint {
@@ -56,19 +56,19 @@ struct SdfJoint {
 };
 
 struct SdfModel {
-    std::vector<SdfScope> scopes; // the first is the world
-    std::vector<SdfFrame> frames; // the first is the world's
+    std::vector<SdfScope> scopes; // the first scope is the world
+    std::vector<SdfFrame> frames; // the first frame is the world's
     std::vector<SdfLink> links;
     std::vector<SdfJoint> joints;
     std::vector<std::string> warnings;
-    bool decomposes = false; // meshes that move
+    bool decomposes = false; // whether moving meshes are decomposed into convex parts
     SurfaceParts surface_parts;
 
-    // The frame of that name, as seen from a scope. Throws through `name` if there is none.
+    // Returns the frame of that name, resolved in a scope. Throws through `name` if there is none.
     std::size_t find(std::size_t scope, const XmlText& name) const;
-    // Where a frame stands in the world of the file.
+    // Returns the pose of a frame in the world of the file.
     Rigid world(std::size_t frame, int depth = 0) const;
-    // The link that a frame moves with; none for the world.
+    // Returns the link that a frame moves with; sdf_none for the world.
     std::size_t link_of(std::size_t frame, int depth = 0) const;
 
   private:
@@ -76,24 +76,25 @@ struct SdfModel {
     Rigid in_model(std::size_t frame, std::size_t model, int depth) const;
 };
 
-// The pose that an element has as its child, and what it is relative to.
+// The pose of an element, from its child `pose`, and the frame that it is relative to.
 struct SdfPose {
     Rigid pose;
     std::optional<XmlText> relative_to;
 };
 SdfPose read_sdf_pose(const XmlElement& owner);
 
-// Where the file is that a URI means: a path in the folder of the main file. Empty if it is none of that kind.
+// Returns the path of the file that a URI refers to, relative to the folder of the main file. Empty for other kinds of
+// URI.
 std::string sdf_path(const std::string& uri, const std::string& folder, const std::filesystem::path& root);
 
-// Collisions, looks and mass of a link; their frames must be known.
+// Reads collisions, visuals and mass of a link; the frames must be known.
 void read_sdf_link(const XmlElement& element, std::size_t link, const std::optional<std::filesystem::path>& root,
                    ModelMeshes& meshes, SdfModel& model);
 
-// Links that fixed joints hold together are one body.
+// Bodies of the model. Links that fixed joints connect are one body.
 struct SdfBodies {
-    std::vector<std::size_t> body_of_link; // index of the ids below; sdf_none: the world
-    std::vector<Rigid> worlds;             // of the bodies
+    std::vector<std::size_t> body_of_link; // index into `ids`; sdf_none: the world
+    std::vector<Rigid> worlds;             // poses of the bodies
     std::vector<BodyId> ids;
 };
 void add_sdf_joints(const SdfModel& model, const SdfBodies& bodies, std::vector<std::string>& warnings, Scene& scene);

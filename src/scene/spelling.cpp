@@ -11,9 +11,9 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::size_t max_warnings_per_object = 20, max_warnings_in_all = 1000; // far more than anybody is shown
+constexpr std::size_t max_warnings_per_object = 20, max_warnings_in_all = 1000; // far more warnings than are ever shown
 
-// What people mix up: case and underscores.
+// Ignores differences that are easily confused: case and underscores.
 std::string plain_name(const std::string& name) {
     std::string result;
     for (const char c : name.substr(0, 64)) {
@@ -22,7 +22,7 @@ std::string plain_name(const std::string& name) {
     return result;
 }
 
-// How many letters must be put in, taken away or changed (Wagner and Fischer 1974).
+// Returns how many letters must be inserted, deleted or replaced (Wagner and Fischer 1974).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -38,7 +38,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
-// The known name that is likely meant; empty if none is near.
+// Returns the known name that was most likely meant; empty if none is similar enough.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& known) {
     const std::string plain = plain_name(name);
     std::string best;
@@ -52,11 +52,11 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
     return best;
 }
 
-// An object of the draft or of ours: its members, and what stands in them.
+// A type of object of the draft or of Cairn's extensions: its members and their types.
 struct Kind {
     struct Member {
         const char* name;
-        const char* kind = nullptr; // of the object, or of those in a list
+        const char* kind = nullptr; // type of the object, or of the objects in a list
     };
     std::vector<Member> members;
 };
@@ -132,14 +132,14 @@ const std::map<std::string, Kind>& kinds() {
     return all;
 }
 
-// Elements of a list that is in memory already.
+// No limit on the elements of a list, as it is in memory already.
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
 class Speller {
   public:
     explicit Speller(std::vector<std::string>& warnings) : warnings_(warnings) {}
 
-    // What is no object, or no list of them, is refused by those who read it.
+    // Values that are not an object or a list of objects are skipped; their reader refuses them.
     void check(const Value& value, const char* name) {
         if (value.is_array()) {
             const std::size_t count = value.size(any_number, "elements");
@@ -166,7 +166,7 @@ class Speller {
         if (!extensions || !extensions->is_object()) return;
         for (const std::string& other : extensions->other_members(understood_extensions(), max_warnings_per_object)) {
             const std::string meant = nearest_name(other, understood_extensions());
-            if (meant.empty()) continue; // of somebody else
+            if (meant.empty()) continue; // an extension of another vendor
             warnings_.push_back(extensions->place() + "the extension \"" + other +
                                 "\" is not known and has no effect; did you mean \"" + meant + "\"?");
         }
@@ -175,7 +175,7 @@ class Speller {
         }
     }
 
-    // Ours begin with "cairn".
+    // Cairn's own extras begin with "cairn".
     void check_extras(const Value& node) {
         const auto extras = node.is_object() ? node.find("extras") : std::nullopt;
         if (!extras || !extras->is_object()) return;

@@ -11,9 +11,9 @@ namespace cairn::scene {
 namespace {
 
 // glTF 2.0, section 3.7.2.1.
-constexpr std::uint64_t mode_triangles = 4, mode_strip = 5; // and 6, a fan
+constexpr std::uint64_t mode_triangles = 4, mode_strip = 5; // 6 is a fan
 
-// Every strip and fan as single triangles, wound as the format says.
+// Converts strips and fans to single triangles with the winding that the format defines.
 std::vector<std::uint32_t> single_triangles(const std::vector<std::uint32_t>& indices, std::uint64_t mode,
                                             const Value& place) {
     if (mode == mode_triangles) {
@@ -33,8 +33,8 @@ std::vector<std::uint32_t> single_triangles(const std::vector<std::uint32_t>& in
     return result;
 }
 
-// The matrix that turns normals as `linear` turns surfaces: its cofactors, which exist even where its inverse does
-// not, with the outside kept outside.
+// Returns the matrix that maps normals when `linear` maps surfaces: its cofactors, which exist even where its inverse
+// does not; a reflection negates them, so that the outside stays outside.
 glm::dmat3 normal_map(const glm::dmat3& linear, bool mirrors) {
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
@@ -65,7 +65,7 @@ std::optional<Triangles> Surfaces::read_primitive(const Value& primitive, std::v
     if (extension(primitive, "KHR_draco_mesh_compression")) primitive.refuse("is compressed, which is not supported");
     const auto attributes = primitive.find("attributes");
     const auto positions = attributes ? attributes->find("POSITION") : std::nullopt;
-    if (!positions) return std::nullopt; // "clients should skip", says the format
+    if (!positions) return std::nullopt; // glTF: "clients should skip" such primitives
     const auto given_mode = primitive.find("mode");
     const std::uint64_t mode = given_mode ? given_mode->whole(0, 6) : mode_triangles;
     if (mode < mode_triangles) {
@@ -115,13 +115,14 @@ Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const 
         for (int i = 0; i < 3; ++i) {
             if (!any_float.contains(moved[i])) place.fail("has a mesh that reaches too far out");
         }
-        vertex = Vec3(moved) + Vec3(0.0f); // no negative zeros
+        vertex = Vec3(moved) + Vec3(0.0f); // without negative zeros
     }
     const glm::dmat3 turn = normal_map(map.linear, mirrors);
     for (Vec3& normal : result.normals) {
         const glm::dvec3 turned = turn * glm::dvec3(normal);
         const double length = std::sqrt(glm::dot(turned, turned));
-        const bool is_unit = std::fabs(length - 1.0) < 1e-6; // rounded to float already: it must not drift
+        // A unit vector to float precision is not normalized again, so that it does not drift.
+        const bool is_unit = std::fabs(length - 1.0) < 1e-6;
         if (length > 0.0 && std::isfinite(length)) normal = Vec3(is_unit ? turned : turned / length) + Vec3(0.0f);
     }
     if (mirrors) {
@@ -154,7 +155,7 @@ void Surfaces::gather(std::size_t node, const Affine& map, std::size_t depth, Ga
     for (const std::size_t child : graph_.children[node]) {
         const Value below = (*nodes_)[child];
         const auto physics = extension(below, "KHR_physics_rigid_bodies");
-        if (physics && physics->find("motion")) continue; // moves by itself
+        if (physics && physics->find("motion")) continue; // moves independently
         gather(child, compose(map, read_affine(below)), depth + 1, result, warnings);
     }
 }

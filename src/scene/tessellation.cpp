@@ -10,11 +10,11 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr float plane_half_size = 100.0f; // m, of infinite planes
-constexpr int sectors = 32;               // around an axis
-constexpr int quarter = 8;                // steps from the equator of a ball to its pole
+constexpr float plane_half_size = 100.0f; // m, for infinite planes
+constexpr int sectors = 32;               // around the axis
+constexpr int quarter = 8;                // steps from the equator of a sphere to its pole
 
-// Cosine and sine of i times a 32nd of a turn, for i from -8 to 32, by the addition theorem: the same on every machine.
+// Returns cosine and sine of i / 32 turns, for i from -8 to 32, by the addition theorem: the same on every machine.
 struct Turn {
     double cosine = 1.0, sine = 0.0;
 };
@@ -29,12 +29,12 @@ Turn turn(int i) {
     return result;
 }
 
-// Half a turn up the side of a round shape: where it is (distance from the axis, height), and where it faces.
+// A point of the profile of a surface of revolution: its distance from the axis, its height, and its normal.
 struct ProfilePoint {
     double radius, height, out, up;
 };
 
-// The surface that a profile sweeps out around the y axis; the profile goes upward, with its outside to the right.
+// Adds the surface that a profile sweeps around the y axis; the profile goes upward, with its outside to the right.
 void revolve(const std::vector<ProfilePoint>& profile, Surface& surface) {
     const auto first = static_cast<std::uint32_t>(surface.vertices.size());
     for (const ProfilePoint& p : profile) {
@@ -48,7 +48,7 @@ void revolve(const std::vector<ProfilePoint>& profile, Surface& surface) {
     for (std::uint32_t k = 0; k + 1 < profile.size(); ++k) {
         for (std::uint32_t i = 0; i < sectors; ++i) {
             const std::uint32_t a = first + k * row + i, b = a + 1, c = b + row, d = a + row;
-            // At a pole one of the two has no area.
+            // At a pole one of the two triangles has no area.
             if (profile[k].radius > 0.0) surface.indices.insert(surface.indices.end(), {a, b, c});
             if (profile[k + 1].radius > 0.0) surface.indices.insert(surface.indices.end(), {a, c, d});
         }
@@ -56,7 +56,7 @@ void revolve(const std::vector<ProfilePoint>& profile, Surface& surface) {
 }
 
 void add_polygon(const std::vector<Vec3>& corners, Surface& surface) {
-    glm::dvec3 sum(0.0); // Newell's normal: robust where corners lie on a line
+    glm::dvec3 sum(0.0); // Newell's normal: robust where vertices are collinear
     for (std::size_t i = 0; i < corners.size(); ++i) {
         sum +=
             glm::cross(glm::dvec3(corners[i] - corners[0]), glm::dvec3(corners[(i + 1) % corners.size()] - corners[0]));
@@ -118,8 +118,8 @@ struct Tessellator {
     }
     void operator()(const Capsule& capsule) const {
         const double low = capsule.radius, high = capsule.radius_top.value_or(capsule.radius), h = capsule.half_height;
-        const double rise = (low - high) / (2.0 * h); // sine of the angle at which the side faces upward
-        if (std::fabs(rise) >= 1.0) {                 // one ball holds the other
+        const double rise = (low - high) / (2.0 * h); // sine of the elevation of the side's normal
+        if (std::fabs(rise) >= 1.0) {                 // one sphere contains the other
             add_ball(low > high ? low : high, low > high ? -h : h, surface);
             return;
         }
@@ -160,7 +160,8 @@ struct Tessellator {
     }
     void operator()(const HeightField& field) const {
         const std::vector<Vec3> vertices = field.vertices();
-        std::vector<std::uint32_t> number(vertices.size(), 0); // of a height among the vertices, from 1 on
+        // The index of each height sample among the vertices plus 1; 0: none yet.
+        std::vector<std::uint32_t> number(vertices.size(), 0);
         for (const std::uint32_t corner : field.indices()) {
             if (number[corner] == 0) {
                 surface.vertices.push_back(vertices[corner]);

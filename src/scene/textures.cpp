@@ -16,7 +16,7 @@ constexpr Range transform_range{-1e6, 1e6, false}, cutoff_range{0.0, 1e6, false}
 constexpr Range share_range{0.0, 1.0, false}, strength_range{0.0, 1e6, false}, bump_range{-1e3, 1e3, false};
 constexpr double half_opaque = 0.5; // glTF's default of `alphaCutoff`
 
-// glTF 2.0, section 5.26: how a sampler continues a picture, and how it enlarges it.
+// glTF 2.0, section 5.26: sampler codes for wrapping, and for magnification.
 constexpr std::uint64_t clamped = 33071, mirrored = 33648, repeated = 10497, nearest = 9728;
 
 Texture::Wrap wrap_of(const std::optional<Value>& sampler, const char* name) {
@@ -32,13 +32,13 @@ std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; // bytes as characters
 }
 
-// The base color's textureInfo.
+// Returns the textureInfo of the base color.
 std::optional<Value> info_of(const Value& material) {
     const auto metal = material.find("pbrMetallicRoughness");
     return metal ? metal->find("baseColorTexture") : std::nullopt;
 }
 
-// KHR_texture_transform: scaled, then turned, then moved.
+// KHR_texture_transform: scale, then rotation, then translation.
 struct CoordinateMap {
     glm::dvec2 offset{0.0}, scale{1.0};
     double cosine = 1.0, sine = 0.0;
@@ -64,7 +64,7 @@ struct CoordinateMap {
     }
 };
 
-// Where a textureInfo has its corners: one of the sets of a primitive, mapped.
+// The texture coordinates that a textureInfo uses: one of the sets of a primitive, transformed.
 struct TexturePlace {
     std::string attribute;
     CoordinateMap map;
@@ -90,14 +90,14 @@ struct TexturePlace {
     }
 };
 
-// 1 unless it is said.
+// Returns the factor, which is 1 by default.
 float factor(const std::optional<Value>& owner, const char* name, const Range& range) {
     const auto given = owner ? owner->find(name) : std::nullopt;
     return given ? given->real(range) : 1.0f;
 }
 
-// A material that says nothing but its color is none of the metals that the format then takes it for: what is meant is
-// left to the viewer.
+// By default glTF treats a material as a metal; a material that defines only its color is hardly meant as one, so its
+// finish is left to the viewer.
 bool has_finish(const Value& material, const Finish& finish) {
     const auto metal = material.find("pbrMetallicRoughness");
     const bool is_metal = metal && metal->find("metallicFactor") && finish.metalness > 0.0f;
@@ -105,7 +105,7 @@ bool has_finish(const Value& material, const Finish& finish) {
     return is_metal || is_rough || finish.normals || finish.glow != Vec3(0.0f);
 }
 
-// Takes the textures of a material one after the other. All must lie where the first one does.
+// Reads the textures of a material in turn. All must use the same texture coordinates as the first one.
 class FinishReader {
   public:
     using Read = std::function<std::shared_ptr<const Texture>(const Value& info, bool is_data)>;
@@ -124,12 +124,12 @@ class FinishReader {
             coordinates = std::move(corners);
             place_ = its;
             return texture;
-        } catch (const Error& error) { // what is wrong with a picture is no reason to refuse a scene
+        } catch (const Error& error) { // a faulty picture is no reason to refuse a scene
             warn_(std::string(error.what()) + otherwise);
             return nullptr;
         }
     }
-    // Null if the material says nothing of it.
+    // Returns null if the material does not define a finish.
     std::shared_ptr<const Finish> finish() {
         const auto metal = material_.find("pbrMetallicRoughness");
         const char* const otherwise = " (this texture is left out)";
@@ -201,7 +201,7 @@ std::shared_ptr<const Texture> Textures::read_texture(const Value& info, const V
     const auto cutoff = material.find("alphaCutoff");
     if (mode && mode->text() == "MASK")
         result.alpha_cutoff = float(cutoff ? cutoff->real(cutoff_range) : half_opaque);
-    else if (mode && mode->text() == "BLEND") // either seen or not
+    else if (mode && mode->text() == "BLEND") // partial transparency is not supported: a cutoff replaces blending
         result.alpha_cutoff = float(half_opaque);
     const std::size_t number = source->index(max_textures, "images");
     const std::string key = std::to_string(number) + " " + std::to_string(int(result.wrap_u)) +

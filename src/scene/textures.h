@@ -12,21 +12,21 @@
 
 namespace cairn::scene {
 
-// What a material has for a surface, and where in its textures the corners of that lie.
+// The texture and finish that a material gives a surface, and the texture coordinates of its vertices.
 struct Covering {
-    std::shared_ptr<const Texture> texture; // none: not covered
-    std::shared_ptr<const Finish> finish;   // none: the material says nothing of it
-    std::vector<glm::vec2> coordinates;     // none: no texture
+    std::shared_ptr<const Texture> texture; // none: no texture
+    std::shared_ptr<const Finish> finish;   // none: the material does not define a finish
+    std::vector<glm::vec2> coordinates;     // empty: no texture
 };
 
 class Textures {
   public:
     Textures(const Value& document, Surfaces& surfaces) : document_(document), surfaces_(surfaces) {}
 
-    // Whether the material's base color is that of a picture.
+    // Whether the material's base color comes from a texture.
     static bool is_textured(const Value& material);
 
-    // `warn` is told of what is left out: pictures that are not there, or are of a kind that is not read.
+    // `warn` is called for everything that is left out: pictures that are missing or of an unsupported kind.
     using Warn = std::function<void(const std::string&)>;
     Covering covering(const Value& material, const Triangles& triangles, const Warn& warn);
 
@@ -36,7 +36,7 @@ class Textures {
 
     Value document_;
     Surfaces& surfaces_;
-    // By image, sampler's values, cutoff and use; the files by image.
+    // `known_`: keyed by image, sampler values, cutoff and use; `files_`: by image.
     std::map<std::string, std::shared_ptr<const Texture>> known_;
     std::map<std::size_t, std::shared_ptr<const std::string>> files_;
 };

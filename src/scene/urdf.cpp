@@ -1,5 +1,5 @@
-// From links and joints to bodies and joints. Links that fixed joints hold together are one body; the others stand
-// where they do with all joints at 0, or as near as their limits allow.
+// Converts links and joints to bodies and joints. Links that fixed joints connect are one body; parts are placed with
+// all joints at 0, or as near to 0 as their limits allow.
 #include "scene/urdf.h"
 
 #include "scene/loaded_world.h"
@@ -19,9 +19,9 @@ namespace cairn::scene {
 
 namespace {
 
-// What stands in for masses that a file does not give.
+// Mass, kg, of parts for which a file gives neither a mass nor shapes.
 constexpr double blank_mass = 1.0;
-// m2: an inertia of less than this, of 1 kg, is none. Of what is a thousandth of a millimeter large.
+// Inertia per mass, m2, below which an inertia counts as zero: that of a body of about a thousandth of a millimeter.
 constexpr double negligible = 1e-12;
 
 class RobotBuilder {
@@ -43,7 +43,7 @@ class RobotBuilder {
   private:
     std::string place(const urdf::Link& link) const { return name_ + ": link \"" + link.name + "\""; }
 
-    // Parts, from the root down.
+    // Collects the parts, from the root down.
     void walk() {
         struct Open {
             urdf::LinkConstSharedPtr link;
@@ -60,7 +60,7 @@ class RobotBuilder {
             const Open here = open.back();
             open.pop_back();
             parts_[here.part].links.push_back({here.link, here.in_part});
-            // The last first, so that the first is the next to be taken.
+            // The last joint is pushed first, so that the first one is visited next.
             for (std::size_t i = here.link->child_joints.size(); i-- > 0;) {
                 const urdf::JointSharedPtr joint = here.link->child_joints[i];
                 const std::string at = name_ + ": joint \"" + joint->name + "\"";
@@ -97,7 +97,7 @@ class RobotBuilder {
         }
         const std::size_t first = scene_.visuals.size();
         bool all_shown = true;
-        // Without mass of its own it needs all of its shapes.
+        // A part without an inertial needs all of its shapes, as they determine its mass.
         const bool may_lack_shapes = part.is_world || (!part.body.is_null() && has_inertial(part));
         for (const auto& [link, at] : part.links) {
             if (!part.body.is_null()) shapes_.add_shapes(*link, part.body, at, may_lack_shapes);
@@ -106,7 +106,7 @@ class RobotBuilder {
             const Rigid seen = part.body.is_null() ? part.world * at : at;
             all_shown = shapes_.add_visuals(*link, part.body, seen) && all_shown;
         }
-        // Half of the looks would hide the rest of the body; its shapes show all of it.
+        // An incomplete set of visuals would hide the rest of the body; its shapes show all of it.
         const bool is_left = !part.body.is_null() && !scene_.world.body(part.body).shapes().empty();
         if (!all_shown && is_left) scene_.visuals.resize(first);
     }
@@ -117,14 +117,15 @@ class RobotBuilder {
         });
     }
 
-    // Nothing if they follow from the shapes.
+    // Returns the mass properties; nothing if they follow from the shapes.
     std::optional<MassProperties> mass(const RobotPart& part, bool has_shapes) {
         MassSum sum;
         for (const auto& [link, at] : part.links) {
             if (link->inertial) add_mass(*link, at, sum);
         }
         const std::string where = place(*part.links.front().link);
-        // Of one body: links that stand for a frame have any inertia, or none.
+        // The inertia is checked for the whole body, because links that only define a frame may have any inertia, or
+        // none.
         if (sum.mass() > 0.0) {
             const std::string whole = where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial");
             if (sum.inertia_size() <= negligible * sum.mass()) {
@@ -156,7 +157,7 @@ class RobotBuilder {
         double size = 0.0;
         for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
         if (!(size <= 1e18)) throw Error(ErrorCode::invalid_file, where + ": inertia", {}, "must be finite");
-        if (m == 0.0) return; // like no inertial at all
+        if (m == 0.0) return; // equivalent to no inertial
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }
 

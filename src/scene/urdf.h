@@ -1,4 +1,4 @@
-// Robots: scenes from URDF files. docs/urdf.md says what becomes of what.
+// Reads robots from URDF files. docs/urdf.md says how each element is converted.
 #pragma once
 
 #include "scene/scene.h"

@@ -24,17 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_robot_bytes = std::size_t{16} << 20;
-constexpr int max_xml_depth = 64; // the parser calls itself for every level
-constexpr int folders_above = 8;  // that may be the package of a robot
+constexpr int max_xml_depth = 64; // the parser recurses once per level
+constexpr int folders_above = 8;  // number of folders, from the robot's upward, that are searched for its package
 constexpr std::string_view of_package = "package://";
 
-// The end of what starts at `from` and is closed by `mark`.
+// Returns the end of a section that starts at `from` and ends with `mark`.
 std::size_t end_of(std::string_view text, std::size_t from, std::string_view mark) {
     const std::size_t found = text.find(mark, from);
     return found == std::string_view::npos ? text.size() : found + mark.size();
 }
 
-// The end of a tag, and whether it closes itself. A ">" in quotes belongs to a value.
+// Returns the end of a tag, and whether it is an empty-element tag. A ">" in quotes belongs to a value.
 std::size_t end_of_tag(std::string_view text, std::size_t from, bool& closes_itself) {
     char quote = 0;
     for (std::size_t i = from; i < text.size(); ++i) {
@@ -75,7 +75,8 @@ void check_depth(std::string_view text, const std::string& name) {
     }
 }
 
-// The first element of the macro language xacro, or with an attribute in it; null if there is none.
+// Returns the first element of the macro language xacro, or with a macro expression in an attribute; null if there is
+// none.
 const TiXmlElement* find_macro(const TiXmlElement* element) {
     for (; element != nullptr; element = element->NextSiblingElement()) {
         if (std::string_view(element->Value()).substr(0, 6) == "xacro:") return element;
@@ -89,7 +90,7 @@ const TiXmlElement* find_macro(const TiXmlElement* element) {
     return nullptr;
 }
 
-// Where the text is no XML, which urdfdom does not say, or a file that a robot is yet to be made of.
+// Throws Error with the line if the text is not XML, which urdfdom does not report, or if it is a xacro file.
 void check_syntax(const std::string& text, const std::string& name) {
     TiXmlDocument document;
     document.Parse(text.c_str());
@@ -104,7 +105,7 @@ void check_syntax(const std::string& text, const std::string& name) {
     }
 }
 
-// urdfdom says what is wrong to a log that all of the process shares.
+// Captures the error messages of urdfdom, which it writes to a log shared by the whole process.
 class Complaints final : public console_bridge::OutputHandler {
   public:
     Complaints() : before_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
@@ -120,7 +121,7 @@ class Complaints final : public console_bridge::OutputHandler {
 
     void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
         if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || first_.size() > 1000) return;
-        std::string shown; // of one line, and printable
+        std::string shown; // on one line, and printable
         for (const char c : text.substr(0, 400)) shown += c >= ' ' && c <= '~' ? c : ' ';
         while (!shown.empty() && shown.back() == ' ') shown.pop_back();
         first_ += (first_.empty() ? "" : "; ") + shown;
@@ -133,7 +134,7 @@ class Complaints final : public console_bridge::OutputHandler {
     std::string first_;
 };
 
-// Every link hangs on the root, in one place.
+// Checks that every link is reachable from the root, by one path.
 void check_tree(const urdf::ModelInterface& model, const std::string& name) {
     std::set<std::string> seen;
     std::vector<urdf::LinkConstSharedPtr> open{model.getRoot()};
@@ -161,8 +162,8 @@ void check_tree(const urdf::ModelInterface& model, const std::string& name) {
     }
 }
 
-// The first package from `folder` upwards, of that name or of any. It is one by its package.xml: the robot chooses the
-// name, and without that mark "package://home/..." would make a package of all that lies below /home.
+// Returns the first package from `folder` upward, with that name or any. A package must have a package.xml, because the
+// robot chooses the name: otherwise "package://home/..." would make a package of everything below /home.
 std::optional<fs::path> package_above(fs::path folder, const std::optional<std::string>& name) {
     for (int i = 0; i < folders_above; ++i) {
         std::error_code code;
@@ -175,11 +176,11 @@ std::optional<fs::path> package_above(fs::path folder, const std::optional<std::
 }
 
 struct MeshPlace {
-    fs::path root, from; // what it must stay in, and where its name starts
+    fs::path root, from; // the folder that the file must stay in, and the folder that its name is relative to
     std::string name;
 };
 
-// Of NAME/PATH, in the folder `here` of the robot. The name is empty if that is none.
+// Resolves NAME/PATH for a robot in the folder `here`. The name is empty if the path is invalid.
 MeshPlace place_in_package(const std::string& path, const fs::path& here) {
     const std::size_t slash = std::min(path.find('/'), path.size());
     const std::string owner = path.substr(0, slash), rest = path.substr(std::min(slash + 1, path.size()));
@@ -213,7 +214,7 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
         model = urdf::parseURDF(text);
     } catch (const std::bad_alloc&) {
         throw;
-    } catch (const std::exception& error) { // from the depths of the parser
+    } catch (const std::exception& error) { // from inside the parser
         why = error.what();
     }
     if (!complaints.text().empty()) why = complaints.text();
@@ -223,7 +224,7 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
     }
     try {
         check_tree(*model, name);
-    } catch (const Error&) { // links in a circle would keep each other forever
+    } catch (const Error&) { // links in a cycle of shared pointers would never be freed
         for (const auto& [key, link] : model->links_) link->child_links.clear();
         throw;
     }

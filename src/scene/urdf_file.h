@@ -1,4 +1,4 @@
-// URDF text, taken apart by urdfdom; and the files of meshes that it names.
+// Parses URDF text with urdfdom, and resolves the mesh files that it names.
 #pragma once
 
 #include "scene/mesh_store.h"
@@ -13,18 +13,18 @@
 
 namespace cairn::scene {
 
-// Links and joints are those of the file, each link with one parent at most, and all of them below the root. `name`
-// stands for the file in messages. Throws Error (invalid_file).
+// Returns the links and joints of the file; each link has at most one parent, and all are below the root. `name` stands
+// for the file in messages. Throws Error (invalid_file).
 urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name);
 
-// A `filename` without the slashes that stand before the name of a package, as in "package:///NAME/PATH".
+// Returns a `filename` without superfluous slashes before the name of a package, as in "package:///NAME/PATH".
 std::string without_spare_slashes(const std::string& filename);
 
-// The file that a `filename` of a mesh or a texture means: relative to the robot's folder, or package://NAME/PATH. A
-// package is a folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any,
-// NAME is a folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the
-// robot's folder or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads
-// out, which is the same to a robot.
+// Returns the file that a `filename` of a mesh or a texture refers to: relative to the robot's folder, or
+// package://NAME/PATH. A package is a folder above the robot's with a package.xml: the one of that name, else the
+// nearest one. Without any, NAME is a folder beside the robot, or the robot's own. The file must lie in the package or,
+// without one, in the robot's folder or below it. `place` stands for the element in messages. Throws Error: io if the
+// file is missing or leads out of the folder; the message does not tell these apart.
 NamedFile find_robot_file(const std::string& filename, const std::optional<std::filesystem::path>& folder,
                           const std::string& place);
 

@@ -35,7 +35,7 @@ std::optional<JointRange> range_of(const urdf::Joint& joint, const std::string& 
         throw Error(ErrorCode::invalid_file, place_of(name, joint) + ": limit",
                     std::to_string(limits.lower) + " to " + std::to_string(limits.upper), "must have lower <= upper");
     }
-    constexpr double unlimited = 1e9; // rad or m: as good as no bound
+    constexpr double unlimited = 1e9; // rad or m: limits beyond this are treated as unlimited
     if (limits.lower < -unlimited && limits.upper > unlimited) return std::nullopt;
     return JointRange{static_cast<float>(std::clamp(limits.lower, -unlimited, unlimited)),
                       static_cast<float>(std::clamp(limits.upper, -unlimited, unlimited)), std::nullopt};
@@ -49,7 +49,7 @@ float nonnegative(double value, const urdf::Joint& joint, const std::string& nam
     return static_cast<float>(value);
 }
 
-// The motor has no stiffness of its own: it damps, and waits for somebody who gives it a stiffness and a target.
+// The motor has damping only; a controller may give it a stiffness and a target.
 JointControl control_of(const urdf::Joint& joint, const std::string& name) {
     JointControl control;
     control.limits = range_of(joint, name);
@@ -73,9 +73,9 @@ std::optional<Joint> joint_of(const urdf::Joint& joint, const std::string& name)
         return HingeJoint{control_of(joint, name)};
     case urdf::Joint::PRISMATIC:
         return SliderJoint{control_of(joint, name)};
-    case urdf::Joint::FLOATING: // keeps the two from colliding, and nothing else
+    case urdf::Joint::FLOATING: // only disables collision between the two bodies
         return GeneralJoint{};
-    case urdf::Joint::PLANAR: // across the axis, and turning about it
+    case urdf::Joint::PLANAR: // translates across the axis, and rotates about it
         return GeneralJoint{{JointLimit{JointAxis::linear, {true, false, false}, 0.0f, 0.0f, std::nullopt, 0.0f},
                              JointLimit{JointAxis::angular, {false, true, true}, 0.0f, 0.0f, std::nullopt, 0.0f}},
                             {}};
@@ -136,7 +136,7 @@ void RobotJoints::add() {
 void RobotJoints::add(const RobotPart& part) {
     const urdf::Joint& joint = *part.joint;
     const RobotPart& parent = parts_[part.parent];
-    if (joint.type == urdf::Joint::FLOATING && parent.is_world) return; // free of the world
+    if (joint.type == urdf::Joint::FLOATING && parent.is_world) return; // a floating base needs no joint
     JointDef def;
     const auto made = joint_of(joint, name_);
     if (!made) throw Error(ErrorCode::unsupported, place_of(name_, joint), {}, "must be of a known type");
@@ -167,8 +167,9 @@ const RobotPart* RobotJoints::part_of(const std::string& joint) const {
     return nullptr;
 }
 
-// A gear compares rates against the world. They are those against the parents if the parents do not turn; or if both
-// have the same parent, parallel axes and turn at the same rate, as its own rate then drops out.
+// A gear constrains angular rates relative to the world. These equal the rates relative to the parents if the parents
+// do not rotate, or if both joints have the same parent, parallel axes and the same rate, as the parent's rate then
+// cancels.
 void RobotJoints::add_mimic(const RobotPart& part) {
     const urdf::Joint& joint = *part.joint;
     const urdf::JointMimic& mimic = *joint.mimic;
@@ -196,7 +197,7 @@ void RobotJoints::add_mimic(const RobotPart& part) {
     def.frame_a.rotation = Quat(turn_from_x(axis_of(*other->joint, name_)));
     def.frame_b.rotation = Quat(turn_from_x(axis_of(joint, name_)));
     def.joint = GearJoint{static_cast<float>(-1.0 / mimic.multiplier)};
-    def.enable_collision = true; // it does not make them neighbors
+    def.enable_collision = true; // a mimic does not disable collision between its bodies
     scene_.world.create_joint(def);
 }
 

@@ -13,27 +13,27 @@
 
 namespace cairn::scene {
 
-// Links that fixed joints hold together: one body. Its frame is that of the first of them.
+// The links that fixed joints connect: one body. Its frame is that of the first link.
 struct RobotPart {
     struct Member {
         urdf::LinkConstSharedPtr link;
-        Rigid at; // in the part
+        Rigid at; // in the frame of the part
     };
     std::vector<Member> links;
-    Rigid world;                     // of the part
-    bool is_world = false;           // does not move
+    Rigid world;                     // pose of the part
+    bool is_world = false;           // the part does not move
     BodyId body;                     // null: the world, without any shape
-    std::size_t scenery = 0;         // so many of its first shapes are of the link `world`
-    urdf::JointConstSharedPtr joint; // that it hangs on; none: of the root
-    std::size_t parent = 0;          // the part on the other side of it
-    Rigid frame;                     // of the joint, in that part
+    std::size_t scenery = 0;         // the number of its first shapes that come from the link `world`
+    urdf::JointConstSharedPtr joint; // the joint to its parent; none for the root
+    std::size_t parent = 0;          // the part on the other side of the joint
+    Rigid frame;                     // of the joint, in the frame of the parent
 };
 
-// Where joints stand at the start: at 0, or at the nearest position that their limits allow.
+// The initial positions of joints: 0, or the nearest position within their limits.
 class RobotPose {
   public:
     RobotPose(const urdf::ModelInterface& model, const std::string& name) : model_(model), name_(name) {}
-    // What the joint has moved its child by, in its own frame.
+    // Returns the displacement of the child at the joint's position, in the frame of the joint.
     Rigid motion(const urdf::Joint& joint) const;
 
   private:

@@ -13,7 +13,7 @@ namespace {
 
 using PartPair = std::pair<std::size_t, std::size_t>;
 
-// Pairs of parts that overlap, but those of a joint, which do not collide anyway.
+// Returns the pairs of parts that overlap, except pairs with a common joint, which do not collide anyway.
 std::set<PartPair> overlaps(const std::vector<RobotPart>& parts, const World& world) {
     std::map<ShapeId, std::size_t> owners;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -35,8 +35,8 @@ std::set<PartPair> overlaps(const std::vector<RobotPart>& parts, const World& wo
     return pairs;
 }
 
-// Parts, no more than there are layers, one of which is in each of the pairs, or in as many as can be: that with the
-// most pairs first. Takes those pairs out.
+// Returns parts, at most as many as there are layers, that cover all of the pairs, or as many as possible, choosing the
+// part with the most pairs first. Removes the covered pairs from `pairs`.
 std::vector<std::size_t> take_covering_parts(std::set<PartPair>& pairs) {
     std::vector<std::size_t> cover;
     while (!pairs.empty() && cover.size() < max_kinds) {
@@ -66,8 +66,8 @@ std::string names_of(const std::set<PartPair>& pairs, const std::vector<RobotPar
 
 } // namespace
 
-// Two shapes meet if each is in a layer that the other collides with. So one of the two parts of a pair needs a layer
-// of its own, which the other one leaves out.
+// Two shapes collide if each is in a layer that the other collides with. So one part of each overlapping pair needs a
+// layer of its own, which the other part's filter excludes.
 void separate_overlaps(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene) {
     std::set<PartPair> apart = overlaps(parts, scene.world), left = apart;
     if (apart.empty()) return;

@@ -1,13 +1,13 @@
-// Links of a robot that overlap as it is drawn.
+// Links of a robot that overlap in its initial pose.
 #pragma once
 
 #include "scene/urdf_joints.h"
 
 namespace cairn::scene {
 
-// Shapes that stand for more than there is, as the hull of what is hollow, overlap others of the robot where it is
-// drawn: they would push each other away at once. Two parts of which shapes do so do not collide at all; one warning
-// names them. What the link `world` has as shapes is no part of the robot.
+// Shapes that are larger than the real part, such as the hull of a hollow mesh, may overlap other shapes of the robot
+// in its initial pose, and would push each other away at once. Collision is disabled between two parts whose shapes
+// overlap; one warning names the parts. Shapes of the link `world` are not part of the robot.
 void separate_overlaps(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene);
 
 } // namespace cairn::scene

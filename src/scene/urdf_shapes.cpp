@@ -32,7 +32,8 @@ std::optional<Vec3> color_of(const urdf::Visual& visual) {
     if (!visual.material) return std::nullopt;
     const urdf::Color& c = visual.material->color;
     const bool has_none = c.r == 0.0f && c.g == 0.0f && c.b == 0.0f && !visual.material->texture_filename.empty();
-    if (has_none) return Vec3(1.0f); // nobody covers black with a picture
+    // Black would hide the texture, and is not meant to multiply it.
+    if (has_none) return Vec3(1.0f);
     const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
     return Vec3(part(c.r), part(c.g), part(c.b));
 }
@@ -75,7 +76,7 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
         return {Box{0.5f * Vec3(size(dim.x, place, "box size"), size(dim.y, place, "box size"),
                                 size(dim.z, place, "box size"))}};
     }
-    case urdf::Geometry::CYLINDER: { // theirs stands along z, ours along y
+    case urdf::Geometry::CYLINDER: { // URDF cylinders are along z, the engine's along y
         const auto& column = static_cast<const urdf::Cylinder&>(geometry);
         return {Cylinder{0.5f * size(column.length, place, "cylinder length"),
                          size(column.radius, place, "cylinder radius"), std::nullopt},
@@ -170,7 +171,7 @@ std::shared_ptr<const Texture> RobotShapes::texture_of(const urdf::Visual& visua
         Texture made;
         made.file = meshes_.pictures().read(file.path, where, file.shown);
         return std::make_shared<const Texture>(std::move(made));
-    } catch (const Error& error) { // looks do not matter to the simulation
+    } catch (const Error& error) { // visuals do not affect the simulation
         const std::string line = std::string(error.what()) + " (the texture is left out)";
         scene_.warnings.push_back(line);
         return nullptr;
@@ -193,13 +194,13 @@ bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& 
                 made.surface = part.surface;
                 made.local = local.transform();
                 if (color || part.color) made.color = color ? *color : *part.color;
-                if (visual.material) // it stands for those of the file
+                if (visual.material) // it overrides the materials of the file
                     made.texture = part.surface->coordinates.empty() ? nullptr : texture;
                 else
                     made.texture = part.texture;
                 scene_.visuals.push_back(std::move(made));
             }
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             all_shown = false;
         }

@@ -16,7 +16,7 @@
 
 namespace cairn::scene {
 
-// The pose of an `origin`. Throws Error naming `place` if it is not finite.
+// Returns the pose of an `origin`. Throws Error naming `place` if it is not finite.
 Rigid rigid(const urdf::Pose& pose, const std::string& place);
 
 class RobotShapes {
@@ -24,27 +24,27 @@ class RobotShapes {
     RobotShapes(std::string name, std::optional<std::filesystem::path> folder, bool decomposes, Scene& scene)
         : name_(std::move(name)), folder_(std::move(folder)), decomposes_(decomposes), scene_(scene) {}
 
-    // The collision shapes of a link that stands at `at` in the frame of `body`. With `may_lack`, those whose meshes
-    // are missing, may not be read or are of an unknown format are left out, which a warning says.
+    // Adds the collision shapes of a link with the pose `at` in the frame of `body`. With `may_lack`, shapes whose
+    // meshes are missing, may not be read or are of an unknown format are left out, with a warning.
     void add_shapes(const urdf::Link& link, BodyId body, const Rigid& at, bool may_lack);
-    // Its visuals; false if one of them cannot be shown, which a warning says.
+    // Adds the visuals of a link; returns false if one of them cannot be shown, which is warned of.
     bool add_visuals(const urdf::Link& link, BodyId body, const Rigid& at);
 
   private:
     struct Turned {
         Shape shape;
         glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; // of the shape in the frame of the geometry
-        std::vector<Hull> parts{};               // instead of the shape, if there are any
+        std::vector<Hull> parts{};               // convex parts instead of the shape, if there are any
     };
-    // One of them; nothing if it is left out.
+    // Returns the shape of one collision element; nothing if it is left out.
     std::optional<Turned> collision_shape(const urdf::Collision& collision, const std::string& place, bool is_static,
                                           bool may_lack);
     Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
     NamedFile file_of(const std::string& filename, const std::string& place);
     std::shared_ptr<const Surface> triangles(const urdf::Mesh& mesh, const std::string& place);
-    // What a visual shows, in the frame `local`, which a shape may turn.
+    // Returns the meshes of a visual, in the frame `local`, which is adjusted where the shape needs a rotation.
     std::vector<MeshLook> looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
-    // The texture of a visual's material; null if there is none, or if it cannot be shown, which a warning says.
+    // Returns the texture of a visual's material; null if there is none, or if it cannot be shown, which is warned of.
     std::shared_ptr<const Texture> texture_of(const urdf::Visual& visual, const std::string& place);
 
     std::string name_;

@@ -1,4 +1,4 @@
-// From a text layer of USD to a world.
+// Builds a world from a text layer of USD.
 #include "scene/usd.h"
 
 #include "scene/decomposition.h"
@@ -59,14 +59,14 @@ class WorldMaker {
         std::optional<ModelShape> shape;
         std::optional<ModelLook> look;
         std::vector<std::size_t> groups, pairs;
-        double mass = 0.0; // that the file gives; else from the density
+        double mass = 0.0; // given by the file; 0: computed from the density
         double density = 0.0;
-        std::optional<SolidMass> enclosed; // at 1 kg/m3, in the body
+        std::optional<SolidMass> enclosed; // at 1 kg/m3, in the frame of the body
     };
     struct Made {
         const UsdPrim* prim = nullptr;
         ModelBody body;
-        NodeTransform frame; // with the scale of the body
+        NodeTransform frame; // pose and scale of the body
         std::vector<Part> parts;
     };
 
@@ -90,7 +90,7 @@ class WorldMaker {
         }
     }
 
-    // Collision groups, and prims that are not to touch each other.
+    // Reads collision groups, and pairs of prims that must not collide.
     void read_groups() {
         for (const UsdPlace& place : stage_.places()) {
             const UsdPrim& prim = *place.prim;
@@ -182,7 +182,7 @@ class WorldMaker {
     void dress(const UsdPlace& place, const Rigid& body, ModelLook& look) {
         try {
             looks_.dress(place, body, look);
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             scene_.warnings.push_back(std::string(error.what()) + " (its texture is left out)");
         }
     }
@@ -197,7 +197,7 @@ class WorldMaker {
             dress(place, Rigid(), look);
             scene_.visuals.push_back(
                 {BodyId(), look.at.transform(), look.surface, look.color, look.texture, {}, look.finish});
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             if (error.code() == ErrorCode::invalid_file) throw;
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
         }
@@ -284,7 +284,7 @@ class WorldMaker {
         }
     }
 
-    // What the body says of its mass, over what follows from its colliders.
+    // Applies the mass properties that the body defines, which override those that follow from its colliders.
     void settle_mass(Made& made) {
         const UsdPrim& prim = *made.prim;
         stage_.has(prim, "PhysicsMassAPI");

@@ -1,4 +1,4 @@
-// Worlds in text layers of USD with UsdPhysics. docs/usd.md says what becomes of what.
+// Reads worlds in text layers of USD with UsdPhysics. docs/usd.md says how each schema is converted.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,8 +12,8 @@
 
 namespace cairn::scene {
 
-// `name` stands for the file in messages. `folder` is that of the file, in which pictures lie or below it; none: there
-// are no other files. Throws Error: `unsupported` for binary files and packages.
+// `name` stands for the file in messages. `folder` is that of the file; pictures must lie in it or below it. Without a
+// folder, other files are not read. Throws Error: `unsupported` for binary files and packages.
 Scene load_usd(std::span<const std::byte> bytes, const std::string& name,
                const std::optional<std::filesystem::path>& folder, const LoadOptions& options);
 

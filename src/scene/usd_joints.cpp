@@ -153,9 +153,10 @@ class UsdJointMaker {
         const bool turns = freedom == "angular" || freedom.substr(0, 3) == "rot";
         const bool is_acceleration = stage_.word(prim, drive + "type", "force") == "acceleration";
         const double meters = stage_.meters();
-        const double unit = turns ? degree : meters; // of a position
+        const double unit = turns ? degree : meters; // unit of a position
         const double force = turns ? meters * meters : meters;
-        // Forces come by the unit of position; accelerations leave units of length out.
+        // A force drive's stiffness is force per unit of position; an acceleration drive's stiffness does not depend on
+        // the unit of length.
         const double by_position = is_acceleration ? (turns ? 1.0 / degree : 1.0) : force / unit;
         JointMotor result;
         result.position = single(unit * bounded(prim, drive + "targetPosition"));
@@ -174,7 +175,7 @@ class UsdJointMaker {
         return stage_.number(prim, name, 0.0, -1e12, 1e12);
     }
 
-    // A freedom whose lower bound is above the upper one is locked.
+    // A degree of freedom whose lower limit is above the upper one is locked.
     GeneralJoint general(const UsdPrim& prim) const {
         GeneralJoint made;
         JointLimit locked[2] = {{JointAxis::linear, {}, 0.0f, 0.0f, std::nullopt, 0.0f},

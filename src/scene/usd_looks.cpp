@@ -8,8 +8,8 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double default_gray = 0.7;      // of what has no color
-constexpr double default_roughness = 0.5; // as UsdPreviewSurface says
+constexpr double default_gray = 0.7;      // for shapes without a color
+constexpr double default_roughness = 0.5; // default of UsdPreviewSurface
 
 Vec3 color_from(std::vector<double> rgb, double otherwise) {
     rgb.resize(3, otherwise);
@@ -24,7 +24,7 @@ Texture::Wrap wrap_of(const std::string& word) {
 
 } // namespace
 
-// The prim that an input is connected to.
+// Returns the prim that an input is connected to.
 const UsdPrim* UsdLooks::source(const UsdPrim& prim, const std::string& input) const {
     const UsdValue* connected = stage_.value(prim, input + ".connect");
     if (connected == nullptr || connected->words.empty()) return nullptr;
@@ -63,7 +63,7 @@ UsdLooks::Paint UsdLooks::read(const UsdPrim& surface) {
     if (texture != nullptr && stage_.word(*texture, "info:id") == "UsdUVTexture") {
         try {
             paint.texture = read_texture(*texture);
-        } catch (const Error& error) { // looks do not matter to the simulation
+        } catch (const Error& error) { // visuals do not affect the simulation
             warnings_.push_back(std::string(error.what()) + " (the texture is left out)");
         }
     }

@@ -1,4 +1,4 @@
-// What the materials of USD look like: UsdPreviewSurface, and UsdUVTexture for its color.
+// The appearance of USD materials: UsdPreviewSurface, and UsdUVTexture for its color.
 #pragma once
 
 #include "scene/model_meshes.h"
@@ -15,13 +15,13 @@ namespace cairn::scene {
 
 class UsdLooks {
   public:
-    // Pictures lie in `folder` or below it; without a folder there are none.
+    // Pictures must lie in `folder` or below it; without a folder none are read.
     UsdLooks(const UsdStage& stage, std::optional<std::filesystem::path> folder, std::vector<std::string>& warnings)
         : stage_(stage), files_(std::move(folder)), warnings_(warnings) {}
 
-    // The color of a shape: of its material, else its own, else gray.
+    // Returns the color of a shape: that of its material, else its own, else gray.
     Vec3 color(const UsdPlace& place);
-    // Gives a look what the material of its prim has. `body`: the frame of the look's surface.
+    // Applies the material of the prim to a look. `body`: the frame of the look's surface.
     void dress(const UsdPlace& place, const Rigid& body, ModelLook& look);
 
   private:
@@ -40,7 +40,7 @@ class UsdLooks {
     const UsdStage& stage_;
     ModelMeshes files_;
     std::vector<std::string>& warnings_;
-    std::map<const UsdPrim*, Paint> known_; // by the surface; null: no material
+    std::map<const UsdPrim*, Paint> known_; // keyed by the surface prim; null: no material
 };
 
 } // namespace cairn::scene

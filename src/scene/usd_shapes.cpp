@@ -56,7 +56,8 @@ class SolidReader {
         const Surface plain = triangles(&numbers);
         const UsdValue* indices = stage_.value(prim_, "primvars:st:indices");
         const std::size_t pairs = places->numbers.size() / 2, count = indices ? indices->numbers.size() : pairs;
-        const bool is_of_corners = count != plain.vertices.size(); // else of points
+        // One texture coordinate per face corner, else per point.
+        const bool is_of_corners = count != plain.vertices.size();
         Surface made;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             std::size_t at = is_of_corners ? numbers[i] : plain.indices[i];
@@ -69,7 +70,8 @@ class SolidReader {
             }
             made.vertices.push_back(plain.vertices[plain.indices[i]]);
             made.coordinates.emplace_back(static_cast<float>(places->numbers[2 * at]),
-                                          static_cast<float>(1.0 - places->numbers[2 * at + 1])); // theirs count upward
+                                          // USD counts v upward, Surface downward
+                                          static_cast<float>(1.0 - places->numbers[2 * at + 1]));
             made.indices.push_back(static_cast<std::uint32_t>(i));
         }
         for (const glm::vec2& at : made.coordinates)
@@ -111,10 +113,11 @@ class SolidReader {
             solid.shape = Cylinder{half, radius, std::nullopt};
         }
         const glm::dquat turns[] = {{root_of_half, 0.0, 0.0, -root_of_half}, {1.0, 0.0, 0.0, 0.0}, y_to_z.rotation};
-        solid.at.rotation = glm::normalize(solid.at.rotation * turns[along]); // from our y axis
+        // From the y axis, which is that of shapes in the engine.
+        solid.at.rotation = glm::normalize(solid.at.rotation * turns[along]);
     }
 
-    // `numbers`: of each corner of the triangles among those of the file's faces.
+    // Returns the triangles. `numbers` receives the index of each of their corners in faceVertexIndices.
     Surface triangles(std::vector<std::size_t>* numbers = nullptr) const {
         const UsdValue* points = stage_.value(prim_, "points");
         const UsdValue* counts = stage_.value(prim_, "faceVertexCounts");
@@ -150,7 +153,7 @@ class SolidReader {
                                 std::to_string(index), "must be numbers of points, from 0 on");
                 }
             }
-            for (std::size_t i = at + 1; i + 1 < end; ++i) { // a fan
+            for (std::size_t i = at + 1; i + 1 < end; ++i) { // cut into a fan
                 const auto corner = [&](std::size_t k) { return static_cast<std::uint32_t>(corners->numbers[k]); };
                 const std::size_t of_fan[] = {at, flips ? i + 1 : i, flips ? i : i + 1};
                 for (const std::size_t k : of_fan) made.indices.push_back(corner(k));
@@ -182,7 +185,7 @@ class SolidReader {
         return solid;
     }
 
-    static bool is_flat(const Surface& surface) { // which has no hull
+    static bool is_flat(const Surface& surface) { // a flat mesh has no convex hull
         try {
             Hull(used_vertices(surface));
             return false;
@@ -223,7 +226,7 @@ UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& bo
     try {
         return SolidReader(stage, place, body, is_static, decomposes, warnings).read();
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::invalid_value) throw; // of a shape
+        if (error.code() != ErrorCode::invalid_value) throw; // not an error of a shape
         throw Error(ErrorCode::invalid_file, stage.place(*place.prim), {}, error.what());
     }
 }

@@ -11,7 +11,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double farthest_prim = 1e9; // of a number of a transform
+constexpr double farthest_prim = 1e9; // maximum size of a number in a transform
 
 Affine of_rotation(const glm::dquat& rotation) { return {glm::mat3_cast(rotation), glm::dvec3(0.0)}; }
 
@@ -93,7 +93,7 @@ Affine UsdStage::transform(const UsdPrim& prim, bool& resets) const {
 
 Affine UsdStage::operation(const UsdPrim& prim, const std::string& name) const {
     const UsdValue* found = value(prim, name);
-    if (found == nullptr) return {}; // perhaps animated
+    if (found == nullptr) return {}; // may have time samples only
     const std::vector<double>& v = found->numbers;
     for (const double each : v) {
         if (!(std::fabs(each) <= farthest_prim)) fail(prim, name, "must have numbers within 1e9");
@@ -101,7 +101,7 @@ Affine UsdStage::operation(const UsdPrim& prim, const std::string& name) const {
     const auto need = [&](std::size_t count) {
         if (v.size() != count) fail(prim, name, "must have " + std::to_string(count) + " numbers");
     };
-    const std::string rest = name.substr(std::min<std::size_t>(name.size(), 8)); // behind "xformOp:"
+    const std::string rest = name.substr(std::min<std::size_t>(name.size(), 8)); // after "xformOp:"
     const std::string kind = rest.substr(0, rest.find(':'));
     Affine result;
     if (kind == "translate") {
@@ -123,7 +123,7 @@ Affine UsdStage::operation(const UsdPrim& prim, const std::string& name) const {
         const std::string axes = kind.substr(6);
         need(axes.size() == 1 ? 1 : 3);
         glm::dquat turn(1.0, 0.0, 0.0, 0.0);
-        for (const char letter : axes) { // the first one turns first
+        for (const char letter : axes) { // the first axis is applied first
             if (letter < 'X' || letter > 'Z' || axes.size() > 3) fail(prim, name, "must be an operation that is known");
             glm::dvec3 axis(0.0);
             axis[letter - 'X'] = 1.0;
@@ -201,7 +201,7 @@ glm::dquat UsdStage::rotation(const UsdPrim& prim, const std::string& name) cons
     if (v.size() != 4) fail(prim, name, "must have 4 numbers");
     const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
     if (!(square < 1e12)) fail(prim, name, "must be a rotation");
-    if (square < 1e-12) return {1.0, 0.0, 0.0, 0.0}; // what programs write for none
+    if (square < 1e-12) return {1.0, 0.0, 0.0, 0.0}; // a zero quaternion is commonly written for the identity
     return glm::dquat(v[0], v[1], v[2], v[3]) / std::sqrt(square);
 }
 

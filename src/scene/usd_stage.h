@@ -1,4 +1,4 @@
-// The prims of a text layer of USD where they stand: what its readers have in common.
+// The prims of a USD text layer with their transforms; shared by the readers of shapes, joints and looks.
 #pragma once
 
 #include "scene/model_body.h"
@@ -14,28 +14,28 @@
 
 namespace cairn::scene {
 
-// A prim and what it has from those above it.
+// A prim and the properties it inherits from the prims above it.
 struct UsdPlace {
     const UsdPrim* prim = nullptr;
-    Affine world;                      // from its own space to ours, in meters and with y up
-    Affine above;                      // the same of the prim above
-    const UsdPrim* body = nullptr;     // the rigid body that it belongs to
-    std::vector<const UsdPrim*> chain; // itself and those above, from the root down
+    Affine world;                      // from the space of the prim to the world, in meters and with y up
+    Affine above;                      // the same map for the parent prim
+    const UsdPrim* body = nullptr;     // the rigid body that the prim belongs to
+    std::vector<const UsdPrim*> chain; // the prim and its ancestors, from the root down
     bool is_seen = true;
 };
 
-// Knows all prims by their paths, and notes what is asked for.
+// Finds prims by their paths, and records which properties are read.
 class UsdStage {
   public:
     UsdStage(const UsdLayer& layer, std::string name);
 
-    double meters() const { return meters_; }                       // of a unit of the file
+    double meters() const { return meters_; }                       // meters per unit of the file
     const std::vector<UsdPlace>& places() const { return places_; } // in the order of the file
     const UsdPlace* find(const std::string& path) const;
-    std::string place(const UsdPrim& prim) const; // box.usda:12: Cube </World/Box>
+    std::string place(const UsdPrim& prim) const; // for messages: box.usda:12: Cube </World/Box>
     const Affine& root() const { return root_; }
 
-    // Null if the prim has no such property; it counts as read.
+    // Returns null if the prim has no such property; the property counts as read.
     const UsdValue* value(const UsdPrim& prim, const std::string& name) const;
     double number(const UsdPrim& prim, const std::string& name, double otherwise) const; // may be infinite
     double number(const UsdPrim& prim, const std::string& name, double otherwise, double least, double most) const;
@@ -47,7 +47,8 @@ class UsdStage {
     bool has(const UsdPrim& prim, std::string_view schema) const;
     void know_type(const char* type) const { known_types_.insert(type); }
 
-    // One line that names what of physics nobody has asked for, and what of the layer is not followed.
+    // Returns a warning on one line that lists physics properties that were not read, and unsupported features of the
+    // layer.
     std::optional<std::string> unused() const;
 
   private:
@@ -64,24 +65,24 @@ class UsdStage {
     mutable std::set<std::string> asked_, known_types_, known_schemas_;
 };
 
-// The nearest property of that name on the prim or above it.
+// Returns the nearest property of that name on the prim or above it.
 const UsdValue* inherited(const UsdStage& stage, const UsdPlace& place, const std::string& name);
 
-// A shape of a prim in the frame of `body`, of static bodies triangles where the file asks for them.
+// The shape of a prim in the frame of `body`. A mesh of a static body stays triangles where the file asks for that.
 struct UsdSolid {
     std::optional<Shape> shape;
-    Rigid at;                               // of the shape
+    Rigid at;                               // pose of the shape
     std::shared_ptr<const Surface> surface; // of a mesh, in the frame of the body
-    bool is_cut = false;                    // into convex parts, which are also in the frame of the body
+    bool is_cut = false;                    // decomposed into convex parts, which are also in the frame of the body
 };
 UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                    std::vector<std::string>& warnings);
 
-// The triangles of a mesh, in the frame of `body`, with its places in textures, and each with vertices of its own. Null
-// without primvars:st. Throws Error as `usd_solid` does.
+// Returns the triangles of a mesh, in the frame of `body`, with texture coordinates; no two triangles share vertices.
+// Null without primvars:st. Throws Error as `usd_solid` does.
 std::shared_ptr<const Surface> usd_covered_surface(const UsdStage& stage, const UsdPlace& place, const Rigid& body);
 
-// Joints between bodies, by the prims of those.
+// Adds the joints; `bodies` maps the prims of rigid bodies to their ids.
 void add_usd_joints(const UsdStage& stage, const std::map<const UsdPrim*, BodyId>& bodies,
                     std::vector<std::string>& warnings, Scene& scene);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t max_layer_bytes = std::size_t{64} << 20, max_prims = 200000,
                       max_layer_numbers = std::size_t{1} << 25;
-constexpr int max_depth = 64; // of prims, and of brackets in values
+constexpr int max_depth = 64; // nesting of prims, and of brackets in values
 
 std::string_view layer_text(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -33,7 +33,7 @@ class LayerReader {
     UsdLayer read() {
         UsdLayer layer;
         layer_ = &layer;
-        skip_spaces(); // the first line is a comment
+        skip_spaces(); // also skips the first line, which is a comment
         if (peek() == '(') metadata(layer.metadata, nullptr);
         while (!at_end()) prim(layer.prims, "", 0);
         return layer;
@@ -81,7 +81,7 @@ class LayerReader {
     void require(char c) {
         if (!take(c)) fail(std::string("must have ") + c + " here", text_.substr(at_, 20));
     }
-    // Letters, digits, and what names and numbers have between them; empty if there are none.
+    // Returns a run of letters, digits and the punctuation of names and numbers; empty if there is none.
     std::string_view word() {
         skip_spaces();
         std::size_t end = at_;
@@ -97,7 +97,8 @@ class LayerReader {
         return text_.substr(at_, end - at_);
     }
 
-    // "text", 'text', """text""", @asset@, <path>, without escapes undone but for the quote's sake.
+    // Reads "text", 'text', """text""", @asset@ or <path>. Escapes are kept as written; an escaped quote does not end
+    // the text.
     std::string quoted() {
         const char mark = peek();
         const bool is_path = mark == '<';
@@ -133,8 +134,8 @@ class LayerReader {
         const char c = peek();
         if (opens_quote(c)) {
             into.words.push_back(quoted());
-            if (peek() == '<') quoted();                 // the prim of an asset
-            if (peek() == '(') skip_brackets(depth + 1); // how a layer is shifted in time
+            if (peek() == '<') quoted();                 // prim path of an asset reference
+            if (peek() == '(') skip_brackets(depth + 1); // time offset of a layer
             return;
         }
         if (c == '(' || c == '[') {
@@ -146,7 +147,7 @@ class LayerReader {
             }
             return;
         }
-        if (c == '{') return skip_brackets(depth + 1); // dictionaries and time samples say nothing that is read
+        if (c == '{') return skip_brackets(depth + 1); // dictionaries and time samples are not used
         const std::string_view text = word();
         if (text.empty()) fail("must have a value here", text_.substr(at_, 20));
         if (text == "None") return;
@@ -159,7 +160,7 @@ class LayerReader {
         }
     }
 
-    // All up to the bracket that closes the one here.
+    // Skips everything up to the matching closing bracket.
     void skip_brackets(int depth) {
         if (depth > max_depth) fail("must have at most 64 brackets inside each other");
         const char opening = peek();
@@ -180,7 +181,7 @@ class LayerReader {
 
     void leave_out(std::string_view what) { ++layer_->left_out[std::string(what)]; }
 
-    // What stands in round brackets behind a prim, a property or the first line.
+    // Reads the metadata in parentheses after a prim, a property or the first line.
     void metadata(std::map<std::string, UsdValue>& into, std::vector<std::string>* schemas) {
         require('(');
         while (!take(')')) {
@@ -254,7 +255,7 @@ class LayerReader {
             type = word();
         }
         if (type.empty()) fail("must have a property here", text_.substr(at_, 20));
-        if (take('[')) require(']'); // of an array
+        if (take('[')) require(']'); // an array type
         name = word();
         if (name.empty()) fail("must have the name of a property", text_.substr(at_, 20));
         UsdValue read;
@@ -270,7 +271,7 @@ class LayerReader {
         const bool is_of_shader = name.substr(0, 7) == "inputs:" || name.substr(0, 8) == "outputs:";
         if (dot != std::string_view::npos && is_of_shader && name.substr(dot) == ".connect" && has_value && !is_edit) {
             prim.properties[std::string(name)] = std::move(read);
-        } else if (dot != std::string_view::npos) { // .timeSamples and so on
+        } else if (dot != std::string_view::npos) { // .timeSamples and the like
             leave_out(name.substr(dot + 1));
         } else if (has_value && !is_edit) {
             prim.properties[std::string(name)] = std::move(read);

@@ -1,5 +1,5 @@
-// Text layers of USD (.usda), taken apart with limits: prims, their schemas and the values of their properties. What a
-// layer refers to, and the variants in it, are not followed.
+// Parses USD text layers (.usda), with limits: prims, their schemas and the values of their properties. References to
+// other layers, and variants, are not followed.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace cairn::scene {
 
-// A value with all of its brackets taken away: numbers (of true and false 1 and 0) and words (strings, paths, assets)
-// in the order of the file.
+// A value flattened to numbers (true and false as 1 and 0) and words (strings, paths, assets), in the order of the
+// file; its brackets are dropped.
 struct UsdValue {
     std::vector<double> numbers;
     std::vector<std::string> words;
@@ -24,7 +24,7 @@ struct UsdPrim {
     std::string kind, type, name, path; // def, over or class; Xform; as in </World/Box>
     int line = 0;
     bool is_active = true;
-    std::vector<std::string> schemas; // that it has beside its type
+    std::vector<std::string> schemas; // the applied schemas
     std::map<std::string, UsdValue> properties;
     std::vector<UsdPrim> children;
 };
@@ -32,10 +32,11 @@ struct UsdPrim {
 struct UsdLayer {
     std::map<std::string, UsdValue> metadata;
     std::vector<UsdPrim> prims;
-    std::map<std::string, int> left_out; // what is not followed, and how often: references, variantSet, timeSamples
+    // Unsupported features and how often each occurs: references, variantSet, timeSamples.
+    std::map<std::string, int> left_out;
 };
 
-// What kind of file of USD these bytes are, if any.
+// The kind of USD file, if any.
 enum class UsdKind { none, text, binary, package };
 UsdKind usd_kind(std::span<const std::byte> bytes);
 

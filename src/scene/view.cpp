@@ -13,7 +13,7 @@ namespace {
 constexpr double radian = 180.0 / 3.14159265358979323846; // degrees
 constexpr Range angle_range{0.0, 3.2, false}, size_range{0.0, 1e9, false};
 
-// The direction that a node's z axis has; nothing if it has none.
+// Returns the direction of a node's z axis; nothing if it is degenerate.
 std::optional<glm::dvec3> direction_of_z(const Affine& map) {
     const double length = std::sqrt(glm::dot(map.linear[2], map.linear[2]));
     if (!(length > 1e-12 && length < 1e12)) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<glm::dvec3> direction_of_z(const Affine& map) {
 constexpr Range light_color_range{0.0, 1e6, false}, intensity_range{0.0, 1e12, false},
     cone_range{0.0, 1.5707963268, false};
 
-// Nothing if the light is of a kind that no version of the extension has yet, or its node has no direction.
+// Returns nothing if the kind of light is unknown, or if its node has no direction.
 std::optional<Light> read_light(const Value& document, const Value& index, const Affine& map) {
     const auto own = extension(document, "KHR_lights_punctual");
     const Value light = element(own ? own->find("lights") : std::nullopt, index, max_definitions, "lights");
@@ -54,7 +54,7 @@ std::optional<Light> read_light(const Value& document, const Value& index, const
 
 std::optional<Camera> read_camera(const Value& document, const Value& index, const Affine& map) {
     const Value camera = element(document.find("cameras"), index, max_definitions, "cameras");
-    const auto back = direction_of_z(map); // it looks along -z
+    const auto back = direction_of_z(map); // the camera looks along -z
     if (!back || !(glm::dot(map.translation, map.translation) < 1e18)) return std::nullopt;
     Camera result;
     result.position = map.translation;
@@ -63,7 +63,7 @@ std::optional<Camera> read_camera(const Value& document, const Value& index, con
         const double angle = perspective->require("yfov").number(angle_range);
         result.vertical_fov_degrees = static_cast<float>(std::clamp(angle * radian, 1.0, 170.0));
     } else if (const auto orthographic = camera.find("orthographic")) {
-        // At the distance from where the same height fills the picture.
+        // Placed at the distance from which the vertical angle covers the height of the orthographic view.
         const double height = orthographic->require("ymag").number(size_range);
         const double half_angle = 0.5 * static_cast<double>(result.vertical_fov_degrees) / radian;
         result.is_orthographic = true;
@@ -99,7 +99,7 @@ void aim_camera(const World& world, Camera& camera) {
     const glm::dvec3 middle = count > 0.0 ? sum / count : glm::dvec3(0.0);
     const double distance = glm::dot(middle - glm::dvec3(camera.position), along);
     camera.target = camera.position + Position(along * std::max(distance, 1.0));
-    // What an orthographic camera shows goes with its distance, and not with where along its axis it stands.
+    // The view of an orthographic camera depends on its distance from the target, not on its position along the axis.
     if (camera.is_orthographic) camera.position = camera.target - Position(view);
 }
 

@@ -1,4 +1,4 @@
-// Cameras and lights of glTF files: where a scene is first looked at from, and what shines on it.
+// Cameras and lights of glTF files: the initial view and the illumination of a scene.
 #pragma once
 
 #include "scene/json_value.h"
@@ -7,11 +7,11 @@
 
 namespace cairn::scene {
 
-// Takes the camera of a node if there is none yet, and its light.
-// `map`: of the node in the world. Returns whether it took a camera, which looks at a point a meter before it.
+// Reads the camera of a node, if there is none yet, and its light. `map` is the pose of the node in the world. Returns
+// whether it read a camera, whose target is preliminarily one meter in front of it.
 bool read_view(const Value& document, const Value& node, const Affine& map, SceneInfo& info);
 
-// Lets a camera that has a direction look at the point of its axis that is nearest to the middle of what moves.
+// Moves the camera's target along its axis to the point nearest to the middle of the moving bodies.
 void aim_camera(const World& world, Camera& camera);
 
 } // namespace cairn::scene

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Range color_range{0.0, 1.0, false};
 constexpr std::size_t max_skins = 100'000, max_bones = 65'536;
-constexpr float texture_gray = 0.4f; // what a picture is taken for where it is not shown
+constexpr float texture_gray = 0.4f; // assumed brightness of a texture that is not shown
 
 } // namespace
 
@@ -26,7 +26,7 @@ Value Visuals::material(const Value& index) const {
     return element(document_.find("materials"), index, max_definitions, "materials");
 }
 
-// White unless it is said.
+// Returns the base color, which is white by default.
 std::optional<Vec3> Visuals::base_color(const Value& material) {
     const auto roughness = material.find("pbrMetallicRoughness");
     const auto color = roughness ? roughness->find("baseColorFactor") : std::nullopt;
@@ -35,7 +35,7 @@ std::optional<Vec3> Visuals::base_color(const Value& material) {
     return Vec3((*color)[0].real(color_range), (*color)[1].real(color_range), (*color)[2].real(color_range));
 }
 
-// Of what is shown without its texture.
+// Returns the color for a surface that is shown without its texture.
 std::optional<Vec3> Visuals::plain_color(const Value& material) {
     const std::optional<Vec3> color = base_color(material);
     return Textures::is_textured(material) ? texture_gray * color.value_or(Vec3(1.0f)) : color;
@@ -102,7 +102,7 @@ void Visuals::add_skinned(const Value& node, std::span<const std::optional<BoneP
     add_parts(node, like, glm::dvec3(1.0), scene, warnings);
 }
 
-// glTF 2.0, section 3.7.3: a joint's matrix is its node's place after the inverse of where it was when it was bound.
+// glTF 2.0, section 3.7.3: the matrix of a joint is the global transform of its node times its inverse bind matrix.
 std::vector<Bone> Visuals::read_bones(const Value& skin, std::span<const std::optional<BonePlace>> places,
                                       const World& world) {
     const Value joints = skin.require("joints");
@@ -134,7 +134,7 @@ std::vector<Bone> Visuals::read_bones(const Value& skin, std::span<const std::op
     return bones;
 }
 
-// Those of the first set, which are the four that count most.
+// Reads the first set of weights, which are the four largest.
 std::vector<BoneWeights> Visuals::read_weights(const Triangles& triangles, std::size_t bones) {
     const Value joints = triangles.attributes->require("JOINTS_0"), shares = triangles.attributes->require("WEIGHTS_0");
     const std::vector<glm::vec4> numbers = surfaces_.accessors().quadruples(joints);

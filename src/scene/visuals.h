@@ -1,4 +1,4 @@
-// What a file has for looks: colors, and the meshes of nodes.
+// Reads the visuals of a file: colors, and the meshes of nodes.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,7 +13,7 @@
 
 namespace cairn::scene {
 
-// Where a node that may be a bone stands: what it moves with, and its place in the world, skewed or not.
+// The pose of a node that may be a bone: the body it moves with, if any, and its map to the world, which may be skewed.
 struct BonePlace {
     std::optional<BodyId> body;
     Affine map;
@@ -24,22 +24,22 @@ class Visuals {
     Visuals(const Value& document, Surfaces& surfaces)
         : document_(document), surfaces_(surfaces), textures_(document, surfaces) {}
 
-    // Adds the mesh of a node, if it has one, to what the scene shows. `transform` is that of the node, in the body if
-    // there is one. What is not supported is left out, with a warning.
+    // Adds the mesh of a node, if it has one, to the visual meshes of the scene. `transform` is that of the node,
+    // relative to the body if there is one. Unsupported features are left out, with a warning.
     void add(const Value& node, const std::optional<BodyId>& body, const NodeTransform& transform, Scene& scene,
              std::vector<std::string>& warnings);
 
-    // The mesh of a node with a skin, which bends with the nodes that are its bones. `places`: of all nodes that the
-    // scene shows. Called when all bodies are there.
+    // Adds the mesh of a node with a skin, whose joints are nodes. `places` has an entry for each node that the scene
+    // shows. To be called after all bodies have been added.
     void add_skinned(const Value& node, std::span<const std::optional<BonePlace>> places, Scene& scene,
                      std::vector<std::string>& warnings);
 
-    // A node's own color, else that of the material of its mesh's first part, if there is any.
+    // `color` returns a node's own color, else that of the material of its mesh's first primitive, if there is any.
     std::optional<Vec3> color(const Value& node) const;
     std::optional<Vec3> own_color(const Value& node) const;
 
   private:
-    // A primitive's triangles with their textures, scaled.
+    // The triangles of a primitive, scaled, with their texture and finish.
     struct Dressed {
         std::shared_ptr<const Surface> surface;
         std::shared_ptr<const Texture> texture;
@@ -60,8 +60,8 @@ class Visuals {
     Value document_;
     Surfaces& surfaces_;
     Textures textures_;
-    std::set<std::string> warned_; // what was said of textures
-    // By mesh, primitive, scale and number of bones.
+    std::set<std::string> warned_; // texture warnings that were already given
+    // Keyed by mesh, primitive, scale and number of bones.
     std::map<std::tuple<std::size_t, std::size_t, double, double, double, std::size_t>, Dressed> shared_;
 };
 

@@ -7,10 +7,10 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::size_t max_box_tests = 100'000'000; // a second or so
+constexpr std::size_t max_box_tests = 100'000'000; // about a second
 
-// Whether a triangle and a box around the origin have no point in common, by the 13 axes of Akenine-Moller, "Fast 3D
-// triangle-box overlap testing" (2001).
+// Whether a triangle and a box around the origin are disjoint: separating axis test with the 13 axes of Akenine-Moller,
+// "Fast 3D triangle-box overlap testing" (2001).
 bool are_apart(const std::array<glm::dvec3, 3>& t, const glm::dvec3& half) {
     const auto parts = [&](const glm::dvec3& axis) {
         const double reach = std::fabs(axis.x) * half.x + std::fabs(axis.y) * half.y + std::fabs(axis.z) * half.z;
@@ -35,7 +35,7 @@ class SurfaceMarker {
   public:
     explicit SurfaceMarker(VoxelGrid& grid) : grid_(grid) {}
 
-    // False if it takes too long.
+    // Marks the cells that a triangle passes through; returns false if that takes too long.
     bool mark(const std::array<glm::dvec3, 3>& triangle) {
         std::array<int, 3> low{}, high{};
         for (int k = 0; k < 3; ++k) {
@@ -73,13 +73,13 @@ class SurfaceMarker {
     }
 
     VoxelGrid& grid_;
-    std::array<glm::dvec3, 3> triangle_{}; // in cells
+    std::array<glm::dvec3, 3> triangle_{}; // in units of cells
     std::size_t tests_ = 0;
 };
 
-// What is not outside and no surface is within. All cells begin as within.
+// Flood fill from outside: cells that it does not reach stay inside. All cells are initially inside.
 void flood(VoxelGrid& grid) {
-    std::vector<std::size_t> open{0}; // a corner, which the margin keeps free
+    std::vector<std::size_t> open{0}; // a corner cell, which the margin keeps free of the surface
     grid.states[0] = VoxelGrid::outside;
     while (!open.empty()) {
         const std::array<int, 3> at = grid.place(open.back());
@@ -114,7 +114,7 @@ std::optional<VoxelGrid> voxels_of(std::span<const Vec3> vertices, std::span<con
     VoxelGrid grid;
     grid.cell = std::max({extent.x, extent.y, extent.z}) / cells;
     if (!(grid.cell > 0.0 && grid.cell < 1e12)) return std::nullopt;
-    // A margin that is no whole number of cells, so that faces along the axes lie in cells, not between them.
+    // The margin is not a whole number of cells, so that axis-aligned faces lie inside cells, not on their boundaries.
     constexpr double margin = 1.37;
     grid.origin = low - margin * grid.cell;
     std::size_t count = 1;

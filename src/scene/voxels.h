@@ -1,4 +1,4 @@
-// A solid as cells of a grid: those that its surface passes through, and those within.
+// A voxel grid of a solid: cells that its surface passes through, and cells inside.
 #pragma once
 
 #include <cairn/math.h>
@@ -14,7 +14,7 @@ namespace cairn::scene {
 
 struct VoxelGrid {
     enum State : std::uint8_t { outside, surface, inside };
-    glm::dvec3 origin{0.0}; // the least corner of the first cell
+    glm::dvec3 origin{0.0}; // the corner of the first cell with the least coordinates
     double cell = 0.0;      // m
     std::array<int, 3> size{};
     std::vector<std::uint8_t> states; // x fastest, then y, then z
@@ -27,8 +27,8 @@ struct VoxelGrid {
     std::array<int, 3> place(std::size_t index) const;
 };
 
-// Of triangles, three indices each, with so many cells along the longest side. What no way from outside leads to counts
-// as within. Empty if there is no extent, or if it would take too long.
+// Voxelizes triangles, three indices each, with `cells` cells along the longest side. Cells that are not reachable from
+// outside count as inside. Returns nothing if the extent is zero, or if voxelizing would take too long.
 std::optional<VoxelGrid> voxels_of(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices, int cells);
 
 } // namespace cairn::scene

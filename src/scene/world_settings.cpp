@@ -51,7 +51,7 @@ Camera read_camera(const Value& value) {
     return camera;
 }
 
-// null: without end.
+// Reads half extents; null stands for infinite.
 Vec3 read_half_extents(const Value& value) {
     if (!value.is_array() || value.size(3, "numbers") != 3) value.fail("must be an array of 3 numbers > 0 or null");
     Vec3 half(std::numeric_limits<float>::infinity());

@@ -1,5 +1,5 @@
-// CAIRN_world, the extension object of a glTF scene that holds what the Khronos drafts lack: the settings of
-// the world, its force fields, and what the scene says about itself.
+// CAIRN_world, the extension object of a glTF scene for what the Khronos drafts lack: the settings of the world, its
+// force fields, and information about the scene.
 #pragma once
 
 #include "scene/json_value.h"
@@ -17,10 +17,10 @@ struct WorldSettings {
     SceneInfo info;
 };
 
-// Members that are not known are left out with a warning, so that a slip of the pen does not go unnoticed.
+// Unknown members are ignored with a warning, so that a misspelling does not go unnoticed.
 WorldSettings read_world_settings(const Value& settings, std::vector<std::string>& warnings);
 
-// The title and the hint alone, for lists.
+// Reads the title and the hint only, for lists of scenes.
 void read_title(const Value& settings, SceneInfo& info);
 
 nlohmann::ordered_json write_world_settings(const WorldDef& world, const SceneInfo& info);

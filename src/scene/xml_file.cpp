@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t max_xml_bytes = std::size_t{16} << 20, max_xml_elements = 500000;
 constexpr std::size_t max_included_files = 100;
 constexpr int max_include_depth = 16;
-constexpr std::size_t max_named = 40; // in the line of what is not used
+constexpr std::size_t max_named = 40; // names in the warning about unused elements and attributes
 
 std::string_view text_of_bytes(std::span<const std::byte> bytes) {
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -24,7 +24,7 @@ std::string_view text_of_bytes(std::span<const std::byte> bytes) {
 
 bool is_include(const tinyxml2::XMLElement& element) { return std::string_view(element.Name()) == "include"; }
 
-// XML_ERROR_PARSING_ATTRIBUTE: "parsing attribute".
+// Makes an error name readable: "XML_ERROR_PARSING_ATTRIBUTE" becomes "parsing attribute".
 std::string readable(std::string_view error) {
     constexpr std::string_view prefix = "XML_ERROR_";
     if (error.substr(0, prefix.size()) == prefix) error.remove_prefix(prefix.size());
@@ -150,7 +150,7 @@ std::optional<std::string> XmlFile::unused() const {
         open.pop_back();
         const std::string tag = element.Name();
         for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-            const bool is_name = std::string_view(a->Name()) == "name"; // every element may have one
+            const bool is_name = std::string_view(a->Name()) == "name"; // every element may have a name
             if (is_name || asked_attributes_.count({tag, a->Name()}) != 0) continue;
             ++attributes[tag + " " + printable(a->Name())];
         }
@@ -169,7 +169,7 @@ std::optional<std::string> XmlFile::unused() const {
             return inside;
         };
         for (const tinyxml2::XMLElement* c : look_below(element)) {
-            const auto included = included_.find(c); // by a file that is included itself
+            const auto included = included_.find(c); // an include within an included file
             if (included != included_.end()) {
                 for (const tinyxml2::XMLElement* i : look_below(*included->second)) open.push_back(i);
             } else if (asked_elements_.count({tag, c->Name()}) != 0) {

@@ -1,5 +1,5 @@
-// XML files of models, taken apart with limits. Who reads them asks elements for their attributes and children by
-// name; what nobody has asked for is named in a warning at the end, so that nothing is dropped in silence.
+// Parses XML model files, with limits. Readers ask elements for their attributes and children by name; attributes and
+// elements that were never asked for are listed in a warning at the end, so that nothing is ignored silently.
 #pragma once
 
 #include <cairn/math.h>
@@ -20,52 +20,52 @@
 
 namespace cairn::scene {
 
-// The name of the first element, without taking the file apart; empty if there is none.
+// Returns the name of the first element without parsing the file; empty if there is none.
 std::string root_tag(std::span<const std::byte> bytes);
 
-// A value of a file, and where it stands.
+// A value of a file and its place there, for messages.
 struct XmlText {
     std::string text, place;
 
     [[noreturn]] void fail(const std::string& expected) const; // throws Error (invalid_file)
     double number(double least = -1e30, double most = 1e30) const;
     long whole(long least, long most) const;
-    // Of numbers between spaces. Fails if there are fewer or more.
+    // Numbers separated by spaces. Fails if there are fewer than `least` or more than `most`.
     std::vector<double> numbers(std::size_t least, std::size_t most) const;
     glm::dvec3 vector3() const;
     bool boolean() const; // true, false, 1 or 0
-    // Its place among the words.
+    // Returns the index of the text among the words.
     std::size_t choice(std::initializer_list<std::string_view> words) const;
 };
 
-// What is named in a file, on one line.
+// Text of a file shortened to one line, for messages.
 std::string printable(std::string_view text, std::size_t most = 100);
 
 class XmlFile;
 
-// An element of a file; light, and valid as long as the file.
+// An element of a file; cheap to copy, and valid as long as the file.
 class XmlElement {
   public:
     XmlElement(XmlFile& file, const tinyxml2::XMLElement& element) : file_(&file), element_(&element) {}
 
     std::string_view tag() const { return element_->Name(); }
-    std::string place() const; // walker.xml:12: geom "torso"
+    std::string place() const; // for messages: walker.xml:12: geom "torso"
     [[noreturn]] void fail(const std::string& expected) const;
 
-    // Empty if it is not there. Throws if `require` is meant.
+    // `attribute` returns nothing if the attribute is absent; `require` throws.
     std::optional<XmlText> attribute(const char* name) const;
     XmlText require(const char* name) const;
-    std::string text_of(const char* name) const; // of the attribute; empty without one
-    // What stands between its tags, without spaces around it.
+    std::string text_of(const char* name) const; // text of the attribute; empty if it is absent
+    // The text between the tags of the element, without spaces around it.
     XmlText text() const;
     std::optional<XmlText> child_text(const char* name) const;
     std::optional<XmlElement> child(const char* name) const;
-    // Those of that name, or all; what files that it includes have is among them.
+    // The children of that name, or all; the content of included files is among them.
     std::vector<XmlElement> children(const char* name) const;
     std::vector<XmlElement> children() const;
-    // All attributes, which counts as having asked for none of them.
+    // Returns all attributes, without counting any of them as read.
     std::vector<std::pair<std::string, XmlText>> attributes() const;
-    void know(const char* child) const; // as `children(child)` does
+    void know(const char* child) const; // counts the child elements as read, as `children(child)` does
     const tinyxml2::XMLElement* key() const { return element_; }
 
   private:
@@ -75,17 +75,17 @@ class XmlElement {
 
 class XmlFile {
   public:
-    // `name` stands for the file in messages. `kind` says what it is, for them. Throws Error (invalid_file).
+    // `name` stands for the file in messages, and `kind` for its format. Throws Error (invalid_file).
     XmlFile(std::span<const std::byte> bytes, std::string name, const char* kind);
     XmlFile(const XmlFile&) = delete;
     XmlFile& operator=(const XmlFile&) = delete;
 
     XmlElement root();
-    // Elements `include` with an attribute `file` stand for what is in the root element of that file, which must lie
-    // in `folder` or below it; without a folder there must not be any.
+    // Each `include` element with an attribute `file` is replaced by the content of the root element of that file,
+    // which must lie in `folder` or below it; without a folder there must not be any such element.
     void resolve_includes(const std::optional<std::filesystem::path>& folder);
 
-    // One line that names what nobody has asked for; nothing if all was.
+    // Returns a warning on one line that lists attributes and elements that were never read; nothing if all were.
     std::optional<std::string> unused() const;
 
   private:
@@ -104,8 +104,9 @@ class XmlFile {
     std::string kind_;
     std::size_t bytes_ = 0, elements_ = 0;
     std::vector<Part> parts_;
-    std::map<const tinyxml2::XMLElement*, const tinyxml2::XMLElement*> included_;     // an include, and its root
-    std::set<std::pair<std::string, std::string>> asked_attributes_, asked_elements_; // of elements of a name
+    std::map<const tinyxml2::XMLElement*, const tinyxml2::XMLElement*> included_; // the root element of each include
+    // Pairs of the name of an element and of its attribute or child.
+    std::set<std::pair<std::string, std::string>> asked_attributes_, asked_elements_;
 };
 
 } // namespace cairn::scene

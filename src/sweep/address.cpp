@@ -10,7 +10,7 @@ namespace cairn::sweep {
 
 namespace {
 
-// A part of a path, between dots: a name, and a number in brackets.
+// A part of a path between dots: a name, and an optional number in brackets.
 struct Segment {
     std::string name;
     std::optional<std::size_t> number;
@@ -29,7 +29,7 @@ std::string some_of(const std::vector<std::string>& names) {
     return list.empty() ? "none" : list;
 }
 
-// As it is written in a path.
+// Returns a name as it is written in a path.
 std::string written_name(const std::string& name) {
     const bool is_plain =
         name.find_first_not_of("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;

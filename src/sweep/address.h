@@ -1,4 +1,4 @@
-// Where a property is: `crate.position.x`, `'Body 1'.friction`, `bodies[3].shapes[0].restitution`, `door.lower`,
+// The paths of properties: `crate.position.x`, `'Body 1'.friction`, `bodies[3].shapes[0].restitution`, `door.lower`,
 // `car.steering.motor_position`, `world.gravity.y`, `crate.touches.floor`.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace cairn::sweep {
 
-// One number of a property.
+// One component of a property.
 struct Address {
     const Property* property = nullptr;
     Subject subject;
@@ -21,8 +21,8 @@ struct Address {
     }
 };
 
-// Looks a path up in a world. Throws Error (invalid_value) whose field is the path: something that is not there, with
-// what is; a name that several bodies or joints have; a vector without a component.
+// Looks a path up in a world. Throws Error (invalid_value) whose field is the path, for an unknown name (listing the
+// known ones), a name that several bodies or joints have, or a vector without a component.
 Address find_address(const World& world, const std::string& path);
 
 } // namespace cairn::sweep

@@ -17,10 +17,10 @@ namespace {
     throw Error(ErrorCode::invalid_value, {}, value, expected);
 }
 
-// Saturates: what is too much stays so.
+// Returns the product, saturated at the maximum.
 std::uint64_t product(std::uint64_t a, std::uint64_t b) { return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b; }
 
-// The point of that number of the sequence in so many dimensions, whose first point (all zeros) is left out.
+// Returns a point of the Sobol sequence, whose first point (all zeros) is left out.
 void sobol_point(std::uint64_t number, std::uint64_t seed, std::span<double> out) {
     boost::random::sobol_engine<std::uint64_t, 64> engine(out.size());
     engine.seed(number);
@@ -97,7 +97,7 @@ void Design::values(std::uint64_t row, std::span<double> out) const {
         return;
     case Sampling::sensitivity: {
         const SensitivityRow place = sensitivity_row(row, count);
-        std::vector<double> both(2 * count); // a, then b
+        std::vector<double> both(2 * count); // point a, then point b
         sobol_point(place.point, seed_, both);
         for (std::size_t i = 0; i < count; ++i) {
             const bool from_b = place.role == 1 || place.role == i + 2;

@@ -17,12 +17,12 @@ constexpr const char* name_letters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDE
 
 struct Expression::Parser {
     std::string text;
-    const Variables* variables = nullptr;      // while it is read
-    std::map<std::string, std::string> quoted; // by what stands for them in muParser's text
+    const Variables* variables = nullptr;      // set while the expression is parsed
+    std::map<std::string, std::string> quoted; // by the placeholders in muParser's text
     std::exception_ptr error;
     mu::Parser parser;
 
-    // muParser's names have letters only: what is in quotes gets one of that kind.
+    // Replaces quoted names, which muParser's syntax does not allow, by placeholders.
     std::string unquoted() {
         std::string result;
         for (std::size_t i = 0; i < text.size(); ++i) {
@@ -69,7 +69,7 @@ Expression::Expression(const std::string& text, const Variables& variables) : pa
         parser.SetVarFactory(&Parser::variable, parser_.get());
         parser.DefineConst("pi", 3.14159265358979323846);
         parser.SetExpr(parser_->unquoted());
-        parser.Eval(); // reads it
+        parser.Eval(); // parses the expression
         if (parser.GetNumResults() != 1) parser_->fail("must be one expression, not several with commas between them");
     } catch (const mu::Parser::exception_type& error) {
         parser_->pass_on(error);

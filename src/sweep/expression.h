@@ -1,4 +1,4 @@
-// Expressions in numbers, as muParser reads them: + - * / ^, comparisons, && ||, a ? b : c, min, max, abs, sqrt, sin,
+// Numeric expressions with the syntax of muParser: + - * / ^, comparisons, && ||, a ? b : c, min, max, abs, sqrt, sin,
 // ...
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace cairn::sweep {
 
-// What may stand in a plan as a variable, where its value is.
+// Returns the address of the value of a variable.
 using Variables = std::function<double*(const std::string& name)>;
 
-// One for each thread.
+// An expression; each thread needs one of its own.
 class Expression {
   public:
-    // `variables` is asked once for each variable; it throws Error for what is not there. Names may have dots, numbers
+    // `variables` is called once for each variable, and throws Error for unknown names. Names may contain dots, numbers
     // in brackets, and parts in single quotes. Throws Error (invalid_value) whose field is the text.
     Expression(const std::string& text, const Variables& variables);
     ~Expression();
     Expression(Expression&&) noexcept;
     Expression& operator=(Expression&&) noexcept;
 
-    // Where something has no value (the root of -1, 0 / 0), it is not a number. Throws Error (invalid_value).
+    // Evaluates the expression; undefined values (the root of -1, 0 / 0) are NaN. Throws Error (invalid_value).
     double value() const;
 
   private:

@@ -23,7 +23,7 @@ namespace cairn::sweep {
 
 namespace {
 
-// How far off, in deviations, what was measured counts where the scene gives no number: farther than anything else.
+// The residual, in deviations, where the scene yields no number: greater than any real one.
 constexpr double no_number = 1e6;
 
 bool has_range(const Parameter& parameter) {
@@ -31,7 +31,7 @@ bool has_range(const Parameter& parameter) {
            parameter.low < parameter.high;
 }
 
-// All experiments with given parameters, on some threads.
+// Runs all experiments with given parameters on several threads.
 class Experiments {
   public:
     Experiments(const Plan& plan, const Start& start, const Measurements& measured, int threads)
@@ -40,7 +40,7 @@ class Experiments {
         for (std::size_t i = 0; i < count; ++i) runners_.push_back(std::make_unique<Runner>(plan, start));
     }
 
-    // (computed - measured) / deviation, experiment by experiment: the same for any number of threads.
+    // Returns (computed - measured) / deviation for each experiment and measure, independent of the number of threads.
     std::vector<double> residuals(std::span<const double> parameters) {
         const std::size_t width = measured_.outputs.size();
         std::vector<double> result(measured_.output_rows.size() * width);
@@ -61,7 +61,7 @@ class Experiments {
             std::vector<std::jthread> threads;
             for (std::size_t i = 1; i < runners_.size(); ++i) threads.emplace_back([&, i] { work(*runners_[i]); });
             work(*runners_[0]);
-        } // joined
+        } // the threads are joined here
         if (error) std::rethrow_exception(error);
         return result;
     }
@@ -92,8 +92,8 @@ double sum_of_squares(const std::vector<double>& values) {
     return sum;
 }
 
-// Solves for the diagonal of the inverse of a symmetric positive matrix, by its Cholesky factor; not a number where it
-// is not positive.
+// Returns the diagonal of the inverse of a symmetric positive definite matrix, by its Cholesky factor; NaN if the
+// matrix is not positive definite.
 std::vector<double> inverse_diagonal(std::vector<std::vector<double>> a) {
     const std::size_t n = a.size();
     std::vector<double> diagonal(n, std::numeric_limits<double>::quiet_NaN());
@@ -107,7 +107,7 @@ std::vector<double> inverse_diagonal(std::vector<std::vector<double>> a) {
         }
     }
     for (std::size_t column = 0; column < n; ++column) {
-        std::vector<double> x(n); // of L x = e
+        std::vector<double> x(n); // solution of L x = e
         for (std::size_t i = column; i < n; ++i) {
             x[i] = i == column ? 1.0 : 0.0;
             for (std::size_t k = column; k < i; ++k) x[i] -= a[i][k] * x[k];
@@ -161,7 +161,7 @@ class Fitter {
     }
 
   private:
-    // From 0 to 1 in each direction.
+    // Sets the fitted parameters; coordinates from 0 to 1 span their ranges.
     void set(const std::vector<double>& place) {
         for (std::size_t i = 0; i < free_.size(); ++i) {
             const Parameter& parameter = plan_.design.parameters()[free_[i]];
@@ -201,7 +201,7 @@ class Fitter {
         }
     }
 
-    // NLopt is C: nothing may be thrown through it.
+    // Exceptions must not propagate through NLopt, which is C.
     static double objective(unsigned count, const double* place, double*, void* self) {
         Fitter& fitter = *static_cast<Fitter*>(self);
         try {
@@ -218,10 +218,10 @@ class Fitter {
         }
     }
 
-    // By differences to both sides: each run starts from the same snapshot, so that nothing but the parameter differs.
+    // By central differences: each run starts from the same snapshot, so that only the parameter differs.
     std::vector<double> standard_errors(const std::vector<double>& residuals) {
         const std::size_t n = free_.size();
-        constexpr double step = 1e-3; // of the range
+        constexpr double step = 1e-3; // relative to the range
         std::vector<std::vector<double>> slopes;
         for (std::size_t i = 0; i < n; ++i) {
             std::vector<double> low = best_, high = best_;
@@ -251,7 +251,7 @@ class Fitter {
     const Plan& plan_;
     Experiments experiments_;
     const std::function<bool(std::uint64_t, double)>& goes_on_;
-    std::vector<std::size_t> free_; // parameters that are fitted
+    std::vector<std::size_t> free_; // indices of the fitted parameters
     std::vector<double> parameters_, best_;
     std::uint64_t count_ = 0, evaluations_ = 0;
     double least_ = HUGE_VAL;

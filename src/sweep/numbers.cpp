@@ -10,7 +10,7 @@ namespace {
 
 constexpr double log_2 = 0.69314718055994530942;
 
-// The coefficients of a polynomial, that of the highest power last.
+// Evaluates a polynomial; `c` has the coefficient of the highest power last.
 template <std::size_t N> double polynomial(const double (&c)[N], double x) {
     double sum = c[N - 1];
     for (std::size_t i = N - 1; i-- > 0;) sum = sum * x + c[i];

@@ -37,7 +37,7 @@ std::uint64_t hash_text(std::uint64_t hash, std::string_view text) {
     return mixed(hash, text.size());
 }
 
-// An identifier, so that it can stand in expressions.
+// Checks that a name is an identifier, so that it can be used in expressions.
 void check_name(const std::string& name, const Value& place, std::set<std::string>& taken) {
     const bool is_word = !name.empty() && name.find_first_not_of("0123456789_abcdefghijklmnopqrstuvwxyz"
                                                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
@@ -91,8 +91,8 @@ class PlanReader {
     }
 
   private:
-    // The file that a value names, in the plan's folder or below it; nothing if there is none. A plan may come from a
-    // stranger, as a model may.
+    // Returns the file that a value names, in the plan's folder or below it; nothing if it does not exist. Plans are
+    // untrusted, as models are.
     std::optional<std::filesystem::path> find_beside(const Value& value) const {
         using Verdict = scene::NearbyFile::Verdict;
         const std::string text = value.text();
@@ -104,7 +104,6 @@ class PlanReader {
         return folder_ / text;
     }
 
-    // Objects of a list, or of one whose members have the names: JSON says nothing of the order of members.
     void read_scene() {
         const Value scene = root_.require("scene");
         const std::string text = scene.text();
@@ -114,6 +113,7 @@ class PlanReader {
         if (const auto flag = root_.find("floor")) plan_.floor = flag->boolean();
     }
 
+    // Parameters form a list, because JSON does not define an order of the members of an object.
     void read_parameters() {
         const auto list = root_.find("parameters");
         const std::size_t count = list ? list->size(max_parameters, "parameters") : 0;
@@ -148,7 +148,7 @@ class PlanReader {
         parameter.high = value.require("to").number(range);
     }
 
-    // Of a grid: evenly spread, both ends included.
+    // Gives each range of a grid its values: evenly spaced, including both ends.
     void spread(const Value& list) {
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
             Parameter& parameter = parameters_[i];
@@ -211,7 +211,7 @@ class PlanReader {
         }
     }
 
-    // Of a fit, which has no rows of its own.
+    // Returns the design for a fit, which has no rows of its own.
     Design one_row() {
         for (Parameter& parameter : parameters_) {
             if (parameter.kind == Parameter::Kind::list && parameter.values.empty()) parameter.values = {0.0};
@@ -219,7 +219,7 @@ class PlanReader {
         return {Sampling::random, std::move(parameters_), 1, 0};
     }
 
-    // The columns of the table are the parameters; those that the plan names must be among them.
+    // Reads the table, whose columns become the parameters; those that the plan names must be among them.
     void read_table(const Value& table) {
         const std::filesystem::path path = find_beside(table).value_or(folder_ / table.text());
         const std::vector<std::byte> bytes = scene::read_file(path);
@@ -236,7 +236,7 @@ class PlanReader {
         }
         parameters_.clear();
         for (std::size_t i = 0; i < names.size(); ++i) {
-            if (names[i] == "index" && i == 0) continue; // of results that are used again
+            if (names[i] == "index" && i == 0) continue; // the table may be the result of another sweep
             check_name(names[i], Value(file_.json, path.native()), taken_);
             parameters_.emplace_back().name = names[i];
         }
@@ -259,7 +259,7 @@ class PlanReader {
     void read_settings(const Value& set) {
         set.must_be_object();
         for (const std::string& path : set.other_members({}, max_measures)) {
-            const auto value = set.find(path.c_str()); // not of a name that was cut
+            const auto value = set.find(path.c_str()); // nothing if the name was truncated
             if (!value)
                 throw Error(ErrorCode::invalid_file, set.place() + "\"" + path.substr(0, 60) + "\"", {},
                             "names no property");
@@ -277,7 +277,7 @@ class PlanReader {
         }
     }
 
-    // A number will do.
+    // An expression may also be given as a number.
     static std::string expression_of(const Value& value) {
         if (value.is_string()) return value.text();
         char text[40];
@@ -311,7 +311,7 @@ class PlanReader {
         }
     }
 
-    // A column for each moment: x_0, x_1, ...
+    // Adds a measure for each time: x_0, x_1, ...
     void add_moments(const Value& value, const Measure& measure, const Value& times) {
         const std::size_t count = times.size(max_measures, "times");
         for (std::size_t i = 0; i < count; ++i) {
@@ -336,7 +336,7 @@ class PlanReader {
     Value root_;
     Plan plan_;
     std::vector<Parameter> parameters_;
-    std::vector<std::uint64_t> counts_; // of a grid; 0: not given
+    std::vector<std::uint64_t> counts_; // of a grid, by parameter; 0: not given
     std::set<std::string> taken_;
 };
 

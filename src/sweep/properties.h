@@ -1,4 +1,4 @@
-// What a sweep can set and measure, by name: `crate.friction`, `door.lower`, `world.gravity.y`.
+// The properties that a sweep can set and measure, by name: `crate.friction`, `door.lower`, `world.gravity.y`.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -10,21 +10,22 @@
 
 namespace cairn::sweep {
 
-// A world that is being prepared or run, and the step that it is run by.
+// A world that is being prepared or simulated, and its time step.
 struct Trial {
     World world;
     double time_step = 1.0 / 60.0; // s
 };
 
-// What a property is of. Null handles stand for the world.
+// The subject of a property. If all handles are null it is the world.
 struct Subject {
-    BodyId body{}, other{}; // `other`: which body `touches` asks about
+    BodyId body{}, other{}; // `other`: the second body of `touches`
     ShapeId shape{};        // null: all shapes of the body
     JointId joint{};
-    std::size_t axis = 0; // of the joint, as in `JointState::positions`
+    std::size_t axis = 0; // of the joint, in the order of `JointState::positions`
 };
 
-// Changes of joints are collected, so that limits may pass each other on the way, and made when another joint follows.
+// Collects the changes of a joint, and applies them when the subject changes to another joint, so that its limits may
+// temporarily be in the wrong order.
 class Changes {
   public:
     explicit Changes(Trial& trial) : trial(trial) {}
@@ -38,10 +39,10 @@ class Changes {
     Joint joint_{};
 };
 
-// One or several numbers. Errors are those of the engine's calls.
+// A property of one or several numbers. Its functions throw the errors of the engine's calls.
 struct Property {
     std::string_view name;
-    std::string_view components; // names of them, a letter each; none: a single number
+    std::string_view components; // names of the components, a letter each; empty: a single number
     void (*read)(const Trial&, const Subject&, double*) = nullptr;    // null: can be set only
     void (*write)(Changes&, const Subject&, const double*) = nullptr; // null: can be measured only
     std::size_t count() const { return components.empty() ? 1 : components.size(); }
@@ -49,12 +50,12 @@ struct Property {
 
 std::span<const Property> world_properties();
 std::span<const Property> body_properties();
-std::span<const Property> shape_properties(); // also of bodies, for all their shapes
-std::span<const Property> joint_properties(); // of an axis, too
+std::span<const Property> shape_properties(); // also available for bodies, where they apply to all shapes
+std::span<const Property> joint_properties(); // also available for axes
 
-// What acts along that axis of a joint; null: nothing can.
+// Returns the limits and motor of that axis of a joint; null if it cannot have any.
 JointControl* control_of(Joint& joint, std::size_t axis);
-// The axis of that name ("steering" of a wheel); empty: there is none.
+// Returns the axis of that name ("steering" of a wheel); nothing if there is none.
 std::optional<std::size_t> axis_of(const Joint& joint, std::string_view name);
 
 } // namespace cairn::sweep

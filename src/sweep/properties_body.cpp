@@ -46,7 +46,7 @@ void set_time_step(Changes& changes, const Subject&, const double* v) {
     if (!(*v >= 1e-4 && *v <= 1.0)) {
         throw Error(ErrorCode::invalid_value, "world.time_step", std::to_string(*v), "must be 0.0001 to 1 s");
     }
-    changes.trial.time_step = static_cast<double>(single(*v)); // as the world takes it
+    changes.trial.time_step = static_cast<double>(single(*v)); // rounded to float, as the world does
 }
 
 constexpr std::array of_world{
@@ -178,7 +178,7 @@ template <class F> void change_materials(Trial& trial, const Subject& subject, c
     }
 }
 
-// Of several shapes the first stands for all.
+// Reading a property of several shapes gives that of the first shape.
 template <float Material::*member> void read_material(const Trial& trial, const Subject& subject, double* out) {
     const std::vector<ShapeId> shapes = shapes_of(trial.world, subject);
     *out = shapes.empty() ? std::nan("") : static_cast<double>(trial.world.shape_def(shapes[0]).material.*member);

@@ -16,7 +16,7 @@ struct NamedAxis {
     JointControl* control;
 };
 
-// In the order of `JointState::positions`.
+// Returns the axes in the order of `JointState::positions`.
 std::vector<NamedAxis> axes_of(Joint& joint) {
     if (auto* j = std::get_if<HingeJoint>(&joint)) return {{"angle", &j->angle}};
     if (auto* j = std::get_if<SliderJoint>(&joint)) return {{"translation", &j->translation}};
@@ -59,7 +59,7 @@ JointSpring& spring_of(Joint& joint, std::size_t axis) {
     return *motor.spring;
 }
 
-// Reads a float through a copy of the joint, in which what is absent gets its default.
+// A float of a joint's axis. It is read from a copy of the joint, in which absent parts get their defaults.
 template <float& (*member)(Joint&, std::size_t)> constexpr Property of_axis(std::string_view name) {
     return {name, "",
             [](const Trial& t, const Subject& s, double* out) {
@@ -100,7 +100,7 @@ template <float JointDef::*member, bool is_force> constexpr Property strength(st
             }};
 }
 
-// What a joint that is broken does not have is not a number.
+// Returns NaN for a broken joint.
 template <Vec3 JointState::*member> void read_load(const Trial& trial, const Subject& subject, double* out) {
     out[0] = out[1] = out[2] = nothing;
     if (!trial.world.is_valid(subject.joint)) return;

@@ -35,7 +35,7 @@ class Workers {
         changed_.notify_all();
     }
 
-    // Until all threads are done.
+    // Waits until all threads have finished.
     void wait(int threads, const std::function<bool(const Count&)>& goes_on) {
         std::unique_lock<std::mutex> lock(mutex_);
         while (finished_ < threads) {
@@ -75,7 +75,7 @@ class Workers {
     const std::vector<std::uint64_t>& chunks_;
     Source& source_;
     std::atomic<bool> stop_{false};
-    std::mutex mutex_; // of what follows
+    std::mutex mutex_; // guards the members below
     std::condition_variable changed_;
     int finished_ = 0;
     Count count_;
@@ -96,7 +96,7 @@ Count run_chunks(const Plan& plan, const Start& start, Store& store, const std::
             workers.stop();
             throw;
         }
-    } // joined
+    } // the threads are joined here
     return workers.result();
 }
 

@@ -1,4 +1,4 @@
-// Runs chunks of rows on the threads of this program.
+// Runs chunks of rows on the threads of this process.
 #pragma once
 
 #include "sweep/plan.h"
@@ -12,7 +12,7 @@
 
 namespace cairn::sweep {
 
-// Hands out what is to be done, each once: to the threads of this program, or of many.
+// Hands out chunks, each once: to the threads of this process, or of several.
 class Source {
   public:
     Source() = default;
@@ -20,9 +20,9 @@ class Source {
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
 
-    // The place in the list of what is missing; from any thread. Too large: nothing is left.
+    // Returns an index into the list of missing chunks; thread-safe. An index beyond its end means that none is left.
     virtual std::uint64_t next() = 0;
-    // Called now and then by the thread that called `run_chunks`.
+    // Called periodically by the thread that called `run_chunks`.
     virtual void attend() {}
 };
 
@@ -38,8 +38,8 @@ struct Count {
     std::uint64_t rows = 0, failed = 0;
 };
 
-// Runs the rows of `chunks`. `goes_on` is asked some fifty times a second; once it says no, chunks that were begun are
-// given up. Throws what a thread threw: Error (io, invalid_file), std::bad_alloc.
+// Runs the rows of `chunks`. `goes_on` is called about fifty times a second; once it returns false, unfinished chunks
+// are abandoned. Rethrows what a thread has thrown: Error (io, invalid_file), std::bad_alloc.
 Count run_chunks(const Plan& plan, const Start& start, Store& store, const std::vector<std::uint64_t>& chunks,
                  int threads, Source& source, const std::function<bool(const Count&)>& goes_on);
 

@@ -23,7 +23,7 @@ Runner::Runner(const Plan& plan, const Start& start)
         settings_.push_back(formula(setting.expression, setting.place, false));
         add_target(setting, i);
     }
-    // Changes of one joint stand together.
+    // All changes of a joint are applied together.
     std::stable_sort(targets_.begin(), targets_.end(), [](const Target& a, const Target& b) {
         return a.address.subject.joint.bits < b.address.subject.joint.bits;
     });
@@ -93,7 +93,7 @@ double Runner::value(const Formula& formula) {
 void Runner::prepare() {
     trial_.world.restore(start_.snapshot);
     trial_.time_step = start_.time_step;
-    // All are computed before any is set: their order does not matter.
+    // All values are computed before any is set, so that the order of the settings does not matter.
     std::vector<double> values;
     for (const Formula& setting : settings_) values.push_back(value(setting));
     Changes changes(trial_);
@@ -175,7 +175,7 @@ bool Runner::simulate(const std::atomic<bool>& interrupted) {
     return true;
 }
 
-// What is known only now.
+// Computes the measures that are only known at the end.
 void Runner::finish() {
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         if (plan_.measures[i].take == Measure::Take::end) results_[i] = value(measures_[i]);
@@ -207,7 +207,7 @@ bool Runner::run_with(std::span<const double> parameters, std::span<double> numb
     }
     auto out = std::copy(parameters_.begin(), parameters_.end(), numbers.begin());
     out = std::copy(results_.begin(), results_.end(), out);
-    // One pattern of bits stands for all that are not numbers, and zero has no sign.
+    // All NaNs get the same bits, and negative zeros become positive, so that hashes are reproducible.
     for (auto n = numbers.begin(); n != out; ++n) *n = std::isnan(*n) ? no_result : *n + 0.0;
     *out++ = static_cast<double>(steps_done_) * trial_.time_step;
     *out = static_cast<double>(outcome_);

@@ -1,4 +1,4 @@
-// Runs rows, one after the other.
+// Runs rows one after the other.
 #pragma once
 
 #include "sweep/address.h"
@@ -15,41 +15,41 @@
 namespace cairn::sweep {
 
 enum class Outcome {
-    ran,     // to the end
-    stopped, // by a rule
-    failed,  // an error: nothing was measured
+    ran,     // until the end
+    stopped, // by a stop rule
+    failed,  // by an error: nothing was measured
 };
 
-// Of one thread. What a row says depends on nothing but its number.
+// Runs rows on one thread. The result of a row depends on nothing but its number.
 class Runner {
   public:
-    // Checks all paths and expressions. Throws Error (invalid_file). `plan` and `start` must outlive it.
+    // Checks all paths and expressions. Throws Error (invalid_file). `plan` and `start` must outlive the runner.
     Runner(const Plan& plan, const Start& start);
 
-    // The numbers of a row in the order of the columns, without the index. Once `interrupted` is true it may end before
-    // its time, and gives false: the numbers are good for nothing.
+    // Computes the numbers of a row in the order of the columns, without the index. Once `interrupted` is true, it may
+    // end early and return false; the numbers are then invalid.
     bool run(std::uint64_t row, std::span<double> numbers, const std::atomic<bool>& interrupted);
-    // Likewise, with these values of the parameters.
+    // The same as `run` for given values of the parameters.
     bool run_with(std::span<const double> parameters, std::span<double> numbers, const std::atomic<bool>& interrupted);
 
-    // Why the last row failed; empty if it did not.
+    // The reason why the last row failed; empty if it did not.
     const std::string& failure() const { return failure_; }
-    // The world as the last row left it.
+    // The world at the end of the last row.
     const World& world() const { return trial_.world; }
 
   private:
     struct Formula {
         Expression expression;
-        std::vector<std::size_t> readings; // what it needs of the world
+        std::vector<std::size_t> readings; // the readings of the world that the expression uses
     };
     struct Reading {
         Address address;
         double value = 0.0;
     };
-    // All numbers of a property that is set.
+    // A property that is set, and the settings of its components.
     struct Target {
         Address address;
-        std::vector<std::pair<std::size_t, std::size_t>> components; // and the settings that give them
+        std::vector<std::pair<std::size_t, std::size_t>> components; // component, and the setting that gives its value
         std::string place;
     };
 
@@ -66,10 +66,10 @@ class Runner {
     const Start& start_;
     Trial trial_;
     std::vector<double> parameters_;
-    std::deque<Reading> readings_; // which expressions point into
+    std::deque<Reading> readings_; // a deque, as expressions hold pointers to the values
     std::vector<Formula> settings_, stops_, measures_;
     std::vector<Target> targets_;
-    std::vector<double> results_; // of measures
+    std::vector<double> results_; // by measure
     std::uint64_t steps_done_ = 0;
     Outcome outcome_ = Outcome::ran;
     std::string failure_;

@@ -22,7 +22,7 @@ constexpr std::uint64_t chunks_wanted = 4096, largest_chunk = 256;
     throw Error(ErrorCode::io, path.generic_string(), {}, std::string(what) + ": " + std::strerror(error));
 }
 
-// Closes itself.
+// A file descriptor that is closed by its destructor.
 class Descriptor {
   public:
     explicit Descriptor(int file) : file_(file) {}
@@ -37,7 +37,7 @@ class Descriptor {
     int file_;
 };
 
-// Whether so many bytes are there.
+// Returns whether `size` bytes could be read.
 bool read_at(int file, std::int64_t offset, void* to, std::size_t size, const std::filesystem::path& path) {
     char* at = static_cast<char*>(to);
     while (size > 0) {
@@ -68,7 +68,7 @@ std::uint64_t checksum_of(std::uint64_t chunk, std::span<const double> numbers) 
 } // namespace
 
 void RowHash::add(double number) {
-    // FNV-1a over words instead of bytes.
+    // FNV-1a over 64-bit words instead of bytes.
     hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3u;
     hash_ ^= hash_ >> 29;
 }
@@ -113,7 +113,7 @@ void Store::look_into(const std::filesystem::path& path) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (file.get() < 0) fail_with(path, "cannot be opened", errno);
     Header header;
-    if (!read_at(file.get(), 0, &header, sizeof header, path)) return; // killed before it wrote anything
+    if (!read_at(file.get(), 0, &header, sizeof header, path)) return; // the writer was killed before it wrote anything
     if (std::memcmp(&header, &header_, sizeof header) != 0) {
         throw Error(ErrorCode::wrong_state, path.generic_string(), {},
                     "is of another sweep: the plan, the scene or the program has changed since. --out chooses another "

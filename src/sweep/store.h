@@ -1,4 +1,4 @@
-// Rows on their way: files of whole chunks of rows, which any number of programs write beside each other in one folder.
+// Stores rows in files of whole chunks, which any number of processes write side by side in one folder.
 #pragma once
 
 #include "sweep/plan.h"
@@ -12,7 +12,7 @@
 
 namespace cairn::sweep {
 
-// What rows are cut into: the unit of what is handed out, written, and lost when a program is killed.
+// The division of rows into chunks: the unit that is handed out, written, and lost when a process is killed.
 struct Chunks {
     explicit Chunks(std::uint64_t rows);
     std::uint64_t first(std::uint64_t chunk) const { return chunk * size; }
@@ -22,24 +22,25 @@ struct Chunks {
 
 class Store {
   public:
-    // `folder` gets a folder `shards`, if there is none. Throws Error: io; wrong_state, if shards of another sweep are
-    // there.
+    // Creates a folder `shards` in `folder`, if there is none. Throws Error: io; wrong_state, if shards of another
+    // sweep are there.
     Store(const std::filesystem::path& folder, const Plan& plan, const Start& start);
     ~Store();
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
 
     const Chunks& chunks() const { return chunks_; }
-    // Looks which chunks are there. What is cut off at the end of a shard is not. Throws Error (io).
+    // Scans the shards for finished chunks. A chunk that is truncated at the end of a shard does not count. Throws
+    // Error (io).
     void look();
     bool has(std::uint64_t chunk) const { return places_[chunk].shard >= 0; }
-    bool is_empty() const; // no shard has any
+    bool is_empty() const; // whether no shard has any chunk
     std::vector<std::uint64_t> missing() const;
 
-    // Appends a chunk to a shard of its own. From any number of threads. Throws Error (io).
+    // Appends a chunk to the shard of this store. Thread-safe. Throws Error (io).
     void append(std::uint64_t chunk, std::span<const double> numbers);
 
-    // All rows that were there when it last looked, in order. Throws Error (io).
+    // Reads all rows found by the last `look`, in order. Throws Error (io).
     void read(const std::function<void(std::uint64_t row, std::span<const double> numbers)>& take) const;
 
   private:
@@ -71,7 +72,7 @@ class Store {
     int file_ = -1;
 };
 
-// A sum over numbers in their order, by bits.
+// A hash of numbers in their order, over their bits.
 class RowHash {
   public:
     void add(double number);

@@ -12,7 +12,8 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t failures_kept = 10;
 
-// First and total indices of sums over points: those of Saltelli and others (2010) and of Jansen (1999).
+// First-order and total indices from sums over points: the estimators of Saltelli and others (2010) and of Jansen
+// (1999).
 struct Indices {
     double first = unknown, total = unknown;
 };
@@ -21,7 +22,7 @@ double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Of the mean, from estimates that are independent.
+// Returns the standard error of the mean of independent estimates.
 double standard_error(const std::vector<double>& values) {
     if (values.size() < 2) return unknown;
     const double mean = mean_of(values), n = static_cast<double>(values.size());
@@ -140,7 +141,7 @@ Sensitivity Summary::of_rows(std::size_t parameter, std::size_t measure) const {
     }
     if (pairs.size() < 4) return none;
     std::sort(pairs.begin(), pairs.end());
-    // Groups of equal values, or of neighbors where there are too many different ones.
+    // Groups of equal values, or of neighboring ones if there are too many different values.
     constexpr std::size_t most_groups = 20;
     std::vector<std::size_t> ends;
     for (std::size_t i = 1; i <= pairs.size() && ends.size() <= most_groups; ++i) {
@@ -163,7 +164,7 @@ Sensitivity Summary::of_rows(std::size_t parameter, std::size_t measure) const {
         begin = end;
     }
     if (!(all > 0.0) || ends.size() < 2 || n <= k) return none;
-    // Groups of a few rows differ by chance: that part is taken out.
+    // The variance between small groups that is due to chance is subtracted.
     none.first = std::max(0.0, (between - (k - 1.0) * (all - between) / (n - k)) / all);
     return none;
 }

@@ -1,4 +1,4 @@
-// A bicycle that nobody steers (row 33): four bodies on three hinges, its wheels on their rims.
+// An uncontrolled bicycle (row 33): four bodies on three hinges, whose wheels touch the ground with their rims.
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -11,14 +11,15 @@
 namespace cairn::validation {
 namespace {
 
-// Lean and steer, rad, to the right, and how fast they change, rad/s.
+// Lean and steer angles, rad, positive to the right, and their rates, rad/s.
 using Attitude = std::array<double, 4>;
 
-constexpr double tilt = pi / 10; // of the steering axis, which meets the ground 8 cm before the front wheel
+// Tilt of the steering axis, rad; it meets the ground 8 cm in front of the front wheel's contact.
+constexpr double tilt = pi / 10;
 constexpr double trail_point = 1.1, rear_radius = 0.3, front_radius = 0.35, wheelbase = 1.02; // m
 const glm::dvec3 steering_axis = {std::sin(tilt), -std::cos(tilt), 0};
 
-// M q'' + v C q' + (g K0 + v^2 K2) q = 0: the linearized equations, with the numbers of the benchmark.
+// M q'' + v C q' + (g K0 + v^2 K2) q = 0: the linearized equations of motion, with the numbers of the benchmark.
 Attitude rates(const Attitude& q, double speed) {
     constexpr double m[2][2] = {{80.81722, 2.31941332208709}, {2.31941332208709, 0.29784188199686}},
                      k0[2][2] = {{-80.95, -2.59951685249872}, {-2.59951685249872, -0.80329488458618}},
@@ -38,7 +39,7 @@ Attitude ahead(const Attitude& q, double h, const Attitude& rate) {
     for (std::size_t i = 0; i < q.size(); ++i) later[i] += h * rate[i];
     return later;
 }
-// By Runge-Kutta, with a step that is far shorter than needed.
+// Integrates by Runge-Kutta with a step that is much shorter than necessary.
 void advance(Attitude& q, double speed, double time) {
     constexpr int steps = 50;
     const double h = time / steps;
@@ -49,7 +50,7 @@ void advance(Attitude& q, double speed, double time) {
     }
 }
 
-// Moments about the axes of the bicycle, x ahead and y up, kg m^2.
+// Converts moments of inertia about the axes of the bicycle, x ahead and y up, kg m^2.
 MassProperties mass_of(double mass, double xx, double yy, double zz, double xy) {
     const double turn = 0.5 * std::atan2(2 * xy, xx - yy), c = std::cos(turn), s = std::sin(turn);
     MassProperties result;
@@ -78,7 +79,7 @@ class Bicycle {
 
     World& world() { return world_; }
     double speed() { return double(glm::length(world_.body(frame_).linear_velocity())); }
-    // From then on all of it leans faster by so much, rad/s, about the line on which it rides.
+    // Adds an angular velocity in lean, rad/s, to the whole bicycle, about the line that it rides on.
     void push(double rate) {
         const glm::dvec3 way = ahead_of(), base = glm::dvec3(1, 0, 1) * world_.body(rear_).position();
         for (const BodyId id : {rear_, frame_, fork_, front_}) {
@@ -108,7 +109,7 @@ class Bicycle {
         def.angular_velocity = Vec3(turn_ * glm::dvec3(0, 0, -spin));
         return world_.create_body(def);
     }
-    // A sharp rim in the middle: the larger end of a cone.
+    // Adds a sharp rim in the middle of the wheel: the larger end of a cone.
     void add_wheel(BodyId body, double radius) {
         constexpr float half = 0.02f; // m
         ShapeDef def;
@@ -130,12 +131,12 @@ class Bicycle {
 };
 
 struct Ride {
-    double lean = 0, steer = 0; // root mean square of what they differ from the equations, of those
-    double energy = 1;          // what is left of it
+    double lean = 0, steer = 0; // root mean square of the deviation from the equations, relative to theirs
+    double energy = 1;          // final energy over the initial one
     Curve measured_lean{"lean", {}, {}, true}, measured_steer{"steer", {}, {}, true};
     Curve expected_lean{"lean, expected", {}, {}}, expected_steer{"steer, expected", {}, {}};
 };
-// It rides upright for a second, while its wheels sink in as far as they do, is pushed, and rides on for three.
+// The bicycle rides upright for a second, while its wheels settle, is pushed, and rides on for three seconds.
 Ride ride(double speed, double push, RandomStart& random, double dt) {
     Bicycle bicycle(speed, random.uniform(0, 2 * pi), {random.uniform(-50, 50), 0, random.uniform(-50, 50)});
     World& world = bicycle.world();

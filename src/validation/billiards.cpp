@@ -13,8 +13,8 @@ Billiards::Next Billiards::next() const {
             const glm::dvec3 d = balls_[b].position - balls_[a].position;
             const glm::dvec3 v = balls_[b].velocity - balls_[a].velocity;
             const double closing = -glm::dot(d, v), v2 = glm::dot(v, v);
-            if (!(closing > 0)) continue; // also the two that have just met
-            // |d + t v| = diameter, the smaller root, in the form that cancels nothing.
+            if (!(closing > 0)) continue; // also skips the pair that has just collided
+            // |d + t v| = diameter: the smaller root, in the form without cancellation.
             const double c = glm::dot(d, d) - diameter_ * diameter_, root2 = closing * closing - v2 * c;
             if (root2 < 0) continue;
             const double t = std::fmax(0, c / (closing + std::sqrt(root2)));

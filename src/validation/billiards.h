@@ -1,4 +1,4 @@
-// The exact motion of equal, smooth, elastic balls that meet two at a time: from impact to impact, in double.
+// The exact motion of equal, smooth, elastic balls that collide in pairs: event-driven, in double precision.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,13 +19,13 @@ class Billiards {
 
     const std::vector<BilliardBall>& balls() const { return balls_; }
     double time() const { return time_; }                           // s
-    const std::vector<double>& impacts() const { return impacts_; } // their times, s, in order
+    const std::vector<double>& impacts() const { return impacts_; } // times of the impacts, s, in ascending order
 
-    // Seconds from now to the next impact; infinite if there is none.
+    // Time from now to the next impact, s; infinite if there is none.
     double until_next() const;
-    // Lets time pass up to the next impact, and through it; false if there is none.
+    // Advances up to the next impact, and through it; returns false if there is none.
     bool to_next_impact();
-    // Lets time pass, through all impacts on the way.
+    // Advances to the given time, through all impacts before it.
     void advance_to(double time);
 
   private:

@@ -1,4 +1,4 @@
-// A rope of links that is laid half around a fixed drum holds by its friction (row 35).
+// A rope of links around half of a fixed drum is held by friction (row 35).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr double drum_radius = 0.5, rope_radius = 0.02, link_mass = 0.01, small_load = 2; // m, m, kg, kg
 constexpr int links_on_drum = 40, links_beside = 6;
 
-// Where links meet: up on one side of the drum, around it, and down on the other.
+// The joints between links: up along one side of the drum, around it, and down along the other side.
 std::vector<glm::dvec3> rope_points() {
     const double radius = drum_radius + rope_radius, length = pi * radius / links_on_drum;
     std::vector<glm::dvec3> points;
@@ -49,7 +49,7 @@ class Capstan {
         hang(links.front(), points.front(), small_load);
         load_ = hang(links.back(), points.back(), load);
     }
-    // m, in 0.7 s, after half a second in which the rope tightens.
+    // Slip of the rope, m, in 0.7 s, after half a second in which the rope tightens.
     double slip(double dt) {
         run(world_, float(dt), steps_in(0.5, dt));
         const double before = world_.body(load_).position().y;

@@ -1,4 +1,4 @@
-// The cases by the files that measure them; validation.cpp lists them.
+// The measuring functions, grouped by the files that define them; list.cpp lists the cases.
 #pragma once
 
 #include "validation/validation.h"

@@ -1,4 +1,4 @@
-// Impacts: single ones, rows of balls, and what a closed pile of them keeps (rows 13, 14, 15, 18 and 19).
+// Impacts: single ones, rows of balls, and the conserved quantities of a closed pile (rows 13, 14, 15, 18 and 19).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t drops = 20;
 
-// A ball of radius 0.5 m whose lowest point is 1 to 1.3 m above the ground, somewhere, on its way somewhere.
+// A ball of radius 0.5 m whose lowest point is 1 to 1.3 m above the ground, at a random position, with a random
+// horizontal velocity.
 struct Drop {
     World world;
     BodyId ball;
@@ -37,15 +38,15 @@ struct Drop {
     // earlier.
     double parabola_speed() { return speed() - 0.5 * gravity * substep; }
     double top() { return height() + parabola_speed() * parabola_speed() / (2 * gravity); }
-    double share() { return top() / start; } // of the height, and of the energy
-    // Seconds until it lands again.
+    double share() { return top() / start; } // share of the initial height, and so of the energy
+    // Time until the next landing, s.
     double flight() { return (parabola_speed() + std::sqrt(2 * gravity * std::max(0.0, top()))) / gravity; }
 };
 
-// What is seen of a drop until it rests.
+// Measurements of a drop until it rests.
 struct Bounces {
-    Farthest height{0}; // of a bounce less e^2n, of the first height
-    double end = 0;     // s, over that expected
+    Farthest height{0}; // height of a bounce minus e^2n, relative to the first height
+    double end = 0;     // time until rest over the expected time
     Curve tops;
 };
 
@@ -68,7 +69,7 @@ Bounces watch_bounces(double e, double dt, std::uint32_t seed) {
         last_speed = drop.speed();
         if (drop.height() > 1e-5) seen.end = (i * dt + drop.flight()) / total;
     }
-    if (expected >= 0.01) seen.height.value = std::nan(""); // it should have bounced more often
+    if (expected >= 0.01) seen.height.value = std::nan(""); // fewer bounces than expected
     return seen;
 }
 
@@ -81,7 +82,7 @@ void measure_bounces_of(double e, double dt, Result& result, Plot& heights) {
         if (seed == 0 && dt == time_steps[0]) heights.curves.push_back(seen.tops);
     }
     const std::string name = "e = " + text(e);
-    // What it rises to later is lower than 1 % of the first height.
+    // Later bounces are lower than 1 % of the first height.
     result.rows.push_back({name + ": height of a bounce less e^2n, of the first height, the farthest off", dt, 0,
                            height.value, 0.005, Bar::absolute});
     result.rows.push_back({name + ": time until it rests over that of the law, the farthest off", dt, 1, end.value,
@@ -130,7 +131,7 @@ Result measure_bounces() {
 
 namespace {
 
-// Without friction.
+// Adds a ball without friction.
 BodyId add_ball(World& world, const Position& position, const Vec3& velocity, double mass, double restitution) {
     BodyDef def;
     def.position = position;
@@ -139,9 +140,9 @@ BodyId add_ball(World& world, const Position& position, const Vec3& velocity, do
     return add_body(world, Sphere{0.5f}, def, surface(0, float(restitution)));
 }
 
-constexpr std::uint32_t starts = 20, oblique_starts = 100; // places, headings and moments
+constexpr std::uint32_t starts = 20, oblique_starts = 100; // random positions, orientations and moments
 
-// The heaviest balls leave more slowly than what may sleep.
+// Sleeping is disabled, because the heaviest balls leave more slowly than the sleep threshold.
 WorldDef free_space() {
     WorldDef def = without_gravity();
     def.enable_sleep = false;
@@ -153,7 +154,7 @@ WorldDef free_space() {
 Result measure_head_on() {
     Result result;
     struct Pair {
-        double ratio, restitution; // of the second's mass to the first's
+        double ratio, restitution; // mass of the second ball over that of the first
     };
     Plot plot{"A ball meets one at rest", "ratio of the masses", "speed after the impact, m/s", true, false, {}};
     plot.curves = {{"first", {}, {}, true},
@@ -198,7 +199,7 @@ Result measure_oblique() {
             Farthest between{90}, heading{30}, slower{std::sin(radians(30))}, faster{std::cos(radians(30))};
             Curve angles{text(speed) + " m/s", {}, {}, true};
             for (std::uint32_t seed = 0; seed < oblique_starts; ++seed) {
-                // The first moves along x; where they touch, the line of centers is 30 degrees off.
+                // The first ball moves along x; at contact, the line of centers is at 30 degrees to it.
                 RandomStart start(seed);
                 World world{free_space()};
                 const BodyId first = add_ball(world, start.place({-1.2 - speed * start.uniform(0, 0.1), 0, -0.5}),
@@ -221,7 +222,7 @@ Result measure_oblique() {
                 {name + "angle between the two, degrees", dt, 90, between.value, 0.01, Bar::absolute});
             result.rows.push_back(
                 {name + "heading of the second, degrees", dt, 30, heading.value, 0.01, Bar::absolute});
-            // As far as 0.01 degrees change them.
+            // The bar is the change that 0.01 degrees cause.
             result.rows.push_back({name + "speed of the first over that before", dt, slower.expected, slower.value,
                                    radians(0.01), Bar::absolute});
             result.rows.push_back({name + "speed of the second over that before", dt, faster.expected, faster.value,
@@ -234,7 +235,7 @@ Result measure_oblique() {
 
 namespace {
 
-// The greatest error of a ball's speed after all impacts, m/s.
+// Returns the greatest error of a ball's speed after all impacts, m/s.
 double leak_of_cradle(std::uint32_t seed, double dt, double gap, int incoming, Plot* plot) {
     RandomStart start(seed);
     World world{free_space()};
@@ -287,7 +288,7 @@ Result measure_cradle() {
 
 namespace {
 
-// What the momenta are, and the sums over the bodies that their errors are relative to.
+// The momenta of a world, and the sums over its bodies that errors are relative to.
 struct Momenta {
     glm::dvec3 linear, angular;
     double linear_scale = 0, angular_scale = 0;
@@ -303,7 +304,7 @@ struct Momenta {
     }
 };
 
-// Numbers from -1 to 1, the same on every machine.
+// Pseudorandom numbers from -1 to 1, the same on every machine.
 struct Numbers {
     std::mt19937 random;
     float operator()() { return float(random() % 20001) / 10000.0f - 1; }
@@ -313,7 +314,7 @@ struct Numbers {
     }
 };
 
-// 48 balls and boxes on three shells, all on their way inwards with some turning about.
+// 48 balls and boxes on three shells, all moving inwards, some also rotating.
 void add_collider(World& world, const Material& material) {
     Numbers number{std::mt19937{7}};
     for (int i = 0; i < 48; ++i) {
@@ -330,7 +331,7 @@ void add_collider(World& world, const Material& material) {
     }
 }
 
-// A box of six walls, slowly turning, with 27 balls and boxes in it that fly about.
+// A slowly rotating box of six walls, with 27 moving balls and boxes in it.
 void add_full_box(World& world, const Material& material, unsigned filling) {
     BodyDef def;
     def.angular_velocity = {0.3f, 0.5f, 0.2f};
@@ -362,8 +363,8 @@ struct Pile {
     void (*add)(World&, const Material&);
 };
 
-// The greatest changes within 120 steps, for the worst of several materials. As many steps at each length of step:
-// what is left is rounding, which grows with their number.
+// Measures the greatest changes within 120 steps, for the worst of several materials. The number of steps is the same
+// for each time step, because the remaining error is rounding, which grows with that number.
 void measure_momenta(const Pile& pile, double dt, Result& result, Plot& plot) {
     double linear = 0, angular = 0, elastic_angular = 0;
     bool all_touch = true;
@@ -389,10 +390,11 @@ void measure_momenta(const Pile& pile, double dt, Result& result, Plot& plot) {
         all_touch &= touched;
         if (dt == time_steps[0]) plot.curves.push_back(curve);
     }
-    if (!all_touch) linear = angular = elastic_angular = std::nan(""); // nothing was measured
+    if (!all_touch) linear = angular = elastic_angular = std::nan(""); // nothing collided, so nothing was measured
     const std::string name = pile.name;
     result.rows.push_back({name + ": change of the momentum, relative", dt, 0, linear, 1e-5, Bar::at_most});
-    // Where what a contact holds is struck within a step, its way is that of the solver (docs/known_limits.md).
+    // A body that a contact holds, and that is hit within a step, follows the path that the solver gives it
+    // (docs/known_limits.md).
     const std::string note = "impacts of what something holds, within a step";
     result.rows.push_back(
         {name + ": change of the angular momentum, relative", dt, 0, angular, 1e-5, Bar::at_most, note, 3e-4});
@@ -415,7 +417,8 @@ Result measure_closed_pile() {
                                  Pile{"turning box with 27 in it",
                                       [](World&world, const Material&material) { add_full_box(world, material, 3); }}})
             measure_momenta(pile, dt, result, plot);
-        // Of single fillings, whose motion is chaotic, the greatest change says little: of 200, one gained 9 %.
+        // The motion in a single box is chaotic, so that its greatest change says little: of 200 fillings, one gained 9
+        // %.
         constexpr unsigned fillings = 64;
         double squares = 0, sum = 0;
         for (unsigned filling = 1; filling <= fillings; ++filling) {

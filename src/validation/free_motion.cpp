@@ -12,13 +12,13 @@ namespace cairn::validation {
 
 namespace {
 
-// Relative. Velocities are float: a rounding of 6e-8 each step.
+// Relative error bound: velocities are float, with a rounding error of 6e-8 per step.
 constexpr double round_off = 1e-5;
 
 WorldDef settings_with(Integrator integrator) {
     WorldDef def;
     def.integrator = integrator;
-    def.substeps = 6; // of every step, so that they are shorter where the step is
+    def.substeps = 6; // a fixed number, so that substeps are proportional to the step
     return def;
 }
 
@@ -28,7 +28,7 @@ struct Fall {
     double seconds = 0, substep = 0;
     double way = 0, speed = 0;
     double energy_error = 0;           // J/kg, at the end
-    std::vector<double> times, errors; // of energy, 50 on the way
+    std::vector<double> times, errors; // of energy, at 50 times
 };
 
 Fall fall(Integrator integrator, double step, double seconds) {
@@ -114,11 +114,11 @@ Flight throw_ball(const NamedIntegrator& integrator, double step) {
         flight.y.push_back(world.body(ball).position().y);
         world.step(float(step));
         const Position p = world.body(ball).position();
-        // The velocity of the parabola on which the discrete points lie.
+        // The velocity on the parabola through the discrete points.
         const double v_y = double(world.body(ball).linear_velocity().y) + integrator.offset * gravity * flight.substep;
         flight.height = std::max(flight.height, p.y + (v_y > 0 ? v_y * v_y / (2 * gravity) : 0));
         if (p.y >= 0) continue;
-        // Where the parabola through the last point meets the ground.
+        // Back to where the parabola through the last point meets the ground.
         const double back = (-v_y - std::sqrt(v_y * v_y + 2 * gravity * p.y)) / gravity;
         flight.time = double(world.step_count()) * double(float(step)) - back;
         flight.range = p.x - v * back;
@@ -142,7 +142,8 @@ Result measure_projectile() {
     for (const NamedIntegrator& integrator : integrators) {
         for (const double step : time_steps) {
             const Flight flight = throw_ball(integrator, step);
-            const double rise = v + integrator.offset * gravity * flight.substep; // upwards at the start
+            // Upward speed of the parabola at the start.
+            const double rise = v + integrator.offset * gravity * flight.substep;
             auto add = [&](const char* quantity, double expected, double measured) {
                 result.rows.push_back({std::string(quantity) + ", " + integrator.name, step, expected, measured,
                                        round_off, Bar::relative, ""});
@@ -173,10 +174,10 @@ Result measure_projectile() {
 
 namespace {
 
-// A ball of 1 kg on a spring of 1 Hz: a field that attracts in proportion to the distance.
+// A ball of 1 kg on a spring of 1 Hz, which is a force field that attracts in proportion to the distance.
 struct Oscillator {
     static constexpr double omega = 2 * pi;
-    static constexpr double moment = 1.125; // s, when neither the position nor the velocity is 0
+    static constexpr double moment = 1.125; // s, a time when neither position nor velocity is 0
     World world;
     BodyId ball;
     double spring = double(float(omega * omega)); // N/m
@@ -192,7 +193,7 @@ struct Oscillator {
         def.position = {1, 0, 0};
         ball = add_body(world, Sphere{}, def);
     }
-    // One substep each step, so that the step is the h of the formulas.
+    // One substep per step, so that the step is the h of the formulas.
     static WorldDef settings(Integrator integrator) {
         WorldDef def = without_gravity();
         def.integrator = integrator;
@@ -205,7 +206,7 @@ struct Oscillator {
         const double x = world.body(ball).position().x, v = double(world.body(ball).linear_velocity().x);
         return 0.5 * v * v + 0.5 * spring * x * x;
     }
-    // Greatest relative change of energy in so many seconds.
+    // Returns the greatest relative change of energy in the given time.
     double energy_error(double step, double seconds) {
         const double start = energy();
         double most = 0;
@@ -232,7 +233,7 @@ void add_explicit_growth(Result& result, double step) {
                            0.01, Bar::relative, ""});
 }
 
-// The band is +- omega h / 2 about its middle, wherever in it the start lies.
+// The energy stays in a band of +- omega h / 2 about its mean, regardless of where in the band it starts.
 void add_semi_implicit_band(Result& result, double step) {
     Oscillator oscillator(Integrator::semi_implicit_euler);
     double least = oscillator.energy(), most = least;
@@ -246,7 +247,8 @@ void add_semi_implicit_band(Result& result, double step) {
                            Bar::relative, ""});
 }
 
-// At 1/60 s only: 4 times as many steps lose 1,000 times less, which is below the rounding of velocities.
+// Measured at 1/60 s only: with 4 times as many steps the loss is 1,000 times smaller, which is below the rounding of
+// velocities.
 void add_runge_kutta_loss(Result& result) {
     constexpr double step = 1.0 / 60, seconds = 2000;
     Oscillator oscillator(Integrator::rk4);
@@ -311,7 +313,7 @@ Result measure_oscillator() {
 
 namespace {
 
-// At the end of a thin rod: v = J / m, w = 6 J / (m L).
+// An impulse at the end of a thin rod: v = J / m, w = 6 J / (m L).
 void strike_rod(Result& result, double step) {
     World world{without_gravity()};
     constexpr double mass = 3, length = 2, impulse = 5;
@@ -331,8 +333,8 @@ void strike_rod(Result& result, double step) {
 }
 
 // A box hits a smooth plane with one corner: J = -(1 + e) n.v / (1/m + n.((I^-1 (r x n)) x r)) along the normal n at
-// the corner r. The momentum is compared, because it stays after the impact while the angular velocity of a turning
-// box does not.
+// the corner r. Momenta are compared, because angular momentum is constant after the impact, while the angular velocity
+// of a rotating box is not.
 void drop_box_on_corner(Result& result, double step) {
     constexpr float restitution = 0.5f;
     constexpr double mass = 2;
@@ -343,7 +345,7 @@ void drop_box_on_corner(Result& result, double step) {
     def.rotation = glm::normalize(Quat(0.8f, 0.35f, 0.2f, -0.4f));
     def.linear_velocity = {0.3f, -2, 0.1f};
     const Vec3 half{0.5f, 0.3f, 0.2f};
-    glm::dvec3 corner{0, 1, 0}; // the lowest, from the center
+    glm::dvec3 corner{0, 1, 0}; // the lowest corner, relative to the center
     for (int i = 0; i < 8; ++i) {
         const Vec3 local{i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z};
         const glm::dvec3 there(def.rotation * local);

@@ -1,4 +1,4 @@
-// What sticks, slides, tips, rolls and spins on slopes and on the level (rows 8 to 12, 16 and 24).
+// Sticking, sliding, tipping, rolling and spinning on slopes and on level ground (rows 8 to 12, 16 and 24).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/text.h"
@@ -9,22 +9,22 @@
 namespace cairn::validation {
 namespace {
 
-constexpr float radius = 0.5f;    // of what rolls, m
+constexpr float radius = 0.5f;    // of the rolling bodies, m
 constexpr double roll_angle = 30; // degrees
 
-// Something that rolls. Its moment of inertia about the axis is `inertia` m r^2.
+// A rolling body, whose moment of inertia about its axis is `inertia` m r^2.
 struct Roller {
     const char* name;
     double inertia;
     Shape shape;
-    Quat rotation; // that lays its axis along z
+    Quat rotation; // turns its axis to z
 };
 const Roller rollers[] = {
     {"ball", 2.0 / 5, Sphere{radius}, {1, 0, 0, 0}},
     {"cylinder", 1.0 / 2, Cylinder{0.5f, radius, {}}, glm::angleAxis(float(pi / 2), Vec3(1, 0, 0))},
 };
 
-// A body at rest on a slope, its center `height` above it.
+// A body at rest on a slope, with its center `height` above the slope.
 struct OnSlope {
     World world{without_sleep()};
     Slope slope;
@@ -41,9 +41,9 @@ struct OnSlope {
     }
     double way() { return glm::dot(world.body(id).position() - start, slope.downhill()); }
     double speed() { return glm::dot(glm::dvec3(world.body(id).linear_velocity()), slope.downhill()); }
-    // Of the body's surface over the slope, at the contact of what rolls.
+    // Tangential speed of the body's surface relative to the slope at the contact point of a rolling body.
     double slip() { return speed() + double(world.body(id).angular_velocity().z) * double(radius); }
-    double tilt() { // against the slope, radians
+    double tilt() { // relative to the slope, rad
         const glm::dvec3 up(world.body(id).rotation() * Vec3(0, 1, 0));
         return std::acos(std::min(1.0, glm::dot(up, slope.normal())));
     }
@@ -95,7 +95,7 @@ Result measure_roll_or_slip() {
     Plot plot{"Rolling or slipping on 30 degrees", "coefficient of friction", "slip after 2 s, m/s", false, false, {}};
     const double sine = std::sin(radians(roll_angle)), cosine = std::cos(radians(roll_angle));
     for (const Roller& roller : rollers) {
-        // Slip grows with g (sin - mu cos) - mu g cos / inertia.
+        // The slip grows at the rate g (sin - mu cos) - mu g cos / inertia.
         const double levers = 1 + 1 / roller.inertia;
         const double least = sine / cosine / levers;
         auto slip = [&roller](double friction, double dt) {
@@ -132,12 +132,12 @@ Result measure_slope() {
         return scene.way();
     };
     for (const double dt : time_steps) {
-        // What slides at all is faster than 5 mm in 2 s from 0.013 degrees beyond.
+        // A sliding box moves more than 5 mm in 2 s from 0.013 degrees beyond the limit.
         const double sticks = last_where(25, 35, 0.01, [&](double degrees) { return way(degrees, dt) < 0.005; });
         result.rows.push_back(
             {"steepest slope on which a box sticks at mu = tan 30, degrees", dt, 30, sticks, 0.5, Bar::absolute});
         OnSlope below = cube_on_slope(29.5, friction);
-        run(below.world, float(dt), steps_in(3, dt)); // settles
+        run(below.world, float(dt), steps_in(3, dt)); // lets the box settle
         const double settled = below.way();
         run(below.world, float(dt), steps_in(60, dt));
         result.rows.push_back(
@@ -167,7 +167,7 @@ Result measure_tipping() {
     for (const double dt : time_steps) {
         const double stands = last_where(40, 50, 0.01, [dt](double degrees) {
             OnSlope scene = cube_on_slope(degrees, 2);
-            // It may come to stand again on another face.
+            // A box that has tipped may come to rest on another face.
             for (int i = steps_in(5, dt); i > 0 && scene.tilt() < radians(30); --i) scene.world.step(float(dt));
             return scene.tilt() < radians(30);
         });
@@ -194,7 +194,7 @@ Result measure_tipping() {
 
 namespace {
 
-// A box of 1 x 0.5 x 1 m on the level, and how it goes towards `along`.
+// A box of 1 x 0.5 x 1 m on level ground, moving in the direction `along`.
 struct SlidingBox {
     World world;
     glm::dvec3 along;
@@ -254,7 +254,7 @@ Result measure_sliding_stop() {
 Result measure_slide_to_roll() {
     Result result;
     constexpr double v0 = 2, friction = 0.2;
-    const double seconds = 2 * v0 / (7 * double(float(friction)) * gravity); // until it rolls
+    const double seconds = 2 * v0 / (7 * double(float(friction)) * gravity); // until the ball rolls
     const double meters = 6.0 / 7 * v0 * seconds, rolling = 5.0 / 7 * v0;
     Plot plot{"From sliding to rolling, mu = 0.2", "time, s", "m/s", false, false, {}};
     for (const double dt : time_steps) {
@@ -268,7 +268,7 @@ Result measure_slide_to_roll() {
             def.linear_velocity = Vec3(v0 * along);
             const BodyId ball = add_body(world, Sphere{radius}, def, surface(float(friction)));
             auto go = [&] { return glm::dot(glm::dvec3(world.body(ball).linear_velocity()), along); };
-            auto turn = [&] { // speed of the surface that its turning makes
+            auto turn = [&] { // speed of the ball's surface due to its rotation
                 const glm::dvec3 spin(world.body(ball).angular_velocity());
                 return glm::dot(glm::cross(spin, {0, double(radius), 0}), along);
             };
@@ -278,7 +278,7 @@ Result measure_slide_to_roll() {
             double until = 0;
             for (int i = 1; i <= all; ++i) {
                 world.step(float(dt));
-                // The slip falls from v0 at a constant rate.
+                // The slip decreases from v0 at a constant rate.
                 if (i == sliding) until = sliding * dt * v0 / (v0 - (go() - turn()));
                 going.x.push_back(i * dt);
                 going.y.push_back(go());
@@ -303,8 +303,9 @@ Result measure_slide_to_roll() {
 
 namespace {
 
-// Sliding and spinning on four corners that carry a quarter of the weight each, with Coulomb's law at each of them,
-// in small explicit steps. `reach`: from the center to a corner; `inertia` over the mass, m^2.
+// Reference solution for a box that slides and spins on four corners, each of which carries a quarter of the weight,
+// with Coulomb's law at each corner, integrated in small explicit steps. `reach`: from the center to a corner;
+// `inertia`: divided by the mass, m^2.
 struct FourCorners {
     double way = 0, time = 0;
     Curve speeds{"expected speed: Coulomb at four corners", {}, {}}, spins{"expected spin", {}, {}};
@@ -345,7 +346,7 @@ Result measure_spinning_box() {
     constexpr double friction = 0.4, speed = 3, spin = 6;
     Plot plot{"Sliding and spinning, heading 30 degrees", "time, s", "m/s, rad/s", false, false, {}};
     for (const double dt : time_steps)
-        for (const double heading : {0.0, 30.0, 45.0}) { // beyond that it repeats itself
+        for (const double heading : {0.0, 30.0, 45.0}) { // other headings are equivalent by symmetry
             const FourCorners law(friction, std::sqrt(0.5), 1.0 / 6, radians(heading), speed, spin);
             SlidingBox scene(float(friction), heading, speed, float(spin));
             double stopped = 0;

@@ -1,4 +1,4 @@
-// Impacts in order, and bodies that must not get through what they hit (rows 29 and 30).
+// Sequences of impacts, and projectiles that must not tunnel through their targets (rows 29 and 30).
 #include "validation/billiards.h"
 #include "validation/cases.h"
 #include "validation/measures.h"
@@ -21,7 +21,7 @@ constexpr std::uint32_t breaks = 60;
 constexpr std::size_t impacts_followed = 10;
 constexpr double cue_speed = 6; // m/s
 
-// Fifteen balls of a rack, some millimeters apart so that they meet two at a time, and the one that is shot at them.
+// Fifteen balls of a rack, some millimeters apart so that they collide in pairs, and the cue ball.
 std::vector<BilliardBall> rack(RandomStart& start, double radius) {
     std::vector<BilliardBall> balls;
     balls.push_back(
@@ -38,10 +38,10 @@ std::vector<BilliardBall> rack(RandomStart& start, double radius) {
 }
 
 struct Deviation {
-    double angle = 0, speed = 0; // degrees; of the cue ball's first speed
+    double angle = 0, speed = 0; // degrees; relative to the initial speed of the cue ball
 };
 
-// Of the ball that is farthest off after the first impacts. What hardly moves has no heading.
+// Returns the deviation of the worst ball after the first impacts. The heading of a ball that hardly moves is ignored.
 Deviation break_rack(std::uint32_t seed, double dt) {
     constexpr double radius = 0.028575, least_speed = 0.02 * cue_speed; // m, m/s
     RandomStart start(seed);
@@ -59,7 +59,8 @@ Deviation break_rack(std::uint32_t seed, double dt) {
         bodies.push_back(add_body(world, Sphere{float(radius)}, def, surface(0, 1)));
     }
     while (exact.impacts().size() < impacts_followed) {
-        if (!std::isfinite(exact.until_next())) return {std::nan(""), std::nan("")}; // nothing was measured
+        // Without further impacts nothing was measured.
+        if (!std::isfinite(exact.until_next())) return {std::nan(""), std::nan("")};
         world.step(float(dt));
         exact.advance_to(world.time());
     }
@@ -79,7 +80,7 @@ Deviation break_rack(std::uint32_t seed, double dt) {
 struct Bullet {
     const char* name;
     Shape shape;
-    double reach; // m, from its middle
+    double reach; // m, farthest point from its center
 };
 
 std::array<Bullet, 4> bullets() {
@@ -97,7 +98,7 @@ std::array<Bullet, 4> bullets() {
 enum class Target { wall, mesh, plate };
 constexpr std::array<const char*, 3> target_names{"a wall of 1 cm", "a triangle mesh", "a plate of 1 cm that moves"};
 
-constexpr double half_width = 2; // m, of targets
+constexpr double half_width = 2; // m, of the targets
 constexpr int shots = 100;
 
 BodyId add_target(World& world, Target target, const RandomStart& start) {
@@ -116,7 +117,7 @@ BodyId add_target(World& world, Target target, const RandomStart& start) {
     return add_body(world, Mesh(points, corners), def, surface(0.5f, 0.3f));
 }
 
-// Whether a body that is shot at the middle of a target comes out behind it.
+// Returns whether a body that is shot at the middle of a target comes out behind it.
 bool gets_through(std::uint32_t seed, const Bullet& bullet, Target target, double speed, double dt) {
     RandomStart start(seed);
     WorldDef settings = without_gravity();
@@ -140,7 +141,7 @@ bool gets_through(std::uint32_t seed, const Bullet& bullet, Target target, doubl
             glm::conjugate(glm::dquat(plate.rotation())) * (world.body(body).center_of_mass() - plate.position());
         const bool is_beside = std::max(std::fabs(seen.x), std::fabs(seen.z)) > half_width - bullet.reach;
         if (seen.y < 0) return !is_beside;
-        if (is_beside) return false; // it slides or bounces off to the side
+        if (is_beside) return false; // the body slides or bounces off to the side
     }
     return false;
 }

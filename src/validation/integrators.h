@@ -8,7 +8,7 @@ namespace cairn::validation {
 struct NamedIntegrator {
     Integrator kind;
     const char* name;
-    // Under constant acceleration the discrete path is ahead of the exact one by this times g h t, with substeps of h.
+    // Under constant acceleration the discrete path leads the exact one by this times g h t, with substeps of length h.
     double offset;
 };
 
@@ -16,7 +16,7 @@ inline constexpr NamedIntegrator integrators[] = {{Integrator::semi_implicit_eul
                                                   {Integrator::explicit_euler, "explicit Euler", 0.5},
                                                   {Integrator::rk4, "Runge-Kutta 4", 0.0}};
 
-// The steps at which errors are plotted, s.
+// The time steps at which errors are plotted, s.
 inline constexpr double sweep[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 1000};
 
 } // namespace cairn::validation

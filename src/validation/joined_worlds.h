@@ -24,7 +24,7 @@ inline JointId hold(World& world, BodyId a, BodyId b, const Position& at, const 
     return world.create_joint(def);
 }
 
-// How far the points are apart that joints hold together, at most, m; not finite where anything is not.
+// Returns the greatest separation of the anchors of any joint, m; not finite if any of them is not.
 inline double greatest_gap(const World& world) {
     double greatest = 0;
     for (const JointId joint : world.joints()) {
@@ -35,7 +35,8 @@ inline double greatest_gap(const World& world) {
     return greatest;
 }
 
-// Links of 0.5 m and 1 kg down from a point, at an angle from the vertical, and a ball of 0.6 m at the end.
+// A chain of links of 0.5 m and 1 kg that hangs from a point at an angle from the vertical, with a ball of 0.6 m at the
+// end.
 struct Chain {
     std::vector<BodyId> links;
     BodyId ball;
@@ -60,7 +61,7 @@ inline Chain add_chain(World& world, int count, float end_mass, const glm::dvec3
     return chain;
 }
 
-// Two rods of 1 m and 1 kg from the horizontal, the first held at the origin.
+// Two rods of 1 m and 1 kg that start horizontally, the first attached to the origin.
 struct DoublePendulum {
     BodyId rods[2];
 };
@@ -75,8 +76,8 @@ inline DoublePendulum add_double_pendulum(World& world, JointSolver solver) {
     return pendulum;
 }
 
-// n x n balls of 1 kg, 1 m apart in rows along x and columns along `down`, and joined to their neighbors; the first row
-// hangs from the world.
+// Adds n x n balls of 1 kg, 1 m apart in rows along x and columns along `down`, each joined to its neighbors; the first
+// row is attached to the world.
 inline void add_net(World& world, int n, const glm::dvec3& down, JointSolver solver = JointSolver::automatic) {
     std::vector<BodyId> bodies;
     for (int i = 0; i < n * n; ++i) {

@@ -25,8 +25,8 @@ double exact_period(double length, double angle) {
     return 2 * pi * std::sqrt(length / gravity) / a;
 }
 
-// Of a hinged box of 0.1 m. Its moment of inertia counts: it hangs so far from the hinge that it swings like a point
-// at 1 m, d + (0.01 / 6) / d = 1. Mean of 10 periods.
+// Period of a hinged box of 0.1 m as the mean of 10 periods. Its moment of inertia is taken into account: the distance
+// d from the hinge is such that it swings like a point mass at 1 m: d + (0.01 / 6) / d = 1.
 double measured_period(double degrees, double step, JointSolver solver) {
     World world(without_sleep());
     const double angle = radians(degrees), distance = 0.5 * (1 + std::sqrt(1 - 4 * 0.01 / 6));
@@ -49,7 +49,7 @@ double measured_period(double degrees, double step, JointSolver solver) {
     return (last - first) / 10;
 }
 
-// The solver that the engine takes by itself, and the other one.
+// The default solver, and the direct solver.
 struct NamedSolver {
     JointSolver solver;
     const char* suffix;
@@ -93,8 +93,8 @@ void add_pendulum_plots(Result& result) {
     result.plots.push_back(error);
 }
 
-// What semi-implicit Euler stores are the velocities half a substep ago: its energy is that of the path with them
-// moved on.
+// Semi-implicit Euler stores the velocities of half a substep earlier: the energy of the path is computed with
+// velocities advanced by that time.
 void add_double_pendulum_rows(Result& result) {
     constexpr double seconds = 60, swing = 2 * 9.81; // J, between the start and the lowest state at rest
     Plot plot{"Double pendulum from the horizontal: energy", "time, s", "change, % of the swing", false, false, {}};
@@ -145,7 +145,7 @@ struct Precession {
     std::vector<double> times, angles, heights; // s, rad, mm
 };
 
-// Released in steady precession: the rate is m g arm / (I spin).
+// The gyroscope is released in steady precession: its rate is m g arm / (I spin).
 Precession precess(double spin, double step, double seconds, JointSolver solver) {
     World world(without_sleep());
     const double rate = gravity * arm / (axial_moment * spin);
@@ -208,7 +208,7 @@ Result measure_gyroscope() {
 
 namespace {
 
-// Greatest stretch of any link, as it swings.
+// The greatest stretch of any link during the swing.
 struct Stretch {
     double greatest = 0;
     std::vector<double> times, gaps; // s, mm

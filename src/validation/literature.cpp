@@ -1,6 +1,6 @@
-// Scenes that others have published numbers for: the benchmarks of SimBenchmark (J. Hwangbo, D. Kang and others, 2018;
-// github.com/leggedrobotics/SimBenchmark). The scenes and the measures are those of its sources, with y up; the numbers
-// are those of its data files, at the same length of the step.
+// Scenes with published results: the benchmarks of SimBenchmark (J. Hwangbo, D. Kang and others, 2018;
+// github.com/leggedrobotics/SimBenchmark). Scenes and measures follow its sources, with y up; the published numbers are
+// from its data files, at the same time step.
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/text.h"
@@ -15,7 +15,7 @@
 namespace cairn::validation {
 namespace {
 
-constexpr double dt = 0.001; // s, of all but Kapla
+constexpr double dt = 0.001; // s, for all scenes except Kapla
 constexpr const char* source = "SimBenchmark, 2018";
 
 // A box of 20 x 1 x 20 m and 10 kg with 5 x 5 balls on it, pushed with 150 N along `heading` (degrees).
@@ -23,11 +23,11 @@ struct RollingScene {
     static constexpr double force = 150, box_mass = 10, ball_mass = 1, box_friction = 0.4;
     World world{without_sleep()};
     glm::dvec3 along;
-    BodyId box, ball; // the ball is one of the 25
+    BodyId box, ball; // `ball` is one of the 25
 
-    RollingScene(double heading, double overlap) // overlap at the start, m
+    RollingScene(double heading, double overlap) // initial penetration, m
         : along(std::cos(radians(heading)), 0, std::sin(radians(heading))) {
-        add_ground(world, material(0.5f)); // 0.5 x 0.8 and 1.0 x 0.8
+        add_ground(world, material(0.5f)); // coefficients multiply: 0.5 x 0.8 below the box, 1.0 x 0.8 below the balls
         BodyDef def;
         def.mass = float(box_mass);
         def.position = {0, 0.5 - overlap, 0};
@@ -44,8 +44,8 @@ struct RollingScene {
         result.friction_combine = CombineRule::multiply;
         return result;
     }
-    // What the ground lets through of the force moves the box and, by f at each contact, the balls; those roll without
-    // slip: their surface has 7/2 of the acceleration f / m of their centers.
+    // The pushing force minus the friction of the ground accelerates the box and, by a force f at each contact, the
+    // balls, which roll without slipping: their surface has 7/2 of the acceleration f / m of their centers.
     static double box_acceleration() { return 3.5 * ball_acceleration(); }
     static double ball_acceleration() {
         const double through = force - box_friction * (box_mass + 25 * ball_mass) * gravity;
@@ -58,7 +58,7 @@ struct RollingScene {
     glm::dvec3 velocity(BodyId body) { return glm::dvec3(world.body(body).linear_velocity()); }
 };
 
-// Of box and ball together, over 4 s, m^2/s^2.
+// The mean squared error of the velocities of box and ball together, over 4 s, m^2/s^2.
 double mean_squared_error(double heading, double overlap, Plot* plot = nullptr) {
     RollingScene scene(heading, overlap);
     constexpr int steps = 4000;
@@ -136,11 +136,11 @@ Result measure_rolling_benchmark() {
 
 namespace {
 
-// 7 x 7 elastic balls of 10 kg dropped from 5 m, 20 s. Root mean square errors of the energy over its start.
+// 7 x 7 elastic balls of 10 kg dropped from 5 m, for 20 s. Root mean square errors of the energy relative to its
+// initial value.
 struct Bouncing {
-    double as_it_is = 0; // from the positions and speeds that the world tells
-    double of_parabola =
-        0; // with the speeds of half a substep later, which belong to the positions of the Euler method
+    double as_it_is = 0;    // from the positions and speeds that the world reports
+    double of_parabola = 0; // with the speeds of half a substep later, which match the positions of the Euler method
     Curve curve;
 
     explicit Bouncing(Integrator integrator, std::string label) : curve{std::move(label), {}, {}} {
@@ -158,7 +158,7 @@ struct Bouncing {
         const double start = 49 * 10 * gravity * 5, gain = 0.5 * gravity * dt / world.usual_substeps(float(dt));
         constexpr int steps = 20000;
         for (int i = 0; i < steps; ++i) {
-            double momentum = 0; // upwards
+            double momentum = 0; // upward
             for (const BodyId ball : balls) momentum += 10 * double(world.body(ball).linear_velocity().y);
             const double error = (world.kinetic_energy() + world.potential_energy()) / start - 1;
             const double shifted = error + (490 * 0.5 * gain - momentum) * gain / start;
@@ -200,8 +200,8 @@ Result measure_bouncing_benchmark() {
 
 namespace {
 
-// 6 x 6 x 6 balls of 10 kg without friction and restitution that fall in a heap. Mean over 10 s of the sum of the
-// squared overlaps, m^2.
+// 6 x 6 x 6 balls of 10 kg without friction and restitution that fall in a heap. Returns the mean over 10 s of the sum
+// of the squared penetrations, m^2.
 double pile_error(unsigned seed, Curve& curve) {
     constexpr double radius = 0.1;
     World world(without_sleep());
@@ -219,7 +219,7 @@ double pile_error(unsigned seed, Curve& curve) {
     std::vector<Transform> places(balls.size());
     constexpr int steps = 10000;
     double sum = 0;
-    std::size_t contacts = 0; // the most at a time
+    std::size_t contacts = 0; // the greatest number at a time
     for (int step = 0; step < steps; ++step) {
         world.read_transforms(balls, places);
         double squares = 0;
@@ -243,7 +243,7 @@ double pile_error(unsigned seed, Curve& curve) {
         }
         world.step(float(dt));
     }
-    return contacts > balls.size() ? sum / steps : std::nan(""); // else it was no pile
+    return contacts > balls.size() ? sum / steps : std::nan(""); // with fewer contacts the balls were never a pile
 }
 
 } // namespace
@@ -271,7 +271,7 @@ Result measure_pile_benchmark() {
 
 namespace {
 
-// A tower of six storeys of 17 blocks of 10 kg.
+// A tower of six storeys, each of 17 blocks of 10 kg.
 struct Kapla {
     static constexpr int storeys = 6, columns = 8;
     World world{without_sleep()};
@@ -279,7 +279,7 @@ struct Kapla {
 
     Kapla() {
         add_ground(world);
-        constexpr double across = 0.2; // from column to column, m
+        constexpr double across = 0.2; // between neighboring columns, m
         for (int storey = 0; storey < storeys; ++storey) {
             const double floor = 0.2 * storey;
             for (int i = 0; i < columns; ++i) add({i * across, floor + 0.05, 0}, {0.025f, 0.05f, 0.125f});

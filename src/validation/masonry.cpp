@@ -1,4 +1,4 @@
-// What stands by its shape alone: arches, and planks that overhang (row 32).
+// Structures that stand by their shape alone: arches, and overhanging planks (row 32).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -12,9 +12,9 @@
 namespace cairn::validation {
 namespace {
 
-constexpr double to_fall = 5; // s: what moves little until then stands
+constexpr double to_fall = 5; // s; a structure that has moved little by then is stable
 
-// A world that is turned as a start says, on a plane.
+// A world with a ground plane, rotated by a random start.
 World turned_world(const RandomStart& start, const Material& material, int substeps) {
     WorldDef def = with_turned_gravity(start);
     def.substeps = substeps;
@@ -27,7 +27,7 @@ World turned_world(const RandomStart& start, const Material& material, int subst
     return world;
 }
 
-// Bodies, and where they were made.
+// Bodies and their initial positions.
 class Masonry {
   public:
     Masonry(World& world, const RandomStart& start, const Material& material)
@@ -39,7 +39,7 @@ class Masonry {
         bodies_.push_back(add_body(world_, shape, def, material_));
         places_.push_back(def.position);
     }
-    // Whether nothing of it goes farther than that, m.
+    // Returns whether no body moves farther than `farthest`, m.
     bool stands(double dt, double farthest) {
         run(world_, float(dt), steps_in(to_fall, dt));
         for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -57,19 +57,21 @@ class Masonry {
 
 // --- arches
 
-// Half a circle of equal stones, which are wedges cut straight. Lengths are parts of the radius of its middle.
+// A semicircular arch of equal stones, which are wedges with straight sides. Lengths are relative to the radius of its
+// center line.
 struct Arch {
     int stones;
     double angle() const { return pi / stones; }
-    double weight(double thickness) const { return thickness * std::sin(angle()); } // of a stone, at unit density
-    double center(double thickness) const {                                         // of a stone's mass
+    double weight(double thickness) const { return thickness * std::sin(angle()); } // weight of a stone at unit density
+    double center(double thickness) const { // radius of a stone's center of mass
         return (1 + thickness * thickness / 12) * std::cos(0.5 * angle());
     }
 };
 
-// Limit analysis (J. Heyman, "The stone skeleton", 1966): an arch of rigid stones that do not slide stands if some line
-// of thrust stays inside of it. How much room the best one leaves, as a moment: the forces at the foot, H inward and
-// half of the weight upward, at any place there, give the moments at all joints. That is concave in H.
+// Limit analysis (J. Heyman, "The stone skeleton", 1966): an arch of rigid stones that do not slide is stable if some
+// line of thrust lies inside it. Returns the margin of the best line, as a moment: the forces at the foot, H inward and
+// half of the weight upward, with a variable point of action, determine the moments at all joints. The margin is
+// concave in H.
 double room_for_thrust(const Arch& arch, double thickness) {
     const double weight = arch.weight(thickness), half = 0.5 * arch.stones * weight;
     const auto room = [&](double push) {
@@ -117,7 +119,7 @@ bool stands(const Arch& arch, double thickness, double radius, double depth, con
 
 // --- planks
 
-// Each is put as far over the edge of what is below as all above it allow, by 1/2, 1/4, 1/6 of its length and so on, or
+// Each plank overhangs the one below as far as the planks above it allow, by 1/2, 1/4, 1/6 of its length and so on, or
 // by a part of that. The table ends at 0.
 bool stands_over_edge(int planks, double half_length, double part, const RandomStart& start, double dt) {
     const Material wood = surface(0.6f);

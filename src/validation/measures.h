@@ -1,4 +1,4 @@
-// What several cases need to take a measurement: steps, worst values, and where a behavior changes.
+// Helpers for measurements: numbers of steps, worst values, and thresholds of behavior.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@ namespace cairn::validation {
 
 inline int steps_in(double seconds, double time_step) { return int(std::lround(seconds / time_step)); }
 
-// Of several measurements of one quantity, the one that is farthest from what is expected. A value that is not a
-// number stays.
+// Keeps the one of several measurements of a quantity that is farthest from the expected value. Once a value is not a
+// number, it stays.
 struct Farthest {
     double expected = 0;
     double value = expected;
@@ -19,7 +19,8 @@ struct Farthest {
     }
 };
 
-// Where `holds` changes from true at `low` to false at `high`, to within `width`. Not a number if it does not.
+// Returns by bisection where `holds` changes from true at `low` to false at `high`, to within `width`. Returns NaN if
+// it does not change.
 template <class Holds> double last_where(double low, double high, double width, Holds holds) {
     if (!holds(low) || holds(high)) return std::numeric_limits<double>::quiet_NaN();
     while (high - low > width) {

@@ -1,5 +1,5 @@
-// Where an experiment in free space begins: anywhere, headed anywhere, and at any moment of a step. The same on every
-// machine.
+// Random initial conditions of an experiment in free space: any position, any orientation, and any phase of a step. The
+// same on every machine.
 #pragma once
 
 #include "validation/worlds.h"
@@ -26,7 +26,7 @@ class RandomStart {
     glm::dvec3 turned(const glm::dvec3& vector) const { return rotation_ * vector; }
     const glm::dquat& rotation() const { return rotation_; }
     Quat quat() const { return glm::normalize(Quat(rotation_)); }
-    // A vector of the world, as it was before it was turned.
+    // Rotates a vector of the world back to the frame of the experiment.
     glm::dvec3 back(const Vec3& vector) const { return glm::conjugate(rotation_) * glm::dvec3(vector); }
 
   private:
@@ -35,7 +35,7 @@ class RandomStart {
     glm::dvec3 offset_{0, 0, 0}; // m
 };
 
-// Settings with a gravity that is turned as a start says.
+// World settings whose gravity is rotated by a random start.
 inline WorldDef with_turned_gravity(const RandomStart& start) {
     WorldDef def;
     def.gravity = Vec3(start.turned({0, -gravity, 0}));

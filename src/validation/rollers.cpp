@@ -1,4 +1,4 @@
-// A plank on two rollers that spin toward each other slides to and fro (row 37).
+// A plank on two rollers that spin toward each other slides back and forth (row 37).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -34,8 +34,8 @@ struct Stand {
     double half_distance, friction, radius, half_height, offset, speed; // m, -, m, m, m, m/s
     glm::dquat heading;
 
-    // rad/s. The loads differ by what the middle of the plank is beside that of the rollers, and friction pulls half
-    // of the plank's height below it.
+    // Angular frequency, rad/s. The loads on the rollers differ by the offset of the plank, and by the moment of
+    // friction, which acts half of the plank's height below its center.
     double frequency() const { return std::sqrt(friction * gravity / (half_distance - friction * half_height)); }
     double half_length() const { return 1.8 * half_distance; }
 };
@@ -65,7 +65,7 @@ void add_carrier(World& world, const Stand& stand, double side) {
     }
 }
 
-// A guide keeps it from turning across the rollers, which friction makes it do.
+// A guide prevents the plank from rotating across the rollers, which friction would cause.
 BodyId add_plank(World& world, const Stand& stand) {
     Material material = surface(float(stand.friction));
     material.torsional_friction = 0;
@@ -86,7 +86,7 @@ BodyId add_plank(World& world, const Stand& stand) {
 }
 
 struct Swing {
-    double period = 0, growth = 0; // s; of the swing in a round, of itself
+    double period = 0, growth = 0; // s; logarithmic growth of the amplitude per period
     Curve place{"measured", {}, {}, true};
 };
 Swing swing(const Stand& stand, double dt, int rounds) {
@@ -102,7 +102,7 @@ Swing swing(const Stand& stand, double dt, int rounds) {
         world.step(float(dt));
         const double now = (glm::conjugate(stand.heading) * world.body(plank).position()).x, time = (i + 1) * dt;
         if (x > 0 && now <= 0) crossings.push_back(time + dt * now / (x - now));
-        const std::size_t half_on = std::size_t(time / round + 0.5); // from one trough to the next
+        const std::size_t half_on = std::size_t(time / round + 0.5); // intervals from one trough to the next
         if (half_on > 0 && half_on <= greatest.size())
             greatest[half_on - 1] = std::max(greatest[half_on - 1], std::abs(now));
         x = now;

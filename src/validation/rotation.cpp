@@ -12,8 +12,8 @@ namespace cairn::validation {
 
 namespace {
 
-// Euler's equations, I w' = I w x w in the body's frame and q' = q w / 2, by Runge-Kutta in double with a step that is
-// far shorter than needed: what the bodies should do.
+// The reference solution: Euler's equations, I w' = I w x w in the body's frame and q' = q w / 2, by Runge-Kutta in
+// double with a step that is much shorter than necessary.
 class Reference {
   public:
     Reference(const glm::dvec3& moments, const glm::dvec3& spin) : moments_(moments), w_(spin) {}
@@ -46,14 +46,14 @@ class Reference {
     double time_ = 0;
 };
 
-// Radians between two rotations.
+// The angle between two rotations, rad.
 double angle_between(const glm::dquat& a, const glm::dquat& b) {
     const glm::dquat between = glm::conjugate(a) * b;
     const double sine = std::sqrt(between.x * between.x + between.y * between.y + between.z * between.z);
     return 2 * std::asin(std::min(1.0, sine));
 }
 
-// A body that turns freely, beginning at the origin without rotation.
+// A freely rotating body that starts at the origin with the identity rotation.
 struct Thrown {
     BodyDef def;
     Shape shape;
@@ -80,22 +80,22 @@ struct Watched {
     double energy = 0, momentum = 0;               // at the start: J, kg m^2/s
     double energy_error = 0, momentum_error = 0;   // greatest, relative to the start
     double position_error = 0, rotation_error = 0; // at the end: m, rad
-    std::vector<double> flips;                     // when the spin about the middle axis changes its sign, s
-    std::vector<double> times, spins;              // that spin, 400 times on the way
+    std::vector<double> flips;                     // times, s, at which the spin about the middle axis changes its sign
+    std::vector<double> times, spins;              // that spin, at 400 times
 };
 
 double spin_about_middle_axis(const Body& body) {
     return double((glm::conjugate(body.rotation()) * body.angular_velocity()).y);
 }
 
-// The energy of a body in free motion. For one that falls it is the rotational one: the linear part is that of
-// free fall, which has a case of its own.
+// The energy of a body in free motion; for a falling body its rotational part only, as free fall has a case of its own.
 double rotational_energy(const Body& body) {
     return 0.5 * glm::dot(glm::dvec3(body.angular_momentum()), glm::dvec3(body.angular_velocity()));
 }
 
 Reference reference_of(const Body& body) {
-    const glm::dmat3 inertia(body.world_inertia()); // the body's axes are those of the world, and the principal ones
+    // The body's axes coincide with those of the world and with the principal axes.
+    const glm::dmat3 inertia(body.world_inertia());
     return {{inertia[0][0], inertia[1][1], inertia[2][2]}, glm::dvec3(body.angular_velocity())};
 }
 
@@ -133,7 +133,7 @@ Watched watch(const Thrown& thrown, Integrator integrator, double step, double s
     return result;
 }
 
-// NaN if there were fewer flips: such a row fails.
+// NaN if there were fewer flips, so that the row fails.
 double flip(const Watched& watched, std::size_t index) {
     return index < watched.flips.size() ? watched.flips[index] : std::nan("");
 }
@@ -160,7 +160,7 @@ Curve spin_curve(const Watched& watched, const char* label, bool as_points) {
     return curve;
 }
 
-// How the three integrators keep what should stay, by the length of the step.
+// Plots how well the three integrators keep the conserved quantities, by time step.
 void add_plots(Result& result, const Thrown& thrown, double seconds, double error_seconds, const std::string& name) {
     Plot spin{name + ": spin about the middle axis, steps of 1/60 s", "time, s", "rad/s", false, false, {}};
     const std::string within = " in " + text(error_seconds) + " s", after = " after " + text(error_seconds) + " s";

@@ -1,4 +1,4 @@
-// Grains that are poured into a silo: how much of them its floor bears (row 36).
+// Grains poured into a silo: how much of their weight its floor carries (row 36).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -13,8 +13,8 @@
 namespace cairn::validation {
 namespace {
 
-constexpr double width = 0.12, grain = 0.01;             // m: inside, and the mean radius of a grain
-constexpr int across = 5, layers = 48, layers_shown = 4; // grains in a layer: across x across
+constexpr double width = 0.12, grain = 0.01;             // m: inner width, and mean radius of a grain
+constexpr int across = 5, layers = 48, layers_shown = 4; // a layer has across x across grains
 
 struct Fill {
     double poured = 0, borne = 0; // kg
@@ -33,7 +33,7 @@ class Silo {
         }
     }
 
-    // What the floor bears as the silo fills: a layer at a time, onto what has come to rest.
+    // Fills the silo and measures the load on its floor: a layer is poured at a time, onto grains at rest.
     std::vector<Fill> fill() {
         std::vector<Fill> fills;
         for (int layer = 1; layer <= layers; ++layer) {
@@ -71,7 +71,7 @@ class Silo {
             poured_ += double(world_.body(grains_.back()).mass());
         }
     }
-    // kg: the mean of some steps.
+    // Load on the floor, kg: the mean over some steps.
     double borne(int steps) {
         double impulse = 0;
         for (int i = 0; i < steps; ++i) {
@@ -91,7 +91,7 @@ class Silo {
     std::vector<BodyId> grains_;
 };
 
-// kg: the most that the floor bears by Janssen's law, with which it comes nearest.
+// The saturation load on the floor, kg, for which Janssen's law fits best.
 double saturation_of(const std::vector<Fill>& fills) {
     const auto error = [&](double most) {
         double sum = 0;

@@ -1,4 +1,5 @@
-// What must stand: stacks, towers, heavy loads on light boxes, cards, and all of it elsewhere (rows 20, 21 and 22).
+// Structures that must stand: stacks, towers, heavy loads on light boxes, cards; and a scene that is shifted or rotated
+// (rows 20, 21 and 22).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/text.h"
@@ -11,9 +12,9 @@
 namespace cairn::validation {
 namespace {
 
-constexpr float density = 1000; // kg/m^3, where nothing else is said
+constexpr float density = 1000; // kg/m^3, unless noted otherwise
 
-// Boxes on the ground, and where they were put.
+// Boxes on the ground, and their initial positions.
 struct Stack {
     World world;
     std::vector<BodyId> boxes;
@@ -42,7 +43,7 @@ struct Stack {
     }
 };
 
-// How far from `start` a box is, the farthest of all: down, and sideways.
+// The greatest displacement of any box from `start`: downward, sideways, and in total.
 struct Moved {
     double down = 0, sideways = 0, any = 0;
 
@@ -68,7 +69,7 @@ Result measure_stack_forces() {
         run(stack.world, float(dt), steps_in(4, dt));
         std::vector<double> force(count, 0.0); // under each box
         for (const Contact& contact : stack.world.contacts()) {
-            std::size_t upper = 0; // the higher box of the two
+            std::size_t upper = 0; // the higher of the two boxes
             for (std::size_t i = 0; i < count; ++i)
                 if (contact.body_a == stack.boxes[i] || contact.body_b == stack.boxes[i]) upper = i;
             force[upper] += normal_impulse(contact) / dt;
@@ -93,7 +94,7 @@ Result measure_stack_forces() {
 
 namespace {
 
-// A motion of a whole world: what is at p in the one is at rotation p + shift in the other.
+// A rigid motion of a whole world: point p of one world corresponds to rotation p + shift in the other.
 struct Motion {
     const char* name;
     glm::dvec3 shift;
@@ -112,7 +113,7 @@ const Motion motions[] = {
 };
 
 // A column of ten boxes; beside it a ball that bounces and rolls, a box that slides and spins, and one that tumbles
-// down on a corner.
+// onto a corner.
 struct MovedWorld {
     Motion motion;
     World world;
@@ -129,8 +130,8 @@ struct MovedWorld {
         add(Box{{0.5f, 0.25f, 0.5f}}, {-3, 0.25, 0}, {-3, 0, 1}, {0, 4, 0}, 0);
         add(Box{{0.4f, 0.3f, 0.5f}}, {0, 1.5, 4}, {0.5f, 0, 0.3f}, {1, 2, 3}, 0);
     }
-    // Only the ball bounces: what rests where anything bounces does so by bouncing a little in every substep, and then
-    // rounding decides which corner does.
+    // Only the ball bounces: a resting body with restitution would bounce a little in every substep, and rounding would
+    // decide at which corner.
     static Material material(float restitution) {
         Material result = surface(0.5f, restitution);
         result.restitution_combine = CombineRule::multiply;
@@ -175,7 +176,7 @@ Result measure_moved_worlds() {
                     apart = std::max(apart, glm::distance(here.position(i), there.position(i)));
                 if (!(apart <= most)) most = apart;
                 curve.x.push_back(step * dt);
-                curve.y.push_back(std::max(apart, 1e-9)); // what a double resolves at 10,000 km
+                curve.y.push_back(std::max(apart, 1e-9)); // resolution of a double at 10,000 km
             }
             const std::string name = motion.name;
             result.rows.push_back(
@@ -190,12 +191,12 @@ Result measure_moved_worlds() {
 
 namespace {
 
-// Something that must stand, and how far its boxes may be from where they were put.
+// A structure that must stand, and how far its boxes may move from their initial positions.
 struct Structure {
     const char* name;
     void (*build)(Stack&);
     double down, sideways; // m
-    bool at_every_step;    // of time_steps, or only at the first
+    bool at_every_step;    // of time_steps, or only at the first one
 };
 
 void build_tower(Stack& stack) { stack.add_column(40); }
@@ -215,7 +216,7 @@ void build_table(Stack& stack) {
 void build_card_house(Stack& stack) {
     const double length = 1, thickness = 0.02, tilt = radians(20), spacing = 1;
     const Vec3 card{float(thickness / 2), float(length / 2), 0.35f}, roof{0.499f, float(thickness / 2), 0.35f};
-    const double rise = length / 2 * std::cos(tilt) + thickness / 2 * std::sin(tilt); // of a card's center
+    const double rise = length / 2 * std::cos(tilt) + thickness / 2 * std::sin(tilt); // height of a card's center
     const double reach = length / 2 * std::sin(tilt) + thickness / 2 * std::cos(tilt);
     const double storey = 2 * rise + thickness;
     for (int level = 0; level < 3; ++level)
@@ -228,10 +229,10 @@ void build_card_house(Stack& stack) {
         }
 }
 
-// Courses of bricks that reach out by 90 % of what balance allows, from both sides.
+// Courses of bricks on both sides, each reaching out by 90 % of what balance allows.
 void build_arch(Stack& stack) {
     constexpr int courses = 6;
-    double reach = 0; // of the course, from the lowest
+    double reach = 0; // of the current course, from the lowest one
     double x[courses];
     for (int i = 0; i < courses; ++i) {
         x[i] = reach;
@@ -242,13 +243,13 @@ void build_arch(Stack& stack) {
         for (int i = 0; i < courses; ++i) stack.add({side * (half - x[i]), 0.15 + 0.3 * i, 0}, {0.5f, 0.15f, 0.25f});
 }
 
-// 18 layers of three blocks, of which some are taken out.
+// 18 layers of three blocks, of which some are removed.
 void build_jenga(Stack& stack) {
     const Vec3 along{0.75f, 0.15f, 0.25f}, across{0.25f, 0.15f, 0.75f};
     for (int layer = 0; layer < 18; ++layer)
         for (int i = -1; i <= 1; ++i) {
-            if (layer % 3 == 1 && i == 0) continue;               // the middle one taken
-            if (layer % 3 == 2 && layer < 17 && i == 1) continue; // one side taken
+            if (layer % 3 == 1 && i == 0) continue;               // the middle block is removed
+            if (layer % 3 == 2 && layer < 17 && i == 1) continue; // a side block is removed
             const double y = 0.15 + 0.3 * layer;
             if (layer % 2 == 0)
                 stack.add({0, y, 0.5 * i}, along);
@@ -274,7 +275,7 @@ const Structure structures[] = {
 };
 
 struct Stood {
-    double overlap = 0, down = 0, sideways = 0, creep = 0; // m; creep: in the last quarter of the time
+    double overlap = 0, down = 0, sideways = 0, creep = 0; // m; creep: during the last quarter of the time
 
     void stand(const Structure& structure, bool sleep, double seconds, double dt, int every, Curve& sag) {
         Stack stack(sleep);

@@ -1,4 +1,4 @@
-// What rides on a table that turns, and what rolls on it (row 31).
+// A box that rides on a rotating table, and a ball that rolls on it (row 31).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -11,13 +11,13 @@
 namespace cairn::validation {
 namespace {
 
-// Places seen from above: x, and -z, so that what turns about +y turns from the first axis to the second.
+// Positions seen from above: x and -z, so that a rotation about +y goes from the first axis to the second.
 using Place = std::complex<double>;
 Place place_of(const Position& p) { return {p.x, -p.z}; }
 glm::dvec3 above(Place p, double y) { return {p.real(), y, -p.imag()}; }
 
-constexpr double half = 0.1;         // m: half width of what rides, radius of what rolls
-constexpr double starts_per_row = 8; // places, headings
+constexpr double half = 0.1;         // m: half width of the box, radius of the ball
+constexpr double starts_per_row = 8; // random positions and orientations
 
 BodyId add_table(World& world, double rate, double friction) {
     BodyDef def;
@@ -27,7 +27,7 @@ BodyId add_table(World& world, double rate, double friction) {
     return add_body(world, Box{{20, float(half), 20}}, def, surface(float(friction)));
 }
 
-// m: how far a box has come towards the axis or away from it in ten seconds.
+// The radial displacement of a box in ten seconds, m.
 double creep(double rate, double radius, double angle, double dt) {
     World world;
     add_table(world, rate, 0.6);
@@ -43,15 +43,15 @@ double creep(double rate, double radius, double angle, double dt) {
 }
 
 struct Roll {
-    double radius = 0, rate = 0; // as parts of those of the closed form
+    double radius = 0, rate = 0; // relative to the closed form
     Curve path{"measured", {}, {}, true};
 };
-// A ball rolls once around.
+// The ball rolls once around.
 Roll roll_around(double rate, Place start, Place velocity, double dt) {
     World world;
     add_table(world, rate, 1);
     const Place center = start - velocity / Place(0, rate * 2 / 7);
-    const glm::dvec3 slip = above(velocity - Place(0, rate) * start, 0); // of a ball that does not turn
+    const glm::dvec3 slip = above(velocity - Place(0, rate) * start, 0); // the slip of a ball without rotation
     BodyDef def;
     def.position = above(start, half);
     def.linear_velocity = Vec3(above(velocity, 0));
@@ -86,7 +86,7 @@ Result measure_turntable() {
         Farthest creeps{0}, radius{1}, rate{1};
         for (int i = 0; i < int(starts_per_row); ++i) {
             const double table = random.uniform(0.5, 3), angle = random.uniform(0, 2 * pi);
-            // As far out as 0.8 of what friction holds.
+            // At most at 0.8 of the radius at which friction holds the box.
             creeps.add(creep(table, std::min(1.5, 0.8 * 0.6 * gravity / (table * table)), angle, dt));
             const Place start(random.uniform(-1, 1), random.uniform(-1, 1));
             const Place velocity = std::polar(random.uniform(0.2, 1), random.uniform(0, 2 * pi));

@@ -1,6 +1,6 @@
-// Physics measured against what the equations say. Each case runs small worlds and compares what it sees with a closed
-// form, or with published numbers of other engines. `cairn validate` prints the rows; tests/physics asserts them.
-// Uses only the engine's public headers.
+// Measures the engine's physics against theory. Each case simulates small worlds and compares the results with a closed
+// form, or with published numbers of other engines. `cairn validate` prints the rows; tests/physics asserts them. Only
+// the engine's public headers are used.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@
 
 namespace cairn::validation {
 
-// How a measurement is judged.
+// How a measurement is compared with its bar.
 enum class Bar {
     relative, // |measured - expected| <= bar * |expected|
     absolute, // |measured - expected| <= bar, in the unit of the quantity
-    at_most,  // measured <= bar; expected is what it would ideally be
+    at_most,  // measured <= bar; expected is the ideal value
     at_least, // measured >= bar
 };
 
@@ -26,11 +26,11 @@ struct Row {
     double measured = 0;
     double bar = 0;
     Bar kind = Bar::relative;
-    std::string note{}; // why a row cannot hold, or what is special about it; empty: nothing to say
-    // What a row that is known to miss its bar is held to by the tests, so that it does not get worse; 0: its bar.
+    std::string note{}; // why a row must fail, or what is special about it; may be empty
+    // The bound that the tests apply to a row that is known to miss its bar, so that it does not get worse; 0: its bar.
     double known_bar = 0;
 
-    // False where the measurement is not a finite number.
+    // False if the measurement is not a finite number.
     bool passes() const { return keeps(bar); }
     bool is_no_worse_than_known() const { return passes() || (known_bar > 0 && keeps(known_bar)); }
 
@@ -38,10 +38,10 @@ struct Row {
     bool keeps(double bound) const;
 };
 
-// One line, or cloud of points, of a plot.
+// A line, or a set of points, of a plot.
 struct Curve {
     std::string label;
-    std::vector<double> x{}, y{}; // as many of one as of the other
+    std::vector<double> x{}, y{}; // of equal length
     bool as_points = false;
 };
 
@@ -51,7 +51,7 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
-// What others have published about the same scene, to be printed beside ours. Not judged.
+// Published results of other engines for the same scene, which are printed for comparison but not judged.
 struct Published {
     std::string quantity, engine, value, source;
 };
@@ -62,22 +62,21 @@ struct Result {
     std::vector<Published> published;
 };
 
-// The lengths of a step at which a case is measured where that makes sense, s.
+// The time steps at which a case is measured where applicable, s.
 inline constexpr double time_steps[] = {1.0 / 60, 1.0 / 240, 1.0 / 1000};
 
 struct Case {
-    int number; // of the table in docs/validation.md; the cases from the literature follow as 25 to 28, impacts as 29
-                // and 30
-    std::string_view name;  // in snake_case, as `cairn validate --case` takes it
+    int number;             // in docs/validation.md; cases from the literature are 25 to 28, impacts 29 and 30
+    std::string_view name;  // in snake_case, as `cairn validate --case` accepts it
     std::string_view title; // in words
     std::string_view law;   // the formula and its source
-    Result (*measure)();    // deterministic; takes seconds at most
+    Result (*measure)();    // deterministic; takes a few seconds at most
 };
 
-// All of them, by their numbers.
+// All cases in the order of their numbers.
 std::span<const Case> cases();
 
-// The case of that name or number ("7"); null if there is none.
+// Returns the case of that name or number ("7"); null if there is none.
 const Case* find_case(std::string_view name_or_number);
 
 } // namespace cairn::validation

@@ -1,4 +1,4 @@
-// Two conical wheels on an axle that roll along rails, to and fro across them (row 34).
+// Two conical wheels on an axle that roll along rails and oscillate across them (row 34).
 #include "validation/cases.h"
 #include "validation/measures.h"
 #include "validation/random_starts.h"
@@ -16,13 +16,13 @@ struct Track {
     glm::dquat heading{1, 0, 0, 0};
     glm::dvec3 place{0, 0, 0};
 
-    // J. Klingel, Ueber den Lauf der Eisenbahnwagen auf gerader Bahn, 1883: rolling without slip, m.
+    // Wavelength, m, of rolling without slip: J. Klingel, Ueber den Lauf der Eisenbahnwagen auf gerader Bahn, 1883.
     double wavelength() const { return 2 * pi * std::sqrt(radius * half_gauge / conicity); }
 };
 
 constexpr double rail_radius = 0.03, half_tread = 0.06, half_track = 30; // m
 
-// Edges of boxes, or cylinders, on which the wheels touch at their middles as they stand straight.
+// Adds the edges of boxes, or cylinders, as rails that touch the wheels at the middle of their treads when centered.
 void add_rails(World& world, const Track& track) {
     for (const double side : {-1.0, 1.0}) {
         BodyDef def;
@@ -63,7 +63,7 @@ BodyId add_wheels(World& world, const Track& track) {
 }
 
 struct Rolled {
-    double wavelength = 0; // m, of the mean
+    double wavelength = 0; // mean, m
     Curve path{"measured", {}, {}, true};
 };
 Rolled roll_along(const Track& track, double dt) {

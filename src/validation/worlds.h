@@ -1,5 +1,5 @@
-// Small worlds for measurements: a ground, bodies on slopes, and running for a while. The cases use them, and the tests
-// of physics.
+// Small worlds for measurements: a ground, bodies on slopes, and running for some steps. Used by the cases and by the
+// physics tests.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -10,7 +10,7 @@
 namespace cairn::validation {
 
 inline constexpr double pi = 3.14159265358979323846;
-inline const double gravity = double(9.81f); // what the world's default gravity really is, m/s^2
+inline const double gravity = double(9.81f); // the world's default gravity as a float, m/s^2
 
 inline double radians(double degrees) { return degrees * pi / 180; }
 
@@ -32,7 +32,7 @@ inline Material surface(float friction, float restitution = 0) {
     return material;
 }
 
-// Of what rolls and touches in points: friction, but no couple against spinning about the normal.
+// Material for rolling bodies with point contacts: friction, but no torsional friction about the normal.
 inline Material rough() {
     Material material = surface(1);
     material.torsional_friction = 0;
@@ -47,7 +47,7 @@ inline BodyId add_body(World& world, const Shape& shape, const BodyDef& def, con
     return body;
 }
 
-// An infinite plane through the origin that falls off towards +x at the given angle.
+// An infinite plane through the origin that descends towards +x at the given angle.
 struct Slope {
     double angle = 0; // radians
 
@@ -74,7 +74,7 @@ inline double normal_impulse(const Contact& contact) {
     return sum;
 }
 
-// Deepest overlap of all contacts as they are now, meters.
+// Greatest penetration over all current contacts, m.
 inline double deepest_overlap(const World& world) {
     double deepest = 0;
     for (const Contact& contact : world.contacts())
