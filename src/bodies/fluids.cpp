@@ -114,8 +114,8 @@ BodyMass laden(const BodyMass& own, const math::DQuat& q, const Effect& effect) 
     return mass;
 }
 
-// The time in the step, as a share of it, at which a single impulse would give the same displacement as a constant force
-// in substeps.
+// The time in the step, as a share of it, at which a single impulse would give the same displacement as a constant
+// force in substeps.
 double mean_moment(const WorldDef& settings, int substeps) {
     switch (settings.integrator) {
     case Integrator::semi_implicit_euler:
