@@ -69,8 +69,8 @@ Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, DV
     const DQuat sum{k1.x + 2 * k2.x + 2 * k3.x + k4.x, k1.y + 2 * k2.y + 2 * k3.y + k4.y,
                     k1.z + 2 * k2.z + 2 * k3.z + k4.z, k1.w + 2 * k2.w + 2 * k3.w + k4.w};
     const DQuat end = math::normalized(along(sum, h / 6));
-    const DVec3 mean = (1 / h) * math::to_rotation_vector(end * math::conjugate(q)); // the constant rate that rotates q
-                                                                                     // into `end`
+    const DVec3 mean =
+        (1 / h) * math::to_rotation_vector(end * math::conjugate(q)); // the rate that rotates q into `end`
     const DVec3 w_end = spin.to_world(end, spin.inverse_moments, momentum + h * torque);
     return {w_end - w, mean - w_end};
 }

@@ -11,8 +11,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr double off_border = 1e-4; // of the extent: the distance from the triangle's border at which a point counts as
-                                    // on its face
+constexpr double off_border = 1e-4; // of the extent: distance from the border of points on the face
 
 double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 void cross(const double (&a)[3], const double (&b)[3], double (&out)[3]) {
@@ -150,8 +149,7 @@ BoxOnTriangles::Verdict BoxOnTriangles::on_face(bool is_triangle, int i, int lan
         return beyond_faces(hit);
     }
     const Face face = box_face(i);
-    if (!is_triangle && face.sign * batch_.normal[face.axis][i] > downward)
-        return Verdict::apart; // would push the box down
+    if (!is_triangle && face.sign * batch_.normal[face.axis][i] > downward) return Verdict::apart; // it would push down
     return Verdict::touching;
 }
 

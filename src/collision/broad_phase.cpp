@@ -71,8 +71,7 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec
     const double slack = rounding * std::max(size.x, std::max(size.y, size.z));
     TreeRay ray;
     for (int axis = 0; axis < 3; ++axis) {
-        const double rate = clamped(1 / direction[axis]); // also finite if the direction has no component along the
-                                                          // axis
+        const double rate = clamped(1 / direction[axis]); // finite also for a component of 0
         const bool is_forward = rate > 0;
         const double reach = half[axis] * (1 + rounding) + slack, outward = is_forward ? reach : -reach;
         const std::uint32_t row = 8 * std::uint32_t(axis);
@@ -115,8 +114,8 @@ DBounds BroadPhase::new_fat(const DBounds& tight, math::Vec3 displacement) {
     DBounds fat;
     for (int axis = 0; axis < 3; ++axis) {
         const double motion = std::isfinite(displacement[axis]) ? double(displacement[axis]) : 0.0;
-        const double ahead = motion + std::min(std::max(motion, -size), size); // one step is required, one more avoids
-                                                                               // an update in the next
+        // One step is required, one more is for the next.
+        const double ahead = motion + std::min(std::max(motion, -size), size);
         fat.lo[axis] = clamped(bounds.lo[axis] - margin + std::min(ahead, 0.0));
         fat.hi[axis] = clamped(bounds.hi[axis] + margin + std::max(ahead, 0.0));
     }

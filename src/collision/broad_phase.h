@@ -226,14 +226,12 @@ class BroadPhase {
     };
     // Working memory of one searching thread.
     struct Search {
-        std::vector<std::uint32_t> list[2]; // leaves that overlap the group: of its own tree, of the tree of large
-                                            // shapes
+        std::vector<std::uint32_t> list[2]; // leaves that overlap the group: of its own tree, of the large one
         std::vector<float> list_bounds[2];
         std::vector<std::uint32_t> row_keys, hits, islands_hit;
         RowBuffer rows = {};
         TreeView fixed = {}, top = {};
-        std::vector<MetLeaf> met;                    // leaves of trees of shapes that are not awake; the first
-                                                     // met_count are valid
+        std::vector<MetLeaf> met;                    // leaves of shapes that are not awake; met_count are valid
         std::vector<const std::uint32_t*> met_items; // for each of them, the item of its first lane
         std::size_t met_count = 0;
         std::vector<std::uint64_t> others; // row << 32 | key
@@ -352,8 +350,7 @@ class BroadPhase {
     std::uint32_t first_free_kept_ = none, first_cross_pair_ = none; // cross: between two different islands
     std::uint32_t dead_island_nodes_ = 0, dead_island_shapes_ = 0, kept_count_ = 0;
     std::vector<Change> changes_;        // since the last update
-    std::vector<TreeBox> touched_;       // boxes of shapes that are not awake or change between awake and sleeping, for
-                                         // marking leaves
+    std::vector<TreeBox> touched_;       // boxes of changed shapes that are not awake, or that slept or woke
     std::vector<std::uint32_t> removed_; // shapes removed since the last update
     std::vector<std::uint32_t> refiltered_;
     std::vector<EndedPair> returned_; // kept pairs of woken shapes

@@ -32,9 +32,7 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
         visit_box(kernels_, tree->view(), box, [&](std::uint32_t slot) { visit(tree->item(slot)); });
     visit_box(kernels_, top_.view(), box, [&](std::uint32_t top_slot) {
         const Island& island = islands_[top_.item(top_slot)];
-        if (island.shape_count == 1)
-            return visit(island_shapes_[island.shape_base]); // its box is the same as the
-                                                             // island's
+        if (island.shape_count == 1) return visit(island_shapes_[island.shape_base]); // its box is the island's
         visit_box(kernels_, island_view(island), box,
                   [&](std::uint32_t slot) { visit(island_shapes_[island.shape_base + slot]); });
     });

@@ -14,11 +14,9 @@ using math::DVec3;
 namespace {
 
 constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits within this form one patch
-constexpr double same_normal = 2e-4;         // difference of unit normals: an edge contact within this of a face normal
-                                             // supports nothing by itself
+constexpr double same_normal = 2e-4;         // difference of unit normals: an edge so near a face supports nothing
 constexpr double normal_rounding = 1e-6;     // difference of a unit normal that is computed twice
-constexpr double flatness = 1e-4;            // share of the shape's size: how far off a plane or a triangle a point may
-                                             // be
+constexpr double flatness = 1e-4;            // share of the shape's size: tolerance for points on planes or triangles
 constexpr std::size_t none = ~std::size_t{}; // index of a patch: none
 
 // The pose of the frame of the hits in the common frame; the identity by default.

@@ -242,8 +242,7 @@ class Bracket {
     template <class F> Course least(double speed, double within, F&& look_at) {
         if (last_.closing.along > 0) keep(last_, last_);
         Look lo = before_, hi = after_;
-        const double lower =
-            0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // a lower bound of the distance
+        const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // lower bound
         if (lower > within) return {};
         Look best = lo.gap.distance < hi.gap.distance ? lo : hi;
         double rate_lo = lo.closing.along, rate_hi = hi.closing.along;
@@ -330,8 +329,7 @@ inline bool stay_apart_from(const Mover& a, const Mover& b, Pair& pair, double t
 }
 
 // Conservative advancement from `begin` to `end`: misses nothing.
-inline constexpr double span_change = 0.25; // factor by which a span is shortened if no separation is proven for it,
-                                            // and lengthened again
+inline constexpr double span_change = 0.25; // factor by which an unproven span is shortened, and then lengthened again
 template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;

@@ -37,8 +37,7 @@ struct TriangleBatch {
     double square[capacity];                            // squared length of the normal as a cross product of two edges
     double height[capacity];                            // of the center of the box above the triangle's plane
     double along_normal[capacity], along_box[capacity]; // separation along the normal, and along the box's axes
-    std::uint8_t box_face[capacity];                    // the face of the box that faces the triangle, numbered as in
-                                                        // Convex
+    std::uint8_t box_face[capacity];                    // the box's face towards the triangle, as in Convex
     TriangleView view[capacity];
     double distance; // a lower bound of the distance of all triangles
 };
