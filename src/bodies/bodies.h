@@ -53,8 +53,8 @@ template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, s
     }
 }
 
-// The rotation of a body in a step, rad, that fat boxes and motion bounds account for. A body that rotates faster
-// sweeps through everything within its radius anyway, so it is found without a larger bound.
+// The part of a body's rotation in a step, rad, that fat boxes and motion bounds account for. A body that rotates faster
+// meets the objects within its radius anyway.
 inline float looked_ahead(float turn) {
     constexpr float most = 0.25f;
     return std::min(turn, most);

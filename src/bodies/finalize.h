@@ -13,8 +13,8 @@ namespace cairn {
 void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const WorldDef& settings,
                    std::int32_t body, float dt, FinalizeScratch& own);
 
-// Prefetching for loops over bodies, `bodies_ahead` bodies ahead: the motion of a body; all that the end of a step
-// needs of a dynamic body; and, once that is in the cache, of its first shape.
+// How many bodies ahead loops over bodies prefetch. The functions load into the cache: the motion of a body; all that
+// the end of a step needs of a dynamic body; and, once that is in the cache, of its first shape.
 inline constexpr std::size_t bodies_ahead = 8;
 void prefetch_motion(const Bodies& bodies, std::int32_t body);
 void prefetch_body(const Bodies& bodies, std::int32_t body);

@@ -100,7 +100,7 @@ math::DVec3 acceleration_at(const Bodies& bodies, const ForceFields& fields, con
                             std::int32_t body, math::DVec3 x);
 
 // Whether single-precision bounds can represent this position. A body that would move farther stops where it is.
-constexpr double farthest_place = 1e30; // m
+constexpr double farthest_place = 1e30; // m: the greatest distance from the origin
 inline bool is_place(math::DVec3 x) { return math::dot(x, x) <= farthest_place * farthest_place; }
 
 // Approximates exp(-c h) for a damping rate c as one over the first terms of the series of exp(c h), so that it is

@@ -14,9 +14,9 @@ namespace {
 // m/s^2: times the square of the substep (and the radius of bodies smaller than 1 m) it is the displacement up to which
 // the motion of a slow body is not counted: a hundredth of what a soft contact sinks under a body's own weight.
 constexpr double max_creep = 0.1;
-constexpr double max_step = 0.25; // share of that length per step: the solver cannot detect such a slow creep
+constexpr double max_step = 0.25; // share of that length in one step: the solver cannot detect such a slow creep
 
-constexpr int bodies_per_chunk = 1024; // for threads
+constexpr int bodies_per_chunk = 1024; // bodies that a thread takes at a time
 constexpr int bodies_ahead = 8;        // bodies ahead of the loop that are prefetched
 
 void prefetch_poses(const Bodies& bodies, std::int32_t b) {

@@ -6,8 +6,8 @@
 
 namespace cairn {
 
-// What moving characters reads, and what it changes: the velocities of their bodies, with which the step then moves
-// them, and forces on dynamic bodies.
+// The inputs of moving characters, and the data that it changes: the velocities of their bodies, with which the step
+// then moves them, and forces on dynamic bodies.
 struct CharacterContext {
     const WorldDef& settings;
     const ForceFields& fields;

@@ -40,7 +40,7 @@ void Walk::run() {
     } else if (finds_ground()) {
         start_on_ground();
     } else {
-        if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // it is gone
+        if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // the ground is gone
         start_in_air();
     }
     motion_ = within_numbers(motion_), velocity_ = within_numbers(velocity_);

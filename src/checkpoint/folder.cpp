@@ -77,7 +77,8 @@ std::vector<std::uint64_t> steps_in(const fs::path& folder) {
     fs::directory_iterator entry(folder, error);
     std::error_code ignored;
     if (error == std::errc::no_such_file_or_directory) return steps;
-    if (error == std::errc::not_a_directory && !fs::exists(folder, ignored)) return steps; // below a file
+    if (error == std::errc::not_a_directory && !fs::exists(folder, ignored))
+        return steps; // the path leads below a file
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(step_prefix)) continue;

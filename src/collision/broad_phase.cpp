@@ -13,7 +13,7 @@ namespace cairn {
 
 namespace {
 
-constexpr int leaves_per_chunk = 64, shapes_per_chunk = 64; // for threads
+constexpr int leaves_per_chunk = 64, shapes_per_chunk = 64; // that a thread takes at a time
 
 float float_from_bits(std::uint32_t bits) {
     float value;

@@ -9,7 +9,7 @@ namespace cairn {
 namespace {
 
 constexpr std::uint32_t leaves_per_group = 8;
-constexpr int groups_per_chunk = 4; // for threads
+constexpr int groups_per_chunk = 4; // groups that a thread takes at a time
 
 } // namespace
 

@@ -33,7 +33,7 @@ struct SurfaceContact {
 // the polygon and a part of the shape is in front.
 SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, math::DVec3 guess, Manifold& out);
 
-// What is known about the best face of a pair of shapes.
+// Knowledge about the best face of a pair of shapes.
 struct FaceReach {
     int face = -1;          // number as in Convex; -1: nothing known
     bool is_second = false; // the face is the second shape's

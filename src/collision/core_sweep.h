@@ -75,8 +75,8 @@ inline constexpr double free_share = 0.5;
 // search, or 0; then, if they were tested, the direction in which they were last nearest.
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
-// What prevents two touching shapes from sinking deeper, beside continuous collision. by_struck_contact: the contact
-// has had an impact since it was found, and has been as deep as cores.
+// The means that keep two touching shapes from sinking deeper, beside continuous collision. by_struck_contact: a
+// contact in the solver that has been as deep as cores, and has had an impact since.
 enum class Held { by_nothing, perhaps, by_contact, by_struck_contact };
 
 // None of these functions searches beyond the end of the path that ends first.
@@ -90,10 +90,11 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, doubl
 // The time at which two shapes that touch or overlap have sunk deeper into each other than they may. The limit is the
 // distance that their inner cores (twice as deep as cores) have when faces touch (for vertices this is slightly
 // inside), or, if the solver has the contact (`by_contact`), which is soft, the depth at which the cores meet. Shapes
-// that are deeper already are stopped when they are deeper by a quarter of the excess (`by_nothing`: by any of it) and
-// 1/25 of the core depth. If `by_contact`, or if they are nearly as deep as inner cores, they are stopped only at half
-// of the smallest half width, as the solver pushes them apart; if `by_struck_contact`, also by the quarter. Shapes that
-// sink deeper and return may be missed; then it is the time when the cores meet, if they do.
+// that are deeper already are stopped when they have sunk by another 1/25 of the core depth plus a quarter of the
+// excess (`by_nothing`: plus nothing). With `by_contact`, or if they are nearly as deep as inner cores, they are
+// stopped only at half of the smallest half width, as the solver pushes them apart; with `by_struck_contact`, the
+// quarter applies. Shapes that sink deeper and return may be missed; then it is the time when the cores meet, if they
+// do.
 double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
 // The separation up to which shapes count as touching, m, given the smaller of their smallest half widths: a hundredth

@@ -9,7 +9,7 @@
 namespace cairn {
 
 struct FaceOutline {
-    ContactFrame frame; // about the first corner
+    ContactFrame frame; // its origin is the first corner
     std::uint32_t index = 0;
     std::size_t corner_count = 0;
     double size = 0; // the largest absolute coordinate of a corner

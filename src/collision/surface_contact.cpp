@@ -54,8 +54,7 @@ bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, 
 
 // Removes hits on the far sides of a thin wall, or of a sheet with triangles on both sides: the center of the shape is
 // behind the far side as well, and the shape may extend through it. A shape is not lifted to the far side if a triangle
-// whose front it is on lies between: at or behind the far side, and on the straight way from the center of the shape to
-// it.
+// with the shape in front of it lies between: at or behind the far side, and on the line from the shape's center to it.
 void drop_far_sides(SurfaceScratch& scratch, double tolerance) {
     std::vector<TriangleHit>& hits = scratch.hits;
     const auto is_far_side = [&](const TriangleHit& hit) {

@@ -51,8 +51,8 @@ struct SurfaceScratch {
 
 // Finds all parts of the contact of a shape with a surface, within `margin`: manifolds with different normals or
 // materials, deepest first. Coplanar triangles count as one face, so that nothing catches at internal edges.
-// `manifolds` is cleared first. If there are none, returns a lower bound of the distance, at most `reach`, up to which
-// is searched and which is at least the margin.
+// `manifolds` is cleared first. If there are none, returns a lower bound of the distance. It is at most `reach`, the
+// radius of the search, which is at least the margin.
 double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
                          double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds);
 

@@ -7,7 +7,7 @@
 namespace cairn::CAIRN_ISA {
 
 using f64x4 = double __attribute__((vector_size(32)));
-using mask4 = long long __attribute__((vector_size(32))); // of each lane all bits or none
+using mask4 = long long __attribute__((vector_size(32))); // all bits of a lane are set, or none
 
 CAIRN_INLINE f64x4 splat4(double s) { return f64x4{s, s, s, s}; }
 CAIRN_INLINE f64x4 load4(const double* p) {
