@@ -53,7 +53,7 @@ template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, s
     }
 }
 
-// The part of a body's rotation in a step, rad, that fat boxes and motion bounds account for. A body that rotates faster
+// The part of a body's rotation in a step, rad, that fat boxes and motion bounds allow for. A body that rotates faster
 // meets the objects within its radius anyway.
 inline float looked_ahead(float turn) {
     constexpr float most = 0.25f;
