@@ -34,7 +34,8 @@ void move_center(Bodies& bodies, std::int32_t body, math::Vec3 center) {
     mass.center = center;
 }
 
-// 0 for what cannot be moved; bounded, so that the products of the solver stay finite for specks of dust.
+// Returns 0 for masses and moments that forces cannot move. Capped, so that the products in the solver stay finite for
+// bodies of tiny mass.
 float reciprocal(float x) { return x > 0 && std::isfinite(x) ? std::min(1.0f / x, 1e35f) : 0.0f; }
 
 } // namespace
@@ -80,7 +81,7 @@ void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int
         for (int i = 0; i < 3; ++i) moments[i] = std::max(moments[i], min_moment_ratio * largest);
         const math::Quat axes = math::to_float(principal.axes);
         properties.mass = float(scale * sum.mass);
-        // What is moved by hand turns about its origin: no mass of it takes part.
+        // A kinematic body rotates about its origin, as its mass does not take part in its motion.
         if (bodies.settings[body].own_type != BodyType::kinematic)
             properties.center_of_mass = {float(sum.center.x), float(sum.center.y), float(sum.center.z)};
         properties.inertia_diagonal = {float(moments.x), float(moments.y), float(moments.z)};

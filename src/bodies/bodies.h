@@ -7,8 +7,8 @@
 
 namespace cairn {
 
-// Recomputes the mass of a body from its shapes, if it follows them, and with it the center of mass. The body's
-// origin and the velocity field of its material stay where they are.
+// Recomputes the mass properties of a body from its shapes, if they follow them, and with them the center of mass. The
+// body's origin and the velocity field of its material stay where they are.
 void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int32_t body);
 
 // Gives a body these mass properties; the center of mass moves, the body's origin does not.
@@ -17,7 +17,7 @@ void set_mass(Bodies& bodies, Joints& joints, std::int32_t body, const MassPrope
 // Recomputes world poses and arms of a body's shapes, and the body's radius, after its pose or shapes changed.
 void place_shapes(Bodies& bodies, Shapes& shapes, std::int32_t body);
 
-// The pose of a shape whose middle is at `position`, on a body with the rotation `q`; its size stays.
+// Sets the pose of a shape with its middle at `position`, on a body with the rotation `q`; the size stays.
 inline void pose_shape(ShapePose& pose, const Geometry& geometry, math::DVec3 position, math::Quat q) {
     for (int i = 0; i < 3; ++i) {
         pose.high[i] = float(position[i]);
@@ -32,7 +32,7 @@ inline void size_shape(ShapePose& pose, const Geometry& geometry, std::size_t nu
     pose.size[3] = geometry.bounding_radius;
 }
 
-// Puts one shape where its body is. The step's inner loop.
+// Updates the world pose and arm of one shape from its body's pose: part of the step's inner loop.
 inline void place_shape(Shapes& shapes, std::uint32_t shape, const BodyMotion& motion, math::Quat q,
                         math::Vec3 center) {
     const Geometry& geometry = shapes.geometry[shape];
@@ -42,7 +42,7 @@ inline void place_shape(Shapes& shapes, std::uint32_t shape, const BodyMotion& m
     pose_shape(shapes.poses[shape], geometry, motion.x + math::to_double(arm), q);
 }
 
-// Puts all shapes of a body where it is; f(shape) after each.
+// Updates the poses of all shapes of a body; calls f(shape) after each.
 template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, std::int32_t body, F&& f) {
     const BodyMotion& motion = bodies.motion[body];
     const math::Quat q = math::to_float(motion.q);
@@ -53,12 +53,13 @@ template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, s
     }
 }
 
-// Of what a body turns in a step, rad: how much is looked ahead at. What whirls meets things within it anyhow.
+// The part of a body's rotation in a step, rad, that fat boxes and motion bounds allow for. A body that rotates faster
+// meets the objects within its radius anyway.
 inline float looked_ahead(float turn) {
     constexpr float most = 0.25f;
     return std::min(turn, most);
 }
-// How far that moves any point of a body, m.
+// How far the rotation of that step moves any point of the body, m, at most.
 inline float turn_reach(const Bodies& bodies, std::int32_t body, float dt) {
     return looked_ahead(dt * math::length(bodies.motion[body].w)) * bodies.links[body].radius;
 }
@@ -74,22 +75,22 @@ inline DBounds shape_bounds(const Shapes& shapes, std::uint32_t shape) {
                            math::to_matrix(shape_rotation(pose)));
 }
 
-// Origin of the body's frame, world.
+// The origin of the body's frame, in world coordinates.
 math::DVec3 body_origin(const Bodies& bodies, std::int32_t body);
-// Puts the body's origin there.
+// Moves the body so that its origin is at `origin`.
 void set_pose(Bodies& bodies, std::int32_t body, math::DVec3 origin, math::DQuat rotation);
 
 // World tensors about the center of mass.
 math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
 math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass);
 
-// J; 0 for static and kinematic bodies, and for the immovable part of others.
+// J; 0 for static and kinematic bodies. Degrees of freedom without finite mass or inertia count as 0.
 double kinetic_energy(const Bodies& bodies, std::int32_t body);
 
-// Cuts velocities to the maximum; true if anything was cut.
+// Clamps velocities to the maximum speeds; true if any was clamped.
 bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
 inline bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
-    // Mostly both are far from it.
+    // The common case: both speeds are far below their limits.
     const float max_v = 0.5f * settings.max_linear_speed, max_w = 0.5f * settings.max_angular_speed;
     if (math::dot(v, v) < max_v * max_v && math::dot(w, w) < max_w * max_w) return false;
     return cut_velocity(settings, v, w);

@@ -15,13 +15,13 @@ namespace cairn {
 
 namespace {
 
-// How far the shape's surface moves as its body turns in the next step, m. Balls in the middle of their bodies stay.
+// How far the shape's surface moves by its body's rotation in the next step, m; 0 for a sphere at the center of mass.
 double turn_of_shape(const Shapes& shapes, std::uint32_t shape, float turn) {
     return shapes.geometry[shape].type == ShapeType::sphere && shapes.links[shape].arm == math::Vec3{} ? 0.0
                                                                                                        : double(turn);
 }
 
-// Of a shape that is no infinite plane, of a body that turns in the next step by so many meters.
+// Bounds of a shape that is not an infinite plane; the rotation of its body in the next step moves it by `turn` meters.
 DBounds bounds_of(const Shapes& shapes, std::uint32_t shape, float turn) {
     const ShapePose& pose = shapes.poses[shape];
     return grown(geometry_bounds(shapes.geometry[shape], shapes.data[shape], shape_position(pose),
@@ -45,7 +45,8 @@ void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
     });
 }
 
-// How far out a body's surface turns. One without shapes is as large as its inertia says.
+// The distance from the center of mass to the farthest surface point, m. A body without shapes counts as large as its
+// radius of gyration.
 float surface_radius(const Bodies& bodies, std::int32_t b) {
     const float radius = bodies.links[b].radius;
     const BodyMass& mass = bodies.mass[b];
@@ -53,8 +54,9 @@ float surface_radius(const Bodies& bodies, std::int32_t b) {
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
 
-// How long the body has been slower than the sleep speed, and half of its mean squared speed of the last quarter of a
-// sleep time, and of the quarter before: what an island gains shows in their difference (islands.cpp).
+// Updates the time that the body has been slower than the sleep speed, and half of its mean squared speed over the last
+// quarter of a sleep time and over the quarter before: their difference shows whether an island gains energy
+// (islands.cpp).
 void note_rest(const WorldDef& settings, BodyLinks& links, float speed, float dt) {
     if (!settings.enable_sleep || !(speed < settings.sleep_speed)) {
         links.quiet_time = 0;
@@ -80,10 +82,11 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
     BodyLinks& links = bodies.links[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
-    // The step's own motion is counted at the start of the next one.
+    // The motion of the current step is added to the travel at the start of the next one.
     const double moved = uncounted(bodies.counted[b], motion, links.radius);
     const bool is_fast = moved > free_share * double(links.inner_radius);
-    // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
+    // Whether the body moved farther than predicted by more than half of the speculative margin (the bodies of a pair
+    // share the margin).
     const auto went_farther = [&] {
         const double surface_moved = turns_on_the_spot(links) ? math::length(motion.x - bodies.counted[b].x) : moved;
         const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
@@ -96,7 +99,7 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
     } else {
         const math::Vec3 displacement = dt * motion.v;
         double room = std::numeric_limits<double>::infinity();
-        place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
+        place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) { // never a plane: the body is dynamic
             const DBounds bounds = bounds_of(shapes, shape, turn);
             has_strayed |= is_fast && !contains(broad_phase.fat_bounds(shape), bounds);
             const double left = broad_phase.room(shape, bounds, displacement);

@@ -1,4 +1,5 @@
-// After the solver: shapes to their new places, bounds to the broad phase, time at rest measured.
+// After the solver: updates shape poses and the bounds of the broad phase, and measures how long bodies have been at
+// rest.
 #pragma once
 
 #include "state/solver_scratch.h"
@@ -6,34 +7,35 @@
 
 namespace cairn {
 
-// One dynamic body; others may be at work on other bodies. Shapes that have left their fat boxes go to `escaped`: the
-// broad phase is told later. Bodies that moved farther than their cores may go to `fast`.
+// Finalizes one dynamic body; safe to run concurrently for different bodies. Shapes that have left their fat boxes are
+// appended to `escaped`, to be reported to the broad phase later, and bodies that moved far relative to their size to
+// `fast`.
 void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const WorldDef& settings,
                    std::int32_t body, float dt, FinalizeScratch& own);
 
-// Asks the cache for how a body moves; for all that the end of a step needs of a dynamic one; and then, with that at
-// hand, of its first shape.
+// How many bodies ahead loops over bodies prefetch. The functions load into the cache: the motion of a body; all that
+// the end of a step needs of a dynamic body; and, once that is in the cache, of its first shape.
 inline constexpr std::size_t bodies_ahead = 8;
 void prefetch_motion(const Bodies& bodies, std::int32_t body);
 void prefetch_body(const Bodies& bodies, std::int32_t body);
 void prefetch_shape_of(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase, std::int32_t body);
 
-// Kinematic bodies.
+// Finalizes all kinematic bodies that move.
 void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, float dt);
 
-// Places a body's shapes and tells the broad phase, for a body that was moved from outside a step.
+// Updates a body's shapes and proxies in the broad phase after the body was moved outside a step.
 void update_proxies(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t body);
 
-// Tells the broad phase where a body flies to whose velocity was set from outside a step: it would find what is hit in
-// the first step only after that.
+// Extends the proxies of a body along its velocity after this was set outside a step. Otherwise the broad phase would
+// find what the body hits in the first step only after that step.
 void sweep_proxies(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t body);
 
-// Places a body's shapes and tells the broad phase, for a body that was put back along its way after the solver.
+// Updates a body's shapes and proxies after continuous collision moved the body back along its path.
 void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t body, float dt);
 
-// Puts a shape into the broad phase, by its type and its body's.
+// Adds a shape to the broad phase, according to its type and its body's type.
 void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
-// Of one that is there, and has another geometry of its type now, or another place on its body.
+// Updates the proxy of a shape whose geometry (of the same type) or position on its body has changed.
 void renew_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
 
 } // namespace cairn

@@ -19,7 +19,7 @@ namespace {
 
 DVec3 of_public(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// The solution of six linear equations, by elimination.
+// Solves six linear equations by Gaussian elimination with partial pivoting.
 using Vector6 = std::array<double, 6>;
 using Matrix6 = std::array<Vector6, 6>;
 Vector6 solved(Matrix6 m, Vector6 b) {
@@ -41,16 +41,16 @@ Vector6 solved(Matrix6 m, Vector6 b) {
     return b;
 }
 
-// All that fluids do to a body.
+// The total effect of all fluids on a body.
 struct Effect {
     DVec3 force, torque;
-    Coupling resistance; // kg: of the velocity change in the step, times the step
-    Moments moved;       // kg: what is moved along
+    Coupling resistance; // kg: force per change of velocity in the step, times the step
+    Moments moved;       // kg: the added mass
     bool any = false;
 };
 
-// How a body that all forces but contacts and joints move changes its velocity in the step, and from that the impulse
-// of the fluids. `mass`: with what is moved along.
+// Predicts the velocity change in the step due to all forces except contacts and joints, and derives the impulse of the
+// fluids from it. `mass`: `own` plus the added mass.
 void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, const BodyMass& mass,
                 const Effect& effect, double dt) {
     const BodyMotion& motion = c.bodies.motion[body];
@@ -75,7 +75,7 @@ void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, c
     Vector6 resisted{};
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t k = 0; k < 6; ++k) resisted[i] += effect.resistance(i, k) * change[k];
-    // Gravity and fields accelerate what is moved along as well, which does not weigh.
+    // Gravity and fields would accelerate the added mass, too, but it has no weight: this is compensated.
     const DVec3 weight = (double(mass.mass) - double(own.mass)) *
                          field_acceleration(c.fields, c.settings, motion.x, c.bodies.settings[body].gravity_scale, 0);
     const DVec3 force = effect.force - (1 / dt) * DVec3{resisted[0], resisted[1], resisted[2]} -
@@ -85,7 +85,8 @@ void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, c
     forces.force += force, forces.torque += torque;
     forces.any |= pushed_by_fluid;
     c.bodies.mass[body] = mass;
-    // What nothing holds is not at rest where it would be faster than that in the time: a ship that turns around.
+    // A body without contacts and joints is not at rest if this acceleration would bring it above the sleep speed
+    // within the sleep time, as with a ship at the moment when its roll reverses.
     BodyLinks& links = c.bodies.links[body];
     const double speed = math::length(DVec3{change[0], change[1], change[2]}) +
                          math::length(DVec3{change[3], change[4], change[5]}) * double(links.radius);
@@ -94,7 +95,8 @@ void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, c
         links.quiet_time = 0;
 }
 
-// With what is moved along. The principal axes stay: of the inertia that comes, what is beside them is left out.
+// The body's mass plus the added mass. The principal axes stay: products of inertia of the added mass in them are
+// neglected.
 BodyMass laden(const BodyMass& own, const math::DQuat& q, const Effect& effect) {
     BodyMass mass = own;
     if (!(effect.moved.sum > 0)) return mass;
@@ -112,7 +114,8 @@ BodyMass laden(const BodyMass& own, const math::DQuat& q, const Effect& effect) 
     return mass;
 }
 
-// Which part of a step passes, on average, before the place is the one that substeps with a constant force give.
+// The time in the step, as a share of it, at which a single impulse would give the same displacement as a constant
+// force in substeps.
 double mean_moment(const WorldDef& settings, int substeps) {
     switch (settings.integrator) {
     case Integrator::semi_implicit_euler:
@@ -125,7 +128,7 @@ double mean_moment(const WorldDef& settings, int substeps) {
     return 0.5;
 }
 
-// One body in the fluids of a world.
+// One body and all the fluids of a world that it is in.
 class FloatingBody {
   public:
     FloatingBody(const FluidContext& c, std::int32_t body, double dt)
@@ -145,7 +148,7 @@ class FloatingBody {
             if (!c_.shapes.traits[s].is_trigger) is_wet |= add_shape(std::uint32_t(s), fluid, surface, wetted);
         if (is_wet) take(field, fluid, wetted);
     }
-    // `own`: where its mass is kept if anything is moved along.
+    // `own` receives the body's own mass properties, as the body is given those with the added mass.
     void push(std::vector<std::pair<std::int32_t, BodyMass>>& own) const {
         if (!effect_.any) return;
         const BodyMass mass = c_.bodies.mass[body_];
@@ -193,7 +196,7 @@ class FloatingBody {
         }
         effect_.moved.add(d, density * double(field.added_mass));
     }
-    // Whether anything of a ball is in the fluid, whose bottom has all or nothing.
+    // Whether a ball overlaps the fluid. At the bottom of the fluid the center of the ball decides.
     static bool reaches(const Surroundings& fluid, DVec3 middle, double radius) {
         if (fluid.vertical >= 0) {
             const double depth = fluid.depth_of(middle);
@@ -204,14 +207,14 @@ class FloatingBody {
                 return false;
         return true;
     }
-    // Whether it may be wet.
+    // Adds the wetted part of a shape; false if the shape cannot overlap the fluid.
     bool add_shape(std::uint32_t shape, const Surroundings& fluid, std::vector<SurfaceTriangle>& surface,
                    Wetted& wetted) {
         const Geometry& g = c_.shapes.geometry[shape];
         const DVec3 middle =
             placed(math::to_double(g.position) +
                    math::rotate(math::normalized(math::to_double(g.rotation)), math::to_double(g.middle)));
-        if (g.type == ShapeType::sphere) { // at a side of the fluid: where its middle is
+        if (g.type == ShapeType::sphere) { // at a side of the fluid the center decides
             if (!reaches(fluid, middle, double(g.size.x)) || !is_beside(fluid, middle)) return false;
             wetted.add_ball(middle, double(g.size.x));
             return true;
@@ -229,7 +232,7 @@ class FloatingBody {
         for (const SurfaceTriangle& t : surface) wetted.add_triangle(at(t.a), at(t.b), at(t.c), lid, is_round(g));
         return true;
     }
-    // Whether a ball is as a whole below the surface and between the sides.
+    // Whether a ball is completely below the surface and between the sides.
     static bool is_within(const Surroundings& fluid, DVec3 middle, double radius) {
         if (fluid.vertical >= 0 && fluid.depth_of(middle) < radius) return false;
         for (int axis = 0; axis < 3; ++axis)
@@ -237,7 +240,7 @@ class FloatingBody {
                 return false;
         return true;
     }
-    // All of a shape, given by its mass of density 1 in the body's frame.
+    // Adds a whole shape to the displaced volume, given its mass properties for density 1 in the body's frame.
     void add_whole(const MassSum& solid, Wetted& wetted) const {
         const math::DSym3& i = solid.inertia;
         const double half = 0.5 * (i.xx + i.yy + i.zz);
@@ -292,7 +295,7 @@ void push_by_fluids(const FluidContext& c, FluidScratch& scratch, ThreadPool& th
         }
     });
     for (const std::int32_t b : scratch.reached)
-        if (c.bodies.forces[b].any == pushed_by_fluid) c.bodies.pushed.push_back(b); // of no other force yet
+        if (c.bodies.forces[b].any == pushed_by_fluid) c.bodies.pushed.push_back(b); // not listed yet for another force
 }
 
 void unload(Bodies& bodies, FluidScratch& scratch) {

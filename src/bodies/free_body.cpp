@@ -13,8 +13,8 @@ using math::DVec3;
 
 namespace {
 
-// What the substeps of a step make of a velocity u, where each makes factor (u + change) of it: kept u + gained change,
-// and for the sum of those after each substep.
+// The effect of all substeps on a velocity u, where each substep maps u to factor (u + change): the final velocity is
+// kept u + gained change, and the sum of the velocities after each substep is sum_kept u + sum_gained change.
 struct Substeps {
     double kept = 1, gained = 0, sum_kept = 0, sum_gained = 0;
     Substeps(double factor, int count) {
@@ -25,7 +25,7 @@ struct Substeps {
     }
 };
 
-// A step of one free body.
+// One step of one free body.
 struct FreeStep {
     const Bodies& bodies;
     const ForceFields& fields;
@@ -55,7 +55,7 @@ void FreeStep::move(DVec3& x, DVec3& v) {
     Increment change = change_at();
     const bool varies = fields_vary(fields);
     const double half = 0.5 * most, gain = substeps * math::length(change.velocity);
-    if (!varies && gain < half && math::dot(v, v) < half * half) { // no limit is met: all substeps at once
+    if (!varies && gain < half && math::dot(v, v) < half * half) { // below the speed limit: all substeps in closed form
         const Substeps all(factor, substeps);
         x += h * (all.sum_kept * v + all.sum_gained * change.velocity + double(substeps) * change.correction);
         v = all.kept * v + all.gained * change.velocity;
@@ -71,7 +71,7 @@ void FreeStep::move(DVec3& x, DVec3& v) {
 void FreeStep::turn(DQuat& q, DVec3& w) {
     const BodyMass& mass = bodies.mass[body];
     const double factor = damping_factor(bodies.settings[body].angular_damping, float(h));
-    if (!bodies.is_pushed(body) && !precesses(mass, w, h)) { // about one axis
+    if (!bodies.is_pushed(body) && !precesses(mass, w, h)) { // the axis of rotation is constant
         const Substeps all(factor, substeps);
         q = turned_by(h * all.sum_kept * w, q);
         w = all.kept * w;
@@ -108,7 +108,7 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
     step.turn(q, w);
     clamped_speeds += step.is_clamped;
     if (!(is_place(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
-        ++clamped_speeds; // beyond the range of numbers: it stops where it is
+        ++clamped_speeds; // overflow: the body stops where it is
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         motion.turned = {};
         return clamped_speeds;

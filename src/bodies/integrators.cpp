@@ -13,7 +13,7 @@ using math::DVec3;
 
 namespace {
 
-// rad: up to there the series for a rotation holds to rounding.
+// rad: up to this angle the series for a rotation is accurate to rounding.
 constexpr double max_series_turn = 0.25;
 
 // The rotation by an angle about one principal axis.
@@ -47,7 +47,7 @@ Increment split_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, 
     return {w_end - w, (1 / h) * math::to_rotation_vector(end * math::conjugate(q)) - w_end};
 }
 
-// Euler's equation as it stands: w' = I^-1 (torque - w x I w).
+// Euler's equation, explicitly: w' = I^-1 (torque - w x I w).
 Increment explicit_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
     const DVec3 momentum = spin.to_world(q, spin.moments, w);
     const DVec3 dw = h * spin.to_world(q, spin.inverse_moments, torque - math::cross(w, momentum));
@@ -69,7 +69,8 @@ Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, DV
     const DQuat sum{k1.x + 2 * k2.x + 2 * k3.x + k4.x, k1.y + 2 * k2.y + 2 * k3.y + k4.y,
                     k1.z + 2 * k2.z + 2 * k3.z + k4.z, k1.w + 2 * k2.w + 2 * k3.w + k4.w};
     const DQuat end = math::normalized(along(sum, h / 6));
-    const DVec3 mean = (1 / h) * math::to_rotation_vector(end * math::conjugate(q)); // the rate that turns q into that
+    const DVec3 mean =
+        (1 / h) * math::to_rotation_vector(end * math::conjugate(q)); // the rate that rotates q into `end`
     const DVec3 w_end = spin.to_world(end, spin.inverse_moments, momentum + h * torque);
     return {w_end - w, mean - w_end};
 }
@@ -86,8 +87,6 @@ Increment translate(Integrator integrator, DVec3 dv) {
     return {};
 }
 
-// What acts on one body, apart from contacts.
-
 } // namespace
 
 DVec3 cut(DVec3 v, double most) {
@@ -97,11 +96,11 @@ DVec3 cut(DVec3 v, double most) {
 }
 
 DQuat turned_by(DVec3 u, const DQuat& q) {
-    if (u == DVec3{}) return q; // not even by a rounding
+    if (u == DVec3{}) return q; // exactly unchanged, without a rounding error
     int halvings = 0;
     if (std::isfinite(math::dot(u, u)))
         for (; math::dot(u, u) > max_series_turn * max_series_turn; ++halvings) u = 0.5 * u;
-    DQuat turn = math::from_rotation_vector(u); // of what is not finite: none
+    DQuat turn = math::from_rotation_vector(u); // the identity if u is not finite
     for (; halvings > 0; --halvings) turn = turn * turn;
     return math::normalized(turn * q);
 }
@@ -159,7 +158,8 @@ bool gyrates(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q, double dt) 
     const BodyLinks& links = bodies.links[b];
     const double speed = math::length(w), most = core_depth_of(double(links.inner_radius));
     const double off_by = dt * dt * dt / 3 * speed * double(links.radius); // for a change of 1 rad/s^2
-    // No moment exceeds the sum of the others: the change is never more than the square of the rate.
+    // No principal moment exceeds the sum of the other two, so the angular acceleration is at most the square of the
+    // rate.
     if (turns_freely(bodies.mass[b]) && off_by * speed * speed <= most) return false;
     return off_by * math::length(spin_change(bodies, b, w, q)) > most;
 }
@@ -175,7 +175,6 @@ bool precesses(const BodyMass& mass, DVec3 w, double h) {
     return !mass.isotropic && turns_freely(mass) && h * h * math::dot(w, w) > min_turn * min_turn;
 }
 
-// For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
 Increment gyroscopic_increment(const WorldDef& settings, const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum,
                                DVec3 torque, double h) {
     switch (settings.integrator) {
@@ -189,7 +188,6 @@ Increment gyroscopic_increment(const WorldDef& settings, const Spin& spin, const
     return {};
 }
 
-// The torque alone.
 Increment torque_increment(const Bodies& bodies, const WorldDef& settings, std::int32_t b, const Spin& spin,
                            const DQuat& q, double h) {
     if (!bodies.is_pushed(b)) return {};

@@ -11,13 +11,13 @@ namespace cairn {
 
 namespace {
 
-// m/s^2: times the square of the substep it is the length up to which, less for bodies smaller than a meter, motion is
-// not counted while a body is slow: a hundredth of what a soft contact sinks under a body's own weight.
+// m/s^2: times the square of the substep (and the radius of bodies smaller than 1 m) it is the displacement up to which
+// the motion of a slow body is not counted: a hundredth of what a soft contact sinks under a body's own weight.
 constexpr double max_creep = 0.1;
-constexpr double max_step = 0.25; // of that length in one step: the solver cannot see a creep as slow as that
+constexpr double max_step = 0.25; // share of that length in one step: the solver cannot detect such a slow creep
 
-constexpr int bodies_per_chunk = 1024; // for threads
-constexpr int bodies_ahead = 8;        // that are asked for in time
+constexpr int bodies_per_chunk = 1024; // bodies that a thread takes at a time
+constexpr int bodies_ahead = 8;        // bodies ahead of the loop that are prefetched
 
 void prefetch_poses(const Bodies& bodies, std::int32_t b) {
     ask_cache(&bodies.motion[b].x);
@@ -37,7 +37,7 @@ bool rests(const CountedPose& counted, const BodyMotion& motion, float radius, d
            4 * turn * double(radius) * double(radius) <= most * most;
 }
 
-// Exactly: planes reach far.
+// Compares exactly, as planes are infinite and magnify any rotation.
 bool stands_still(const CountedPose& counted, const BodyMotion& motion) {
     return motion.v == math::Vec3{} && motion.w == math::Vec3{} && motion.x == counted.x && motion.q.x == counted.q.x &&
            motion.q.y == counted.q.y && motion.q.z == counted.q.z && motion.q.w == counted.q.w;
@@ -65,7 +65,7 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
                   ThreadPool& thread_pool, float dt) {
     const double h = double(dt) / substeps_of(settings, dt);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
-    // Of what does not move it is zero.
+    // The turn reach of bodies that do not move is zero.
     std::vector<std::int32_t>& moving = narrow.moving;
     for (const std::int32_t b : moving) narrow.turn_reach[b] = 0;
     narrow.turn_reach.resize(bodies.links.size());

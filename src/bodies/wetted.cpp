@@ -67,7 +67,7 @@ void Wetted::add_piece(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, boo
         if (lid) add_column(middle, level, *lid);
         return add_drag(middle, n, size);
     }
-    // Exact up to the third degree (Strang and Fix 1973): columns are of that.
+    // Quadrature exact up to the third degree (Strang and Fix 1973), as the moments of columns require.
     if (lid && level != 0) {
         add_column((1.0 / 3) * (a + b + c), -27.0 / 48 * level, *lid);
         for (const DVec3 p : {a, b, c}) add_column(0.2 * (2.0 * p + (a + b + c)), 25.0 / 48 * level, *lid);
@@ -85,12 +85,12 @@ void Wetted::add_drag(DVec3 at, DVec3 n, double area) {
     const double rub = fluid_.rubbed > 0 ? fluid_.rubbed * math::length(along) * area : 0;
     if (k == 0 && rub == 0) return;
     push(at, (-k * s) * n - rub * along);
-    pressed.add(at, n, k - rub); // what is rubbed is along the surface alone
+    pressed.add(at, n, k - rub); // skin friction acts only tangentially
     rubbed.add(at, rub);
 }
 
-// The same integrals in closed form. What resists a ball that is partly in the fluid is the part of its volume that is;
-// what it moves along does not turn with it.
+// The same integrals in closed form. The drag on a partly immersed ball is the share of its immersed volume. The added
+// mass does not rotate with the ball.
 void Wetted::add_ball(DVec3 center, double radius) {
     const double square = radius * radius, whole = 4.0 / 3.0 * math::pi * square * radius;
     double part = 1;
@@ -100,12 +100,12 @@ void Wetted::add_ball(DVec3 center, double radius) {
         const double volume = math::pi * height * height * (3 * radius - height) / 3;
         const double area = math::pi * height * (2 * radius - height);
         part = volume / whole;
-        displaced.add(center, volume); // the force of a pressure on a ball goes through its middle
+        displaced.add(center, volume); // pressure forces on a ball pass through its center
         waterline.add(center, area);
     }
     const DVec3 v = fluid_.velocity_at(center);
     const double speed = math::length(v), turn = math::length(fluid_.w);
-    // The integral of |t| t over a ball that moves at the speed 1, with t the part of its velocity along the surface.
+    // The integral of |t| t over a ball that moves at the speed 1, with t the tangential part of its velocity.
     const double rub = part * fluid_.rubbed * 0.75 * math::pi * math::pi * square;
     if (speed > 0) {
         const double k = part * fluid_.pressed * math::pi * square * speed;

@@ -1,4 +1,4 @@
-// The part of a body that a fluid wets: what it displaces, and what resists its motion (fluids.h).
+// The part of a body that a fluid wets: the displaced volume and the resistance to its motion (fluids.h).
 #pragma once
 
 #include "math/vec.h"
@@ -9,20 +9,20 @@
 
 namespace cairn {
 
-// A fluid as a body sees it: places are relative to the body's center of mass.
+// A fluid relative to a body: positions are relative to the body's center of mass.
 struct Surroundings {
-    math::DVec3 up;                 // away from gravity; zero without it
-    double surface = 0;             // how far above the body, along that
-    int vertical = -1;              // the axis nearest to that
-    math::DVec3 center, half;       // m
+    math::DVec3 up;                 // against gravity; zero without gravity
+    double surface = 0;             // height of the fluid's surface above the center of mass, along `up`, m
+    int vertical = -1;              // the coordinate axis nearest to `up`
+    math::DVec3 center, half;       // of the fluid's box, m
     double pressed = 0, rubbed = 0; // kg/m^3: half of the density times the coefficients of drag and of skin friction
-    math::DVec3 v, w;               // of the body against it
+    math::DVec3 v, w;               // velocities of the body relative to the fluid
 
     math::DVec3 velocity_at(math::DVec3 p) const { return v + math::cross(w, p); }
     double depth_of(math::DVec3 p) const { return surface - math::dot(up, p); }
 };
 
-// Of something spread over points: how much, and its first and second moments about the center of mass.
+// A quantity distributed over points: its sum, and its first and second moments about the center of mass.
 struct Moments {
     double sum = 0;
     math::DVec3 first;
@@ -33,7 +33,7 @@ struct Moments {
         sum += weight, first += q;
         second = second + math::DSym3{q.x * p.x, q.x * p.y, q.x * p.z, q.y * p.y, q.y * p.z, q.z * p.z};
     }
-    // A column that ends at p, with that area across `up` and that height above p.
+    // Adds a column that starts at p and extends by `height` along `up`, with the cross section `area`.
     void add_column(math::DVec3 p, math::DVec3 up, double area, double height) {
         const double one = area * height, two = 0.5 * one * height, three = two * height / 1.5;
         const auto entry = [&](int i, int k) {
@@ -48,25 +48,25 @@ struct Moments {
         second = second +
                  math::DSym3{weight * s.xx, weight * s.xy, weight * s.xz, weight * s.yy, weight * s.yz, weight * s.zz};
     }
-    // The tensor of inertia, if it is mass.
+    // The inertia tensor, if the quantity is mass.
     math::DSym3 inertia() const {
         const math::DSym3& s = second;
         return {s.yy + s.zz, -s.xy, -s.xz, s.xx + s.zz, -s.yz, s.xx + s.yy};
     }
 };
 
-// A symmetric matrix that makes a force and a torque about the center of mass of a velocity and a rate of turn. The
-// lower half is kept.
+// A symmetric 6 x 6 matrix that maps a linear and angular velocity to a force and a torque about the center of mass.
+// Only the lower triangle is stored.
 class Coupling {
   public:
-    // Along n at a point, by `weight` for each unit of motion along it.
+    // Adds a resistance at a point along n: `weight` is force per velocity.
     void add(math::DVec3 at, math::DVec3 n, double weight) {
         const math::DVec3 turn = math::cross(at, n);
         const std::array<double, 6> j = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
         for (std::size_t i = 0; i < 6; ++i)
             for (std::size_t k = 0; k <= i; ++k) entries_[i][k] += weight * j[i] * j[k];
     }
-    // In all directions at all points, by what is there.
+    // Adds an isotropic resistance at distributed points, in proportion to their quantity.
     void add(const Moments& m, double weight) {
         const math::DSym3 turn = m.inertia();
         const math::DVec3 f = weight * m.first;
@@ -76,11 +76,11 @@ class Coupling {
         entries_[3][3] += weight * turn.xx, entries_[4][3] += weight * turn.xy, entries_[4][4] += weight * turn.yy;
         entries_[5][3] += weight * turn.xz, entries_[5][4] += weight * turn.yz, entries_[5][5] += weight * turn.zz;
     }
-    // Along n at all points.
+    // Adds a resistance along n at distributed points.
     void add(const Moments& m, math::DVec3 n, double weight) {
         const math::DVec3 lever = math::cross(m.first, n);
         const math::DSym3& s = m.second;
-        // The second moments of p x n: those of p, crossed from both sides.
+        // The second moments of p x n: those of p, with n as a cross product on both sides.
         const std::array<math::DVec3, 3> once = {math::cross(math::DVec3{s.xx, s.xy, s.xz}, n),
                                                  math::cross(math::DVec3{s.xy, s.yy, s.yz}, n),
                                                  math::cross(math::DVec3{s.xz, s.yz, s.zz}, n)};
@@ -106,26 +106,27 @@ class Coupling {
     std::array<std::array<double, 6>, 6> entries_{};
 };
 
-// What is wetted of a body by one fluid.
+// The wetted part of a body in one fluid.
 class Wetted {
   public:
     explicit Wetted(const Surroundings& fluid);
 
-    // `lid`: up to where columns are counted, above all of the shape that is wet; nothing: what it displaces is known.
-    // `is_small`: one of many on a round side, of which the middle stands for all.
+    // `lid`: the height up to which columns are counted, above all wet parts of the shape; nothing if the displaced
+    // volume is known already. `is_small`: the triangle is one of many on a round surface, and is integrated by its
+    // centroid alone.
     void add_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c, std::optional<double> lid, bool is_small);
     void add_ball(math::DVec3 center, double radius);
 
     Moments displaced, waterline, rubbed; // m^3, m^2, N s/m
     Coupling pressed;                     // N s/m
-    math::DVec3 force, torque;            // of drag
+    math::DVec3 force, torque;            // by drag
 
   private:
     void add_piece(math::DVec3 a, math::DVec3 b, math::DVec3 c, std::optional<double> lid, bool is_small);
     void add_column(math::DVec3 p, double area, double lid);
     void push(math::DVec3 at, math::DVec3 f) { force += f, torque += math::cross(at, f); }
     void add_drag(math::DVec3 at, math::DVec3 n, double area);
-    // A plane that bounds the fluid: what is in it is no farther along n.
+    // A half-space that contains the fluid: n . p <= most.
     struct Side {
         math::DVec3 n;
         double most;

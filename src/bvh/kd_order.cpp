@@ -1,4 +1,4 @@
-// The order of slots: median splits whose low halves are 8 x 2^k items.
+// The kd order of slots: median splits whose lower halves are 8 x 2^k items.
 #include "bvh/slot_tree.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ struct ByIndex {
     template <class Item> bool operator()(const Item& a, const Item& b) const { return a.index < b.index; }
 };
 
-// Total: equal centers go by index, so that every algorithm gives the same halves.
+// A strict total order: equal centers are ordered by index, so that every selection algorithm gives the same halves.
 struct ByCenter {
     int axis;
     template <class Item> bool operator()(const Item& a, const Item& b) const {
@@ -58,8 +58,8 @@ void KdOrder::split(Item* items, std::uint32_t count) {
     split(items + middle, count - middle);
 }
 
-// Puts the `middle` smallest items by (center, index) first. A histogram tells which bin holds the boundary, so that
-// only this bin needs a selection.
+// Moves the `middle` smallest items by (center, index) to the front. A histogram finds the bin that contains the
+// boundary, so that only this bin needs a selection.
 void KdOrder::select(Item* items, std::uint32_t count, std::uint32_t middle, int axis, float low, float high) {
     const float extent = high - low;
     if (count <= 24 || !(extent > 1e-20f)) {
@@ -75,7 +75,7 @@ void KdOrder::select(Item* items, std::uint32_t count, std::uint32_t middle, int
     std::uint32_t before = 0;
     while (before + histogram[boundary] <= middle) before += histogram[boundary++];
 
-    // Written to all three, kept in one: no branch that depends on the data.
+    // Branch-free partition: each item is written to all three lists, and kept in one.
     Item *below = low_.data(), *inside = middle_.data(), *above = high_.data();
     std::uint32_t below_count = 0, inside_count = 0, above_count = 0;
     for (std::uint32_t i = 0; i < count; ++i) {

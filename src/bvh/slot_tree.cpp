@@ -46,8 +46,8 @@ TreeView SlotTree::view() const {
     return view;
 }
 
-// Gives every level the nodes that the one below it needs, up to a single root. A new root over what was a root until
-// now starts with its bounds.
+// Gives every level the nodes that the level below needs, up to a single root. A new root above the previous one starts
+// with its bounds.
 void SlotTree::grow_levels() {
     for (int k = 1; k < max_tree_levels; ++k) {
         const std::size_t below = levels_[k - 1].size();

@@ -1,6 +1,6 @@
-// Items in slots, in an implicit 8-lane tree (tree.h). A sort puts the items into kd order, by median splits that fit
-// the tree exactly; between sorts, items are appended, die, and change their boxes in place. The tree is always valid
-// for queries: bounds of ancestors grow at once, and shrink at the next refit.
+// Items in slots of an implicit 8-lane tree (tree.h). A sort puts the items into kd order, by median splits that fit
+// the tree exactly; between sorts, items are appended and removed, and their boxes change in place. The tree is always
+// valid for queries: bounds of ancestors grow immediately, and shrink at the next refit.
 #pragma once
 
 #include "bvh/tree.h"
@@ -23,12 +23,13 @@ void set_lane(Node8& node, std::uint32_t lane, const TreeBox& box);
 void include(TreeBox& box, const TreeBox& other);
 TreeBox bounds_of(const Node8& node);
 
-// A permutation in kd order of boxes[0 .. n - 1]: splits at the median of the longest axis of the boxes' centers, with
-// the low half a multiple of 8 x 2^k, so that every node of the implicit tree is one cell. Allocates only to grow.
+// Computes a permutation of boxes[0 .. n - 1] in kd order: splits at the median of the longest axis of the boxes'
+// centers, with the lower half a multiple of 8 x 2^k, so that every node of the implicit tree is one cell. Allocates
+// only to grow.
 class KdOrder {
   public:
     std::span<const std::uint32_t> order(std::span<const TreeBox> boxes);
-    void give_back() { // its room
+    void give_back() { // frees unused memory
         for (std::vector<Item>* part : {&items_, &low_, &middle_, &high_}) give_back_all(*part);
         give_back_all(order_);
     }
@@ -46,10 +47,10 @@ class KdOrder {
     std::vector<std::uint32_t> order_;
 };
 
-// Of the levels of a tree: throws Error(invalid_file) unless each of `count` items has a box of numbers or none, and
-// the lanes beyond them are empty. `alive`: how many have one.
+// Validates the leaves of a loaded tree: throws Error(invalid_file) unless each of `count` items has a finite or an
+// empty box, and the lanes beyond them are empty. `alive`: the number of items with a box.
 void check_leaves(const char* name, const Node8* leaves, std::size_t count, std::size_t& alive);
-// Likewise above the leaves: `count` nodes of the level below.
+// Validates the level above `count` nodes.
 void check_inner_nodes(const char* name, const Node8* nodes, std::size_t count);
 
 class SlotTree {
@@ -66,28 +67,28 @@ class SlotTree {
     const Node8* leaves() const { return levels_[0].data(); }
     const std::uint32_t* items() const { return items_.data(); } // by slot
     TreeView view() const;
-    TreeBox bounds() const; // of all items; between refits perhaps larger
+    TreeBox bounds() const; // of all items; may be too large between refits
 
     std::uint32_t append(std::uint32_t item, const TreeBox& box); // returns the slot
     void kill(std::uint32_t slot);
     void set_box(std::uint32_t slot, const TreeBox& box);
-    // The same for several threads, each with slots of its own: the bounds above the leaves hold again after
-    // note_change and a refit.
+    // set_box for concurrent calls, each thread with slots of its own: the bounds above the leaves are valid again
+    // after note_change and a refit.
     void set_leaf_box(std::uint32_t slot, const TreeBox& box) { set_lane(levels_[0][slot / 8], slot % 8, box); }
     void note_change() { changed_ = 1; }
-    void refit(const BroadKernels& kernels); // makes all bounds tight, if anything changed
+    void refit(const BroadKernels& kernels); // makes all bounds tight, if anything has changed
 
-    // Appended and dead slots since the last sort are many, compared with all.
+    // Whether the slots that were appended or died since the last sort are many compared with all.
     bool wants_sort() const { return unsorted_ * 4 > slot_count() + 64; }
-    void count_unsorted() { ++unsorted_; } // an item moved to another place altogether
-    // Drops dead slots and puts the rest into kd order.
+    void count_unsorted() { ++unsorted_; } // for an item that has moved far
+    // Removes dead slots and puts the rest into kd order.
     void sort(KdOrder& kd, const BroadKernels& kernels);
-    // Makes these its items, in kd order.
+    // Replaces all items by these, in kd order.
     void assign(std::span<const std::uint32_t> items, std::span<const TreeBox> boxes, KdOrder& kd,
                 const BroadKernels& kernels);
     std::size_t bytes() const;
 
-    // Of what was read from a snapshot: throws Error(invalid_file) unless it is a tree of items below `items`.
+    // Validates a loaded tree: throws Error(invalid_file) unless it is a tree of items with numbers below `items`.
     void check(const char* name, std::size_t items) const;
 
     template <class Archive> void serialize(Archive& archive) {

@@ -1,4 +1,4 @@
-// Walks through the implicit tree for queries.
+// Traversals of the implicit tree for queries.
 #pragma once
 
 #include "bvh/slot_tree.h"
@@ -8,7 +8,7 @@
 
 namespace cairn {
 
-// visit(slot) for all items that meet the box, in slot order.
+// Calls visit(slot) for all items that overlap the box, in slot order.
 template <class F> void visit_box(const BroadKernels& kernels, const TreeView& tree, const TreeBox& box, F&& visit) {
     if (tree.level_count == 0) return;
     std::uint32_t node[max_tree_levels];
@@ -40,25 +40,26 @@ inline const Node8& node_of(const TreeView& tree, std::uint32_t level, std::uint
 }
 inline const Node8& node_of(const SlotTree& tree, std::uint32_t level, std::uint32_t i) { return tree.node(level, i); }
 
-// max = visit(tree, slot, max) for all items of some trees that lie at a distance up to `max`, about in the order of
-// these; less than 0 ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8
-// floats, aligned to 32 bytes); of those that are nowhere farther than the start, less than 0 says which come first.
-// Returns the last max.
+// Calls max = visit(tree, slot, max) for all items of several trees at distances up to `max`, roughly in the order of
+// distance; a negative result ends the traversal. `enter(node, max, distances)` returns the lanes of a node within
+// `max` as bits, and their distances (8 floats, aligned to 32 bytes); lanes that contain the start have negative
+// distances, which order them. Returns the last max.
 //
-// Of several trees what is nearest of all that is left comes next, so that the trees bound each other; as long as the
-// list of it is short. Else, and in a tree alone, it is what is nearest of the children of the last node: no more than
-// the depth of a tree is added to the list then, and less is moved about in it.
+// With several trees, the nearest of all remaining nodes comes next, so that hits in one tree limit the search in the
+// others, as long as the list of nodes is short. Otherwise, and with a single tree, it is the nearest of the children
+// of the last node: then the list grows at most by the depth of a tree, and fewer entries are moved in it.
 template <class Tree, std::size_t tree_count, class Enter, class F>
 float visit_by_distance(const Tree* const (&trees)[tree_count], float max, Enter&& enter, F&& visit) {
-    // A node is known by a one and below it three bits for each lane on the way to it from level max_tree_levels.
+    // A node is encoded as a leading one, followed by three bits for each lane on the path to it from level
+    // max_tree_levels.
     constexpr std::uint32_t place_bits = 3 * max_tree_levels + 1, first_item = 1u << (place_bits - 1);
     static_assert(tree_count <= 1u << (32 - place_bits));
     constexpr int sorted_room = 64;
-    struct Entry { // of 8 bytes, which move as one
+    struct Entry { // 8 bytes, copied as one
         float distance;
-        std::uint32_t place; // above place_bits, of which tree
+        std::uint32_t place; // the bits above place_bits: the index of the tree
     };
-    Entry list[sorted_room + 7 * max_tree_levels + 8]; // the farthest first
+    Entry list[sorted_room + 7 * max_tree_levels + 8]; // sorted, the farthest first
     int count = 0;
     const auto add_children = [&](std::uint32_t tree, std::uint32_t place, const Node8& node) {
         alignas(32) float distance[8];
@@ -71,7 +72,7 @@ float visit_by_distance(const Tree* const (&trees)[tree_count], float max, Enter
         }
     };
     for (std::uint32_t tree = 0; tree < tree_count; ++tree) {
-        std::uint32_t nodes = leaf_count_of(*trees[tree]), top = 0; // a leaf alone needs nothing above it
+        std::uint32_t nodes = leaf_count_of(*trees[tree]), top = 0; // a single leaf needs no node above it
         if (nodes == 0) continue;
         for (; nodes > 1; nodes = (nodes + 7) / 8) ++top;
         add_children(tree, 1u << 3 * (std::uint32_t(max_tree_levels) - 1 - top), node_of(*trees[tree], top, 0));

@@ -1,4 +1,4 @@
-// Trees that were read from a snapshot.
+// Validation of trees loaded from a snapshot.
 #include "bvh/slot_tree.h"
 #include "core/sound.h"
 

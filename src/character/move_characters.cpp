@@ -16,7 +16,7 @@ using math::DVec3;
 
 namespace {
 
-// How much of a velocity along a direction an impulse of 1 N s there gives, 1/kg.
+// The change of velocity that an impulse of 1 N s at a point gives there, both along `direction`, 1/kg.
 double inverse_mass_at(const Bodies& bodies, std::int32_t b, DVec3 point, DVec3 direction) {
     const DVec3 turn = math::cross(point - bodies.motion[b].x, direction);
     const math::Sym3 i = world_inverse_inertia(bodies.motion[b], bodies.mass[b]);
@@ -34,7 +34,8 @@ void push(const CharacterContext& c, std::int32_t b, DVec3 force, DVec3 point) {
 
 void wake(const CharacterContext& c, std::int32_t b) { wake_body(c.bodies, c.islands, c.events, b); }
 
-// What it stands on, lands on or jumps off feels its weight and its impulse. One that stands still lets it sleep.
+// Applies the character's weight, and the impulse of landing or jumping off, to the body below it. A character that
+// stands still lets that body sleep.
 void press_ground(const CharacterContext& c, const Character& self, const Walk& walk, const Surroundings& around,
                   std::int32_t last_ground, DVec3 gravity, double dt) {
     if (last_ground != none && last_ground != self.ground_body && c.bodies.is_dynamic(last_ground))
@@ -63,8 +64,9 @@ void push_others(const CharacterContext& c, const Character& self, const Walk& w
     }
 }
 
-// The step moves the body by its velocity to where the character got. What of the way was no motion (steps that it
-// climbed, ground that it was kept on) comes before: nothing is struck with that.
+// Gives the character's body the velocity with which the step moves it to its destination. The part of the displacement
+// that is a correction (climbing a step, sticking to the ground) is applied before, so that nothing is hit with that
+// speed.
 void place(const CharacterContext& c, Character& self, const Walk& walk, double dt) {
     const std::int32_t b = self.body;
     BodyMotion& motion = c.bodies.motion[b];
@@ -93,7 +95,7 @@ void place(const CharacterContext& c, Character& self, const Walk& walk, double 
 void move_character(const CharacterContext& c, std::size_t index, CharacterScratch& scratch, double dt) {
     Character& self = c.characters.all[index];
     const BodyMotion& motion = c.bodies.motion[self.body];
-    if (!(motion.v == self.written)) { // somebody has thrown it
+    if (!(motion.v == self.written)) { // the velocity was changed from outside
         self.velocity = math::to_double(motion.v);
         self.base = {};
         if (math::dot(motion.v, self.up) > 0) self.support = CharacterSupport::none;

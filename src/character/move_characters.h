@@ -1,4 +1,4 @@
-// Characters walk at the beginning of a step (docs/decisions/characters.md).
+// Moves characters at the beginning of a step (docs/decisions/characters.md).
 #pragma once
 
 #include "state/state.h"
@@ -6,8 +6,8 @@
 
 namespace cairn {
 
-// What moving characters reads, and what it changes: their bodies, which the step then moves by the velocity that they
-// have been given, and forces on dynamic bodies.
+// The inputs of moving characters, and the data that it changes: the velocities of their bodies, with which the step
+// then moves them, and forces on dynamic bodies.
 struct CharacterContext {
     const WorldDef& settings;
     const ForceFields& fields;

@@ -16,7 +16,7 @@ using math::DVec3;
 
 namespace {
 
-// The shape with a ball of that radius added.
+// The shape enlarged by a ball of radius `by`.
 Convex padded(Convex c, double by) {
     if (c.is_sharp) {
         c.is_sharp = false;
@@ -33,14 +33,14 @@ Convex padded(Convex c, double by) {
 
 DBounds moved(const DBounds& b, DVec3 by) { return {b.lo + by, b.hi + by}; }
 
-// A way that leads into a surface by less than this, rad, passes it.
+// Angle, rad: a motion that leads into a surface by less than this slides past it.
 constexpr double grazing = 1e-5;
 
 double height_over(const Obstacle& plane, const Convex& shape) {
     return dot(support(shape, -plane.convex.axes.c1) - plane.convex.center, plane.convex.axes.c1);
 }
 
-// By how much a point that goes along with a body moves in a step.
+// The displacement in a step of a point that moves with a body.
 DVec3 carried(const BodyMotion& motion, DVec3 point, double dt) {
     const DVec3 arm = point - motion.x, turn = dt * math::to_double(motion.w);
     const DVec3 shift = dt * math::to_double(motion.v);
@@ -48,7 +48,7 @@ DVec3 carried(const BodyMotion& motion, DVec3 point, double dt) {
     return shift + (math::rotate(math::from_rotation_vector(turn), arm) - arm);
 }
 
-// How far a body may come to meet what is around it in a step, m.
+// A bound of the displacement of a body's points in a step, m.
 double own_reach(const Bodies& bodies, std::int32_t b, double dt) {
     const BodyMotion& m = bodies.motion[b];
     return dt * (double(math::length(m.v)) + double(math::length(m.w)) * double(bodies.links[b].radius));
@@ -109,8 +109,8 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     PosedInQuery posed(input_.shapes, shape, origin_);
     Obstacle o;
     o.body = input_.shapes.links[shape].body, o.shape = shape, o.type = bodies.settings[o.body].type;
-    // Other characters have their turn before or after this one: those before stand where they will be, and those after
-    // where they are.
+    // Characters move one after another: those that have moved already stand where they will be after the step, the
+    // others where they are now.
     const auto& all = input_.characters.all;
     const auto other = std::find_if(all.begin(), all.end(), [&](const Character& c) { return c.body == o.body; });
     if (other != all.end()) {
@@ -124,7 +124,7 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
         const DVec3 direction = math::rotate(posed.rotation, math::to_double(traits.one_way));
         const Convex other = posed.convex(middle(scratch_.parts[0].sharp), math::length(near.hi - near.lo));
         for (const CharacterPart& part : scratch_.parts)
-            if (!is_beyond(part.sharp, other, direction)) return; // it goes through
+            if (!is_beyond(part.sharp, other, direction)) return; // the character passes through it
     }
     const auto push = [&] {
         scratch_.obstacles.push_back(o);
@@ -160,7 +160,8 @@ void Surroundings::add_shape(std::uint32_t shape, const DBounds& near) {
     }
 }
 
-// As it moves where it is nearest to the character: of what turns, each place moves otherwise.
+// Sets an obstacle's motion to that of its point nearest to the character, as the points of a rotating body move
+// differently.
 void Surroundings::set_motion(std::size_t obstacle) {
     Obstacle& o = scratch_.obstacles[obstacle];
     const BodyMotion& motion = input_.bodies.motion[o.body];
@@ -192,7 +193,7 @@ std::optional<CharacterGap> Surroundings::gap(std::size_t obstacle, DVec3 at, do
         if (!o.is_one_sided || dot(best->normal, front) > 0) continue;
         if (c.distance > 0) {
             best.reset();
-        } else { // it has sunk in: out along the front
+        } else { // the character has sunk in: push it out along the front
             best->normal = front;
             best->distance = dot(support(shape, -front) - o.convex.corners[0], front);
         }
@@ -224,7 +225,7 @@ std::optional<CharacterHit> Surroundings::cast_at(const CharacterPart& part, std
     const auto hit = cast_convex(moved(part.padded, shift), relative, o.convex, limit);
     if (!hit) return std::nullopt;
     if (hit->fraction > 0) return hit_at(hit->fraction, hit->normal, hit->point);
-    // They are within the skin already. Convex shapes that part never meet again on a straight way.
+    // The shapes are within the skin already. Convex shapes that separate do not meet again on a straight path.
     const auto near = gap(obstacle, at, time, 2 * double(self_.skin));
     if (!near || !(dot(relative, near->normal) < -grazing * length)) return std::nullopt;
     return CharacterHit{0, near->normal, near->point, obstacle};

@@ -1,4 +1,4 @@
-// What is around a character, and when it meets that.
+// The obstacles around a character, and when it hits them.
 #pragma once
 
 #include "state/character_state.h"
@@ -19,46 +19,48 @@ struct CharacterInput {
     double dt;
 };
 
-// What steps, gravities and places beyond measure come to is none: 0.
+// Replaces vectors of absurd length, which huge steps, gravities or positions can give, by 0.
 inline math::DVec3 within_numbers(math::DVec3 v) {
     constexpr double most = 1e30;
     return math::dot(v, v) <= most * most ? v : math::DVec3{};
 }
 
-// Where a character and an obstacle are nearest.
+// The nearest points of a character and an obstacle.
 struct CharacterGap {
-    double distance;    // m; < 0: they overlap
+    double distance;    // m; negative if they overlap
     math::DVec3 normal; // unit, out of the obstacle
-    math::DVec3 point;  // of the obstacle
+    math::DVec3 point;  // on the obstacle
 };
 
 struct CharacterHit {
-    double fraction; // of the way
+    double fraction; // of the motion
     math::DVec3 normal, point;
     std::size_t obstacle;
 };
 
-// The surroundings of one character. Places are relative to where it was at the start of the step; `time` is the part
-// of the step that has gone by.
+// The surroundings of one character. Positions are relative to the character's at the start of the step; `time` is the
+// share of the step that has passed.
 class Surroundings {
   public:
-    // All that it can meet when nothing of it gets farther than `reach` from where it is. `index`: of the character.
+    // Collects all obstacles that the character can hit if none of its points moves by more than `reach`. `index`: of
+    // the character.
     Surroundings(const CharacterInput& input, std::size_t index, double reach, CharacterScratch& scratch);
 
     std::span<const Obstacle> obstacles() const { return scratch_.obstacles; }
     bool has_shape() const { return !scratch_.parts.empty(); }
     math::DVec3 origin() const { return origin_; }
-    double size() const { return size_; } // m, across
-    double lowest(math::DVec3 up) const;  // of it, along a direction, from its origin
+    double size() const { return size_; } // m, of the largest bounding box diagonal of its shapes
+    double lowest(math::DVec3 up) const;  // the lowest point of the character along `up`, from its origin
 
-    // Beyond `most` nothing is told.
+    // The gap to an obstacle, if it is at most `most`.
     std::optional<CharacterGap> gap(std::size_t obstacle, math::DVec3 at, double time, double most) const;
-    // The first meeting, at the distance of the skin, on the way from `at` by `way`, while the part `duration` of the
-    // step goes by. What is nearer than that at once is met if the way leads on into it.
+    // The first hit, at the distance of the skin, on the motion `way` from `at`, during the share `duration` of the
+    // step. An obstacle that is nearer than that from the start is hit if the motion leads farther into it.
     std::optional<CharacterHit> cast(math::DVec3 at, double time, math::DVec3 way, double duration) const;
-    // Of the surfaces of an obstacle at a point, the one that faces most along `up`: its normal, if there is one.
+    // The normal of the obstacle's surface that is most nearly along `up`, among those at the hit point, if there is
+    // one.
     std::optional<math::DVec3> face_at(const CharacterHit& hit, double time, math::DVec3 up) const;
-    // The body moves towards the character no more: it is no longer pushed by it.
+    // Removes the body's motion towards the character, so that it does not push it.
     void stop_approach(std::int32_t body, math::DVec3 normal);
 
   private:

@@ -24,7 +24,7 @@ bool MotionPlanes::allows(DVec3 motion, double tolerance) const {
 
 namespace {
 
-// The point of the line in which two planes meet that is nearest to one.
+// The point on the intersection line of two planes that is nearest to `wanted`.
 std::optional<DVec3> on_both(const MotionPlane& a, const MotionPlane& b, DVec3 wanted) {
     const double c = dot(a.normal, b.normal), determinant = 1 - c * c;
     if (!(determinant > 1e-9)) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<DVec3> on_both(const MotionPlane& a, const MotionPlane& b, DVec3 w
     return wanted + x * a.normal + y * b.normal;
 }
 
-// The corner of three planes.
+// The intersection point of three planes.
 std::optional<DVec3> on_all(const MotionPlane& a, const MotionPlane& b, const MotionPlane& c) {
     const DVec3 bc = math::cross(b.normal, c.normal);
     const double volume = dot(a.normal, bc);
@@ -44,7 +44,8 @@ std::optional<DVec3> on_all(const MotionPlane& a, const MotionPlane& b, const Mo
 
 } // namespace
 
-// The nearest point of a convex polyhedron lies within it, on a face, an edge or a corner: all are tried.
+// The nearest point of a convex polyhedron is the wanted point itself, or on a face, an edge or a vertex: all are
+// tried.
 std::optional<DVec3> MotionPlanes::nearest(DVec3 wanted) const {
     const double tolerance = 1e-9 * (1 + math::length(wanted));
     if (allows(wanted, tolerance)) return wanted;

@@ -1,4 +1,4 @@
-// The motion that comes nearest to a wanted one and leads into none of some planes.
+// Finds the motion nearest to a wanted one that does not violate a set of plane constraints.
 #pragma once
 
 #include "math/vec.h"
@@ -11,7 +11,7 @@ namespace cairn {
 
 struct MotionPlane {
     math::DVec3 normal; // unit
-    double least = 0;   // along the normal: how far the motion must lead at least
+    double least = 0;   // the least displacement along the normal
 };
 
 class MotionPlanes {
@@ -19,10 +19,10 @@ class MotionPlanes {
     static constexpr std::size_t max_count = 8;
     void clear() { count_ = 0; }
     std::size_t size() const { return count_; }
-    // The oldest but the first goes if there are too many.
+    // Adds a plane; if there are too many, the oldest except the first is removed.
     void add(const MotionPlane& plane);
-    // Nothing if no motion satisfies all that is no longer than the wanted one and all that pushes together: what is
-    // squeezed between two that nearly face each other would shoot out.
+    // The nearest allowed motion; nothing if no allowed motion is at most as long as the wanted one plus the sum of all
+    // pushes: otherwise a character squeezed between two planes that nearly face each other would shoot out.
     std::optional<math::DVec3> nearest(math::DVec3 wanted) const;
 
   private:

@@ -13,10 +13,9 @@ using math::DVec3;
 namespace {
 
 constexpr int max_hits = 24, max_recoveries = 4, recovery_rounds = 8;
-// Of the skin: from that distance on, surfaces are left alone. Casts end at the skin itself.
+// Share of the skin: surfaces at this distance or farther are not pushed away from. Casts end at the skin itself.
 constexpr double kept_distance = 0.999;
-// The cosine of how far to its side a character may touch the edge of a surface that it stands on; and of one that it
-// lands on.
+// Cosines of the steepest contact normal at an edge of a walkable surface: for standing on it, and for landing on it.
 constexpr double steepest_edge = 0.05, steepest_landing = 0.5;
 constexpr double least_motion = 1e-7; // m
 
@@ -41,7 +40,7 @@ void Walk::run() {
     } else if (finds_ground()) {
         start_on_ground();
     } else {
-        if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // it is gone
+        if (self_.support == CharacterSupport::ground) self_.support = CharacterSupport::none; // the ground is gone
         start_in_air();
     }
     motion_ = within_numbers(motion_), velocity_ = within_numbers(velocity_);
@@ -53,9 +52,10 @@ void Walk::run() {
     finish();
 }
 
-// --- out of what is too near
+// --- Recovery from obstacles that are too near.
 
-// By how much, and whether it is in the way of something. Floors push upward, so that nothing creeps down a slope.
+// Computes the displacement that restores the skin, and returns whether an obstacle is nearer than half the skin.
+// Floors push straight up, so that a character does not creep down a slope.
 bool Walk::push_out(DVec3& way) const {
     struct Lack {
         DVec3 normal, direction;
@@ -92,17 +92,17 @@ void Walk::recover() {
     }
 }
 
-// --- what it stands on
+// --- Ground.
 
-// The motion over a slope that is seen from above like the given one, of that length.
+// The motion along a slope with the same horizontal direction as the given one, and the given length.
 DVec3 Walk::along_slope(DVec3 motion, DVec3 slope, double length) const {
     const DVec3 flat = level(motion), along = flat - (dot(slope, flat) / dot(slope, up_)) * up_;
     const double size = math::length(along);
     return size > 0 ? (length / size) * along : DVec3{};
 }
 
-// Whether something can be stood on: it is not too steep, or the edge of what is not. `least`: the cosine up to which
-// an edge counts.
+// Whether the character can stand on a hit surface: it is not too steep, or it is an edge of a surface that is not.
+// `least`: the least cosine at an edge.
 std::optional<Walk::Footing> Walk::footing(const CharacterHit& hit, double least) const {
     const double rise = dot(hit.normal, up_);
     if (rise >= least_slope_) return Footing{hit.obstacle, hit.normal, hit.normal, hit.point};
@@ -112,15 +112,15 @@ std::optional<Walk::Footing> Walk::footing(const CharacterHit& hit, double least
     return Footing{hit.obstacle, hit.normal, *face, hit.point};
 }
 
-// An edge that it touches with its round side may be higher than a step.
+// Whether an edge that the character touches with its round side is higher than a step.
 bool Walk::is_too_high(const Footing& f) const {
-    const double height = dot(f.point - at_, up_) - around_.lowest(up_) + skin_; // over what it stands on
+    const double height = dot(f.point - at_, up_) - around_.lowest(up_) + skin_; // above its lowest point
     if (!(height > double(self_.step_height) + 1e-3 * around_.size())) return false;
     const auto face = around_.face_at({0, f.contact, f.point, f.obstacle}, time_, up_);
     return face && dot(*face, f.contact) < 0.999;
 }
 
-// What it comes to stand on as it goes down, along walls that it touches.
+// Finds the ground below the character by moving it down, sliding along walls.
 std::optional<Walk::Footing> Walk::drop(DVec3& at, double depth, double least) const {
     DVec3 way = -depth * up_;
     for (int hits = 0; hits < 4; ++hits) {
@@ -143,17 +143,17 @@ void Walk::stand_on(const Footing& f) {
     planes_.add({slope_, dot(slope_, carry())});
 }
 
-// Whether what is below it falls faster than it can follow: it does not weigh on that. Kinematic bodies start and stop
-// at once, and are followed.
+// Whether a dynamic body below the character falls faster than the character can follow, so that the character does not
+// load it. Kinematic bodies start and stop abruptly, and are followed.
 bool Walk::falls_away(const Obstacle& o) const {
     if (o.type != BodyType::dynamic) return false;
     const double fall = dot((1 / dt_) * o.ride, up_);
     if (self_.support != CharacterSupport::ground) return fall < dot(self_.velocity, up_) - 1e-6;
-    const double most = std::min(0.0, dt_ * dot(gravity_, up_)); // it stood, as fast as this
+    const double most = std::min(0.0, dt_ * dot(gravity_, up_)); // the most that a standing character falls in a step
     return o.body == self_.ground_body && fall - dot(math::to_double(self_.ground_velocity), up_) < most - 1e-6;
 }
 
-// What it stands on already; or what it has been put on.
+// Finds the ground that the character stands on already, or has been placed on.
 bool Walk::finds_ground() {
     const bool stood = self_.support == CharacterSupport::ground;
     const double depth = stood ? double(self_.stick_distance) + skin_ : 0.5 * skin_;
@@ -177,7 +177,7 @@ void Walk::start_on_ground() {
         const std::optional<std::size_t> left = ground_;
         ground_.reset();
         start_in_air();
-        landing_speed_ = double(self_.jump_speed); // what it jumps off feels the same
+        landing_speed_ = double(self_.jump_speed); // the body below feels the impulse of the jump
         jumped_off_ = left;
         return;
     }
@@ -188,7 +188,7 @@ void Walk::start_in_air() {
     DVec3 change = math::to_double(self_.base) + level(math::to_double(self_.walk)) - level(self_.velocity);
     const double most = dt_ * double(self_.air_acceleration), size = math::length(change);
     if (size > most) change = (most / size) * change;
-    if (self_.support == CharacterSupport::steep) { // wishes do not lead up there
+    if (self_.support == CharacterSupport::steep) { // steering does not lead up a steep slope
         const DVec3 out = level(math::to_double(self_.ground_normal));
         const double square = dot(out, out);
         if (square > 0) change -= (std::min(0.0, dot(change, out)) / square) * out;
@@ -199,7 +199,7 @@ void Walk::start_in_air() {
     motion_ = 0.5 * dt_ * (self_.velocity + velocity_);
 }
 
-// --- on the way
+// --- Motion.
 
 void Walk::slide() {
     for (int hits = 0; hits < max_hits && time_ < 1; ++hits) {
@@ -245,7 +245,7 @@ void Walk::land(const Footing& f) {
     stand_on(f);
 }
 
-// Up, on, and down again, if that leads farther and up to where it can stand.
+// Tries to climb a step: up, forward, and down again. It succeeds if that leads farther and higher, to walkable ground.
 bool Walk::climb(const CharacterHit& hit) {
     if (!(self_.step_height > 0)) return false;
     const double left = 1 - time_, height = double(self_.step_height);
@@ -256,7 +256,7 @@ bool Walk::climb(const CharacterHit& hit) {
     const DVec3 raised = at_ + rise * up_;
     DVec3 way = left * (level(carry()) + own);
     double part = 0;
-    for (int tries = 0; tries < 2; ++tries) { // the second time along a wall
+    for (int tries = 0; tries < 2; ++tries) { // second try: along a wall
         const auto ahead = around_.cast(raised, time_, way, left);
         part = ahead ? ahead->fraction : 1;
         if (part * math::length(way) > least_motion) break;
@@ -288,8 +288,7 @@ void Walk::slide_along(const CharacterHit& hit) {
     const bool has_side = width > 1e-2 && !self_.flies;
     const DVec3 side = has_side ? (1 / width) * flat : DVec3{};
     if (!(ground_ && has_side)) planes_.add({hit.normal, dot(hit.normal, its_carry)});
-    // Nothing is climbed that is too steep to stand on, nor is a character that walks pressed down by what leans over
-    // it.
+    // A walking character neither climbs surfaces that are too steep, nor is pressed down by overhanging ones.
     if (has_side && (ground_ || rise > 0)) planes_.add({side, dot(side, its_carry)});
     if (!ground_ && rise > steepest_edge && !self_.flies) {
         is_steep_ = true;
@@ -300,7 +299,7 @@ void Walk::slide_along(const CharacterHit& hit) {
         if (const auto velocity = planes_.nearest(dt_ * velocity_)) velocity_ = (1 / dt_) * *velocity;
         return;
     }
-    // It is squeezed: what moves passes it.
+    // The character is squeezed: the moving obstacle passes through it.
     around_.stop_approach(obstacle(hit.obstacle).body, hit.normal);
     motion_ = wanted_ = velocity_ = {};
     planes_.clear();
@@ -321,7 +320,7 @@ void Walk::note_push(const CharacterHit& hit) {
     pushes_[push_count_++] = {met.body, direction, hit.point, speed};
 }
 
-// --- at the end
+// --- End of the step.
 
 void Walk::stick() {
     velocity_ = (1 / dt_) * motion_;

@@ -1,5 +1,5 @@
-// How one character moves in one step (docs/decisions/characters.md). Motions are in meters per step, places relative
-// to where the character was at its start.
+// The motion of one character in one step (docs/decisions/characters.md). Motions are in meters per step; positions are
+// relative to the character's at the start of the step.
 #pragma once
 
 #include "character/obstacles.h"
@@ -11,11 +11,11 @@
 
 namespace cairn {
 
-// What a dynamic body feels of a character.
+// A push of a character on a dynamic body.
 struct CharacterPush {
     std::int32_t body;
-    math::DVec3 direction, point; // unit; relative to the start
-    double speed;                 // m/s, of the character towards the body along it
+    math::DVec3 direction, point; // unit; relative to the character's position at the start
+    double speed;                 // m/s, of the character towards the body along `direction`
 };
 
 class Walk {
@@ -25,18 +25,18 @@ class Walk {
          double dt);
     void run();
 
-    math::DVec3 at() const { return at_; }     // where it gets
-    math::DVec3 slid() const { return slid_; } // the part of that which is motion, and no correction of its place
-    // Obstacles: what it stands on, and what it has jumped off.
+    math::DVec3 at() const { return at_; }     // the final position
+    math::DVec3 slid() const { return slid_; } // the part of the displacement that is motion, not correction
+    // Indices of obstacles: the ground, and the ground that the character has jumped off.
     std::optional<std::size_t> ground() const { return ground_; }
     std::optional<std::size_t> jumped_off() const { return jumped_off_; }
-    double landing_speed() const { return landing_speed_; } // m/s, or that of the jump
+    double landing_speed() const { return landing_speed_; } // m/s; after a jump its speed
     std::span<const CharacterPush> pushes() const { return {pushes_.data(), push_count_}; }
 
   private:
     struct Footing {
         std::size_t obstacle;
-        math::DVec3 contact, slope, point; // normals: out of what it touches, and of the surface that it follows
+        math::DVec3 contact, slope, point; // normals of the contact and of the walked surface; position of the contact
     };
     void recover();
     bool push_out(math::DVec3& way) const;
@@ -69,9 +69,9 @@ class Walk {
     Surroundings& around_;
     Character& self_;
     math::DVec3 up_, gravity_;
-    double max_speed_, recovery_speed_, dt_, skin_, least_slope_; // the cosine of the steepest slope
+    double max_speed_, recovery_speed_, dt_, skin_, least_slope_; // least_slope_: cosine of the steepest walkable slope
     math::DVec3 at_, slid_;
-    math::DVec3 wanted_, motion_; // m in a step: but for what it slides along, and now
+    math::DVec3 wanted_, motion_; // m per step: without, and with the constraints of obstacles
     math::DVec3 velocity_;        // m/s, at the end of the step
     double time_ = 0, landing_speed_ = 0;
     std::optional<std::size_t> ground_, steep_, jumped_off_;

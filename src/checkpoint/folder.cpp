@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* index_name = "index.json";
 constexpr std::string_view step_prefix = "step_";
-constexpr std::size_t piece = std::size_t{1} << 20; // bytes that are written at a time
+constexpr std::size_t piece = std::size_t{1} << 20; // bytes per write
 
 fs::path place_of(const fs::path& folder, std::uint64_t step) {
     return folder / (std::string(step_prefix) + std::to_string(step));
@@ -43,7 +43,7 @@ void require(const fs::path& path, const char* what, const std::error_code& erro
     if (error) throw Error(ErrorCode::io, path.generic_string(), {}, std::string(what) + ": " + error.message());
 }
 
-// Calls take(bytes) for what of the sections, one behind the other, is from `begin` to `end`.
+// Calls take(bytes) for the bytes `begin` to `end` of the concatenated sections.
 template <class F>
 void for_range(std::span<const std::span<const std::byte>> sections, std::uint64_t begin, std::uint64_t end,
                const F& take) {
@@ -77,7 +77,8 @@ std::vector<std::uint64_t> steps_in(const fs::path& folder) {
     fs::directory_iterator entry(folder, error);
     std::error_code ignored;
     if (error == std::errc::no_such_file_or_directory) return steps;
-    if (error == std::errc::not_a_directory && !fs::exists(folder, ignored)) return steps; // below a file
+    if (error == std::errc::not_a_directory && !fs::exists(folder, ignored))
+        return steps; // the path leads below a file
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(step_prefix)) continue;
@@ -106,7 +107,7 @@ Writer::Writer(fs::path folder, Identity identity, Communicator* ranks, int keep
                         "is being written to by another program: wait for its end, or choose another folder");
         }
     }
-    if (ranks_) ranks_->sum(0); // the folder is there
+    if (ranks_) ranks_->sum(0); // wait until the folder exists
     if (::access(folder_.c_str(), W_OK | X_OK) != 0) {
         const int error = errno;
         if (lock_ >= 0) ::close(lock_);
@@ -157,13 +158,13 @@ void Writer::write(const Moment& moment, std::span<const std::span<const std::by
     const fs::path place = place_of(folder_, moment.step);
     if (is_first()) {
         std::error_code error;
-        fs::remove(place / index_name, error); // first, so that what is left is never taken for whole
+        fs::remove(place / index_name, error); // first, so that an incomplete rest is never taken for a checkpoint
         fs::remove_all(place, error);
         require(place, "cannot be removed", error);
         fs::create_directory(place, error);
         require(place, "cannot be made", error);
     }
-    if (ranks_) ranks_->sum(0); // it is there, and empty
+    if (ranks_) ranks_->sum(0); // wait until the folder exists and is empty
     Index index{identity_, moment, {}, {}};
     std::uint64_t bytes = 0;
     for (const std::span<const std::byte> section : sections) {
@@ -177,14 +178,14 @@ void Writer::write(const Moment& moment, std::span<const std::span<const std::by
     const std::clock_t start = std::clock();
     const Part own = write_part(place, "part_" + std::to_string(rank_), sections, cut(rank_), cut(rank_ + 1));
     part_seconds_ += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    index.parts = gather(own); // when all have written theirs
+    index.parts = gather(own); // waits until all ranks have written their parts
     if (!is_first()) return;
     finish(index, place);
     remove_older(moment.step);
 }
 
 void Writer::finish(const Index& index, const fs::path& place) const {
-    files::sync_folder(place); // the names of the parts before that of the index
+    files::sync_folder(place); // the names of the parts must be durable before the index
     files::OutputFile file(place / index_name);
     file.write(to_text(index));
     file.sync();
@@ -196,7 +197,7 @@ void Writer::finish(const Index& index, const fs::path& place) const {
 void Writer::remove_older(std::uint64_t step) const {
     int kept = 0;
     for (const std::uint64_t other : steps_in(folder_)) {
-        if (other > step) continue; // damaged, or this run would have begun there
+        if (other > step) continue; // damaged, or this run would have started there
         const fs::path place = place_of(folder_, other);
         std::error_code error;
         if (fs::exists(place / index_name, error) && kept < keep_) {

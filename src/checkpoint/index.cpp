@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t format = 1;
-constexpr std::size_t max_parts = 1u << 20; // far more than anybody has ranks; an index stays small
+constexpr std::size_t max_parts = 1u << 20; // far more than any number of ranks; keeps an index small
 
 template <class T> std::string hex_of(T number) {
     char digits[2 * sizeof number];
@@ -26,7 +26,7 @@ template <class T> std::string hex_of(T number) {
     return std::string(sizeof digits - text.size(), '0') + text;
 }
 
-// Members of an object, each of which must be there. Messages name it by its path.
+// Reads required members of a JSON object. Error messages name a member by its path.
 class Reader {
   public:
     Reader(const Json& json, std::string path) : json_(json), path_(std::move(path)) {}
@@ -92,7 +92,7 @@ TableProgress read_table(const Reader& reader) {
              reader.bits<std::uint32_t>("rows_crc32")}};
 }
 
-// Names of files are any bytes.
+// File names may contain any bytes.
 std::string dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
 std::string sum_of(const Json& contents) { return hex(files::crc32(dump(contents, -1))); }

@@ -1,4 +1,4 @@
-// Reading a checkpoint: which one it is, is agreed on by all ranks; then each reads some of the parts for all.
+// Reads a checkpoint: all ranks agree on which one; then each rank reads some of the parts and broadcasts them.
 #include "checkpoint/folder.h"
 
 #include "files/checksum.h"
@@ -28,7 +28,7 @@ using Tell = std::function<void(const std::string&)>;
     throw Error(ErrorCode::io, path.generic_string(), {}, std::string("cannot be read: ") + std::strerror(error));
 }
 
-// A file that is read.
+// A file opened for reading.
 class File {
   public:
     explicit File(fs::path path) : path_(std::move(path)), file_(::open(path_.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -59,12 +59,12 @@ class File {
     int file_;
 };
 
-// The ranks, or this process alone.
+// The ranks that read together, or this process alone.
 class Readers {
   public:
     explicit Readers(Communicator* ranks) : ranks_(ranks) {}
     bool is_first() const { return !ranks_ || ranks_->rank() == 0; }
-    // Which rank reads a part.
+    // The rank that reads a part.
     int reader(std::size_t part) const {
         return ranks_ ? static_cast<int>(part % static_cast<std::size_t>(ranks_->size())) : 0;
     }
@@ -82,7 +82,7 @@ class Readers {
     Communicator* ranks_;
 };
 
-// The text of an index that is whole and of this run; empty if it is not whole.
+// The text of an index that is complete and of this run; empty if it is not complete.
 std::string index_text(const fs::path& place, const Identity& identity, const Tell& tell) {
     const fs::path path = place / "index.json";
     std::error_code ignored;
@@ -103,10 +103,10 @@ std::string index_text(const fs::path& place, const Identity& identity, const Te
     }
 }
 
-// Reads those parts that are this rank's. Where one is damaged on any rank, nothing comes of it.
+// Reads this rank's parts and exchanges them. Nothing if a part is damaged on any rank.
 std::optional<std::vector<std::byte>> read_parts(const Index& index, const fs::path& place, const Readers& readers,
                                                  const Tell& tell) {
-    // `work` is done by all; whether none of them failed.
+    // Does `work` for this rank's parts; returns whether no rank has failed.
     const auto all_can = [&](const auto& work) {
         bool has_failed = false;
         for (std::size_t i = 0; i < index.parts.size() && !has_failed; ++i) {
@@ -120,7 +120,7 @@ std::optional<std::vector<std::byte>> read_parts(const Index& index, const fs::p
         }
         return !readers.any(has_failed);
     };
-    const bool have_their_sizes = all_can([&](std::size_t i, const fs::path& path) { // before memory is asked for
+    const bool have_their_sizes = all_can([&](std::size_t i, const fs::path& path) { // before memory is allocated
         if (const std::uint64_t size = File(path).size(); size != index.parts[i].bytes)
             throw Error(ErrorCode::invalid_file, path.generic_string() + ": size", std::to_string(size),
                         "must be " + std::to_string(index.parts[i].bytes) + " bytes");

@@ -11,7 +11,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr double off_border = 1e-4; // of the extent: how far from its border a point is on the face
+constexpr double off_border = 1e-4; // of the extent: distance from the border of points on the face
 
 double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 void cross(const double (&a)[3], const double (&b)[3], double (&out)[3]) {
@@ -24,14 +24,16 @@ void difference(const double (&a)[3], const double (&b)[3], double (&out)[3]) {
 }
 void put(double (&out)[3], DVec3 v) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
-// Whether gap > least, both times the root of `square`.
+// Whether gap > least * sqrt(square), without computing the root.
 bool is_beyond(double gap, double least, double square) { return gap > 0 && gap * gap > least * least * square; }
 
-// Sides of a polygon that cut another one: how far the corners of that are inside of each, by any factor for each side.
+// Signed distances of the corners of one polygon from the sides of another one that clips it, positive inside; each
+// side's distances may be scaled by any positive factor.
 template <int corners, int sides> struct Sides {
     double inside[corners][sides];
 
-    // The part of the edge from corner p to q that is within all sides; false if there is none.
+    // Clips the edge from corner p to q to the part, in edge parameters, that is within all sides; false if there is
+    // none.
     bool cut(int p, int q, double& start, double& end) const {
         start = 0, end = 1;
         if ((outside[p] & outside[q]) != 0) return false;
@@ -51,7 +53,7 @@ template <int corners, int sides> struct Sides {
             for (int k = 0; k < sides; ++k) outside[i] |= unsigned(inside[i][k] < 0) << k;
         }
     }
-    unsigned outside[corners]; // a bit for each side
+    unsigned outside[corners]; // one bit per side
 };
 
 } // namespace
@@ -74,7 +76,7 @@ void BoxOnTriangles::place(const Triangle& triangle, int i) {
 }
 
 double BoxOnTriangles::look() {
-    for (int n = batch_.count; n % 4 != 0; ++n) // what the kernel looks at beyond the last
+    for (int n = batch_.count; n % 4 != 0; ++n) // pad the last block of lanes
         for (auto& corner : batch_.vertices)
             for (auto& along : corner) along[n] = along[n - 1];
     kernels_.see(frame_, batch_);
@@ -104,7 +106,7 @@ void BoxOnTriangles::touch(bool is_triangle, const int* which, FaceTouches& out)
     (is_triangle ? kernels_.touch_on_triangle : kernels_.touch_on_box)(frame_, batch_, which, out);
 }
 
-// The points of a lane of the kernel, which has some.
+// Extracts the contact points of one SIMD lane of the kernel's result, which has at least one.
 void BoxOnTriangles::write(const FaceTouches& touches, bool is_triangle, int i, int lane, BoxHit& hit) const {
     const int x = touches.axis[lane], y = x < 2 ? x + 1 : 0, z = y < 2 ? y + 1 : 0;
     const auto place = [&](int n) {
@@ -136,7 +138,7 @@ void BoxOnTriangles::write(const FaceTouches& touches, bool is_triangle, int i, 
 }
 
 BoxOnTriangles::Verdict BoxOnTriangles::on_face(bool is_triangle, int i, int lane, BoxHit& hit) {
-    // The same choice, and the same doubts, as in convex_contact.cpp.
+    // The same choice of reference face, with the same tolerances, as in convex_contact.cpp.
     const double least = is_triangle ? batch_.along_normal[i] : batch_.along_box[i], reached = touches_.reached[lane];
     hit.count = 0;
     if (touches_.present[lane] != 0) write(touches_, is_triangle, i, lane, hit);
@@ -160,7 +162,7 @@ BoxOnTriangles::Verdict BoxOnTriangles::on_no_face(int i, BoxHit& hit) {
     return beyond_faces(hit);
 }
 
-// The middle of the box is not over the triangle, as seen along the normal.
+// Whether the center of the box is not over the triangle, as seen along the normal.
 bool BoxOnTriangles::is_beside() const {
     for (int e = 0; e < 3; ++e) {
         double edge[3], inward[3];
@@ -171,12 +173,12 @@ bool BoxOnTriangles::is_beside() const {
     return false;
 }
 
-// What a triangle has beyond faces is at its border.
+// Whether the box is near an edge of the triangle: contacts that are not along a face normal occur only there.
 bool BoxOnTriangles::border_is_near() const {
     Sides<3, 6> sides;
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < 3; ++i) {
-            const double reach = half_[i] + (margin_ + inset_); // as far as points may be from where faces say
+            const double reach = half_[i] + (margin_ + inset_); // the greatest distance of such contacts from the box
             sides.inside[c][2 * i] = reach - corners_[c][i];
             sides.inside[c][2 * i + 1] = reach + corners_[c][i];
         }
@@ -185,7 +187,7 @@ bool BoxOnTriangles::border_is_near() const {
     return sides.cut(0, 1, start, end) || sides.cut(1, 2, start, end) || sides.cut(2, 0, start, end);
 }
 
-// Not at the borders of the triangle, as seen along its normal.
+// Whether a point is inside the borders of the triangle, as seen along its normal, by more than the tolerance.
 bool BoxOnTriangles::is_inside(DVec3 foot) const {
     for (int e = 0; e < 3; ++e) {
         const DVec3 from = corner(e), edge = corner((e + 1) % 3) - from;

@@ -1,7 +1,7 @@
-// A sharp box against the front of triangles, in the frame of the box: what collide_surface would say, with a fraction
-// of its operations. Most triangles of a mesh are apart from the box, or are touched along the normal of a face of one
-// of the two; some where edges cross, and this tells so too; what remains, such as boxes that are sunk in, is left to
-// the test of all convex shapes.
+// Contacts of a sharp box with the front sides of triangles, in the frame of the box: the same results as
+// collide_surface with a fraction of its operations. Most triangles of a mesh are either separated from the box or
+// touched along a face normal of box or triangle, and some contacts are between crossing edges; all these are handled
+// here. The rest, such as deep penetrations, is left to the general convex test.
 #pragma once
 
 #include "collision/convex_contact.h"
@@ -11,37 +11,39 @@
 
 namespace cairn {
 
-// Where a box touches a triangle, in the frame of the box.
+// A contact of a box with a triangle, in the frame of the box.
 struct BoxHit {
-    // The ends of four cut edges and three corners, or of three edges and four corners; those within the margin.
+    // At most the ends of four clipped edges and three corners, or of three edges and four corners; only points within
+    // the margin.
     SurfacePoint points[11];
     int count = 0;
     math::DVec3 normal;    // from the box to the triangle
-    math::DVec3 foot;      // of the deepest point: where the triangle is
+    math::DVec3 foot;      // the deepest point, on the triangle
     double separation = 0; // of the deepest point
-    bool on_face = false;  // of the triangle: the deepest point is not at its edges
+    bool on_face = false;  // the deepest point is on the triangle's face, not at its edges
 };
 
 class BoxOnTriangles {
   public:
-    // beyond_faces: for collide_surface_beyond; unsure: for collide_surface.
+    // beyond_faces: collide_surface_beyond must decide; unsure: collide_surface must decide.
     enum class Verdict : std::uint8_t { apart, touching, beyond_faces, unsure };
 
-    // The frame of the triangles, in that in which the box is given.
+    // `center` and `axes`: the frame of the triangles, relative to the frame in which the box is given.
     BoxOnTriangles(const TriangleKernels& kernels, const Convex& box, math::DVec3 center, const math::DMat3& axes,
                    double margin);
 
-    // Triangles are taken in until there are so many, looked at together, and then tested.
+    // Triangles are added until the batch is full, then classified together by `look`, and tested by `test`.
     static constexpr int most = TriangleBatch::capacity;
     int count() const { return batch_.count; }
     void add(std::uint32_t index) { batch_.index[batch_.count++] = index; }
-    // Returns how far all are apart from the box at least, where that is more than nothing. triangle_at(index): they
-    // are read all together, as they may lie anywhere in memory.
+    // Classifies the batch. Returns a lower bound of the distance of all triangles from the box, or 0.
+    // triangle_at(index) is called for all triangles in one loop, because they may be scattered in memory.
     template <class F> double look(F&& triangle_at) {
         for (int i = 0; i < batch_.count; ++i) place(triangle_at(batch_.index[i]), i);
         return look();
     }
-    // f(index, verdict, hit) for all that are not apart; there is a hit where they touch. They are gone then.
+    // Calls f(index, verdict, hit) for all triangles that are not separated, with `hit` set for Verdict::touching; then
+    // the batch is empty.
     template <class F> void test(F&& f) {
         BoxHit hit;
         const auto tell = [&](int i, Verdict verdict) {
@@ -59,29 +61,30 @@ class BoxOnTriangles {
         batch_.count = 0;
     }
 
-    // After beyond_faces.
+    // The best face found; valid after Verdict::beyond_faces.
     const FaceReach& best_face() const { return best_face_; }
 
   private:
     struct Face {
         double separation;
         int axis;    // of the box
-        double sign; // 1 or -1: the face that looks along the axis or against it
+        double sign; // 1 or -1: the face's normal points along the axis or against it
     };
-    // A direction from the box to the triangle.
+    // A separating direction from the box to the triangle.
     struct Axis {
         math::DVec3 normal;
         double separation;
         math::DVec3 touch; // midway between the nearest points of the cores
     };
 
-    // As in convex_contact.cpp.
+    // The same values as in convex_contact.cpp.
     static constexpr double second_face_tolerance = 1e-4, rounding = 1e-6, downward = 1e-3;
-    // At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
+    // If the cosine between the normals is at least this, the contact is on the face of the triangle, wherever the
+    // point is.
     static constexpr double same_direction = 1 - 5e-11;
 
     struct List {
-        int which[most + 3]; // filled up to a multiple of four
+        int which[most + 3]; // padded to a multiple of four
         int count = 0;
     };
 
@@ -98,7 +101,7 @@ class BoxOnTriangles {
     bool pushes_down(const BoxHit& hit) const { return math::dot(hit.normal, up()) > downward; }
     bool is_beside() const;
     bool border_is_near() const;
-    // Beyond faces (box_triangle_edges.cpp).
+    // Contacts not along a face normal (box_triangle_edges.cpp).
     math::DVec3 corner(int i) const { return {corners_[i][0], corners_[i][1], corners_[i][2]}; }
     math::DVec3 up() const { return {normal_[0], normal_[1], normal_[2]}; }
     math::DVec3 half() const { return {half_[0], half_[1], half_[2]}; }
@@ -117,14 +120,14 @@ class BoxOnTriangles {
     const TriangleKernels& kernels_;
     BoxFrame frame_;
     TriangleBatch batch_;
-    List on_box_, on_triangle_, others_; // of the batch, by what is to be done with them
+    List on_box_, on_triangle_, others_; // indices into the batch, by the test that they need
     FaceTouches touches_;
     const double (&half_)[3];
     const double margin_, slack_, extent_, inset_;
-    // Of the triangle that is tested.
+    // State of the triangle being tested.
     int tested_;
     double corners_[3][3], normal_[3]; // the normal is unit
-    double along_normal_;              // how far they are apart
+    double along_normal_;              // separation along the triangle's normal
     FaceReach best_face_;
 };
 

@@ -1,5 +1,5 @@
-// A box and a triangle that faces do not tell of: where an edge or a corner of one meets the other. The same choices,
-// in the same order, as for all convex shapes in convex_contact.cpp.
+// Contacts of a box and a triangle that face normals do not determine: between two edges, or at a corner of one of
+// them. The choices, and their order, are those of the general convex test in convex_contact.cpp.
 #include "collision/box_triangle.h"
 #include "collision/contact_features.h"
 #include "shapes/box_triangle_distance.h"
@@ -14,10 +14,11 @@ using math::DVec3;
 
 namespace {
 
-// As in convex_contact.cpp and contact_features.cpp.
+// The same values as in convex_contact.cpp and contact_features.cpp.
 constexpr double sideways_tolerance = 0.1, across_tolerance = 1e-2;
 
-// The edge of the box that is across the direction n, or the corner that is farthest along it.
+// The edge of the box that is perpendicular to the direction n within the tolerance, or the corner that is farthest
+// along n.
 EdgeLine edge_of_box(DVec3 half, DVec3 n) {
     EdgeLine edge{{n.x < 0 ? -half.x : half.x, n.y < 0 ? -half.y : half.y, n.z < 0 ? -half.z : half.z}, {}};
     double least = across_tolerance;
@@ -30,7 +31,7 @@ EdgeLine edge_of_box(DVec3 half, DVec3 n) {
     return edge;
 }
 
-// Likewise of the triangle, against n.
+// The edge of the triangle that is perpendicular to n within the tolerance, or the corner that is farthest against n.
 EdgeLine edge_of_triangle(const DVec3 (&corners)[3], DVec3 n) {
     int lowest = 0;
     const double heights[3] = {dot(corners[0], n), dot(corners[1], n), dot(corners[2], n)};
@@ -48,7 +49,7 @@ EdgeLine edge_of_triangle(const DVec3 (&corners)[3], DVec3 n) {
 
 } // namespace
 
-// From the core to the triangle; false where they meet.
+// The separating direction from the inset box to the triangle; false if those overlap.
 bool BoxOnTriangles::find_axis(double inset, Axis& axis) const {
     const DVec3 corners[3] = {corner(0), corner(1), corner(2)}, size = half();
     DVec3 on_box, on_triangle;
@@ -62,7 +63,8 @@ bool BoxOnTriangles::find_axis(double inset, Axis& axis) const {
     return true;
 }
 
-// Whether the face is the contact after all: its points reach as far as an axis that has been found leaves room for.
+// Whether the face makes the contact after all: the deepest of its points must be no farther apart than `least`, the
+// best separation found, plus a tolerance. `hit` receives the points.
 bool BoxOnTriangles::touches_face(bool is_triangle, double least, BoxHit& hit) {
     const FaceReach asked = reach_of(is_triangle, 0);
     if (best_face_.face != asked.face || best_face_.is_second != asked.is_second) {
@@ -86,7 +88,7 @@ bool BoxOnTriangles::touches_face(bool is_triangle, double least, BoxHit& hit) {
 BoxOnTriangles::Verdict BoxOnTriangles::on_edges(const Axis& axis, BoxHit& hit) const {
     const DVec3 corners[3] = {corner(0), corner(1), corner(2)}, n = axis.normal;
     EdgePoints found = edge_points(edge_of_box(half(), n), edge_of_triangle(corners, n), n, axis.separation);
-    // Not these edges but the inside of a tilted face: the cores know where.
+    // The nearest points are not on these edges but inside a tilted face: the cores give the position.
     if (found.sideways > sideways_tolerance * extent_) found.points[0].position = axis.touch;
     hit.count = 0;
     hit.separation = std::numeric_limits<double>::infinity();
@@ -97,7 +99,7 @@ BoxOnTriangles::Verdict BoxOnTriangles::on_edges(const Axis& axis, BoxHit& hit) 
         hit.separation = std::min(hit.separation, p.separation);
     }
     if (hit.count == 0) return Verdict::apart;
-    // Of two that are equally deep the second, as in contact_points.cpp.
+    // If two points are equally deep, the second counts as deepest, as in contact_points.cpp.
     const bool is_second = hit.count == 2 && hit.points[1].separation <= hit.separation + flat_contact_part * extent_;
     const SurfacePoint& deepest = hit.points[is_second ? 1 : 0];
     hit.normal = n;
@@ -112,7 +114,8 @@ BoxOnTriangles::Verdict BoxOnTriangles::beyond_faces(BoxHit& hit) {
     if (!find_axis(inset_, axis)) return Verdict::beyond_faces;
     if (axis.separation > margin_) return Verdict::apart;
     if (dot(axis.normal, up()) > downward) {
-        // It would be pushed down: it has left the triangle, or is so much above it that it is pushed up.
+        // The normal would push the box down. Then the box has left the triangle, or it is so far above it that it is
+        // pushed up.
         if (axis.separation > 0.5 * along_normal_ || axis.separation > 0) return Verdict::apart;
         axis.normal = -up(), axis.separation = along_normal_;
     }
@@ -124,7 +127,7 @@ BoxOnTriangles::Verdict BoxOnTriangles::beyond_faces(BoxHit& hit) {
         const double least = std::max(axis.separation, is_triangle ? along_normal_ : box_face.separation);
         if (least > margin_) return Verdict::apart;
         if (touches_face(is_triangle, least, hit)) return pushes_down(hit) ? Verdict::apart : Verdict::touching;
-        // Inset cores round off edges: where those meet a face, the axis is that of the shapes themselves.
+        // Inset cores round off edges: where these meet a face, the axis is that of the sharp shapes.
         Axis exact;
         if (!find_axis(0, exact)) return Verdict::beyond_faces;
         if (exact.separation > axis.separation) axis = exact;

@@ -1,4 +1,4 @@
-// Shapes of the broad phase: boxes, and which tree they are in.
+// The proxies of the broad phase: their boxes, and which tree they are in.
 #include "collision/broad_phase.h"
 
 #include "core/order.h"
@@ -13,7 +13,7 @@ namespace cairn {
 
 namespace {
 
-constexpr int leaves_per_chunk = 64, shapes_per_chunk = 64; // for threads
+constexpr int leaves_per_chunk = 64, shapes_per_chunk = 64; // that a thread takes at a time
 
 float float_from_bits(std::uint32_t bits) {
     float value;
@@ -40,7 +40,7 @@ double clamped(double x) {
     return x < -limit ? -limit : x > limit ? limit : x;
 }
 
-// Ordered, and within the largest bound; an axis that is not a range becomes boundless.
+// Bounds in order and within the largest bound; an axis whose bounds are not a valid range becomes unbounded.
 DBounds sane(const DBounds& bounds) {
     DBounds out;
     for (int axis = 0; axis < 3; ++axis) {
@@ -71,7 +71,7 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec
     const double slack = rounding * std::max(size.x, std::max(size.y, size.z));
     TreeRay ray;
     for (int axis = 0; axis < 3; ++axis) {
-        const double rate = clamped(1 / direction[axis]); // also where it does not move along the axis
+        const double rate = clamped(1 / direction[axis]); // finite also for a component of 0
         const bool is_forward = rate > 0;
         const double reach = half[axis] * (1 + rounding) + slack, outward = is_forward ? reach : -reach;
         const std::uint32_t row = 8 * std::uint32_t(axis);
@@ -84,8 +84,8 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec
     return ray;
 }
 
-// The fat box may stay while it contains the required bounds, and is not far larger than a new one would be. Not for
-// what is no number.
+// How far the tight bounds may still change before the fat box no longer contains the required bounds or is far larger
+// than a new one would be, m; -1 if it is so already, or if a bound is NaN.
 double BroadPhase::fat_room(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
     const math::DVec3 extent = tight.hi - tight.lo, motion = math::to_double(displacement);
     const double size = std::max(std::max(extent.x, extent.y), extent.z);
@@ -95,7 +95,8 @@ double BroadPhase::fat_room(const DBounds& fat, const DBounds& tight, math::Vec3
         const double lo = tight.lo[axis] - required_margin + std::min(motion[axis], 0.0);
         const double hi = tight.hi[axis] + required_margin + std::max(motion[axis], 0.0);
         const double room = (fat.hi[axis] - fat.lo[axis]) - (hi - lo);
-        // Both bounds, the displacement twice more, and the margin with the size change what is too large.
+        // The threshold for "too large" changes with both bounds, with twice the displacement, and with the margin,
+        // which depends on the size.
         const double until_too_large = 0.2 * (6 * margin + 2 * std::fabs(motion[axis]) - room);
         for (const double way : {lo - fat.lo[axis], fat.hi[axis] - hi, until_too_large}) {
             if (!(way >= 0)) return -1;
@@ -113,15 +114,15 @@ DBounds BroadPhase::new_fat(const DBounds& tight, math::Vec3 displacement) {
     DBounds fat;
     for (int axis = 0; axis < 3; ++axis) {
         const double motion = std::isfinite(displacement[axis]) ? double(displacement[axis]) : 0.0;
-        const double ahead =
-            motion + std::min(std::max(motion, -size), size); // one step is required, one more for the next
+        // One step is required, one more is for the next.
+        const double ahead = motion + std::min(std::max(motion, -size), size);
         fat.lo[axis] = clamped(bounds.lo[axis] - margin + std::min(ahead, 0.0));
         fat.hi[axis] = clamped(bounds.hi[axis] + margin + std::max(ahead, 0.0));
     }
     return fat;
 }
 
-// Shapes far from the world's origin get an origin of their own from the start.
+// If the first shape is far from the world's origin, the trees get an origin near it from the start.
 void BroadPhase::choose_first_origin(const DBounds& bounds) {
     const DBounds ordered = sane(bounds);
     math::DVec3 origin;
@@ -149,7 +150,7 @@ BroadPhase::Proxy& BroadPhase::make_proxy(std::uint32_t shape) {
 
 void BroadPhase::note_change(std::uint32_t shape, const TreeBox& before) {
     Proxy& proxy = proxies_[shape];
-    if (proxy.moved) return; // since the last update; what it was then is known
+    if (proxy.moved) return; // in this period already: the box before the first change is recorded
     proxy.moved = 1;
     push(changes_, {before, shape, proxy.place, proxy.home});
 }
@@ -288,7 +289,7 @@ void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_p
         tree.note_change();
         tree.refit(kernels_);
     }
-    // Those that wake at the next update.
+    // Shapes that are not awake: they wake at the next update.
     for (const NewBounds& bounds : all)
         if (proxies_[bounds.shape].state != State::awake) set_bounds(bounds.shape, bounds.tight, bounds.displacement);
 }
@@ -304,7 +305,7 @@ void BroadPhase::refilter(std::uint32_t shape) {
         note_touched(relative(fat_[shape]));
 }
 
-// Whether the box reaches into the half-space, or through the sheet.
+// Whether the box overlaps the half-space, or the plane of a sheet.
 bool BroadPhase::crosses(const Plane& plane, const TreeBox& box) const {
     const math::DVec3& n = plane.normal;
     const math::DVec3 deepest = {n.x > 0 ? box.lo[0] : box.hi[0], n.y > 0 ? box.lo[1] : box.hi[1],

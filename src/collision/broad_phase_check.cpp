@@ -1,5 +1,5 @@
-// What a snapshot says of the broad phase, before anything follows it. All of it is looked at once; what is written
-// here holds between any two calls of a BroadPhase.
+// Validation of the broad phase in a loaded snapshot, before anything uses it. The conditions checked here hold between
+// any two calls of a BroadPhase.
 #include "collision/broad_phase.h"
 #include "core/sound.h"
 
@@ -38,7 +38,7 @@ void PairRows::check(const char* name, std::uint32_t leaves) const {
     require_count(name, used_, used);
 }
 
-// Shapes, and what holds them: each knows the other.
+// Every shape's place refers to an entry that refers back to the shape.
 void BroadPhase::check_proxies(std::size_t shapes) const {
     for (const int axis : {0, 1, 2})
         require_sound(std::isfinite(origin_[axis]), {"broad_phase.origin", std::size_t(axis)}, axis,
@@ -97,7 +97,8 @@ void BroadPhase::check_trees() const {
                       "must be a shape");
 }
 
-// Sleeping islands: trees that share nothing, each once among those of the tree of islands, and under its key.
+// Sleeping islands: their trees share no nodes, and each island is listed once in the tree of islands and under its
+// key.
 void BroadPhase::check_islands() const {
     const char* const name = "broad_phase.islands";
     std::vector<std::uint8_t> node_taken(island_nodes_.size()), is_free(islands_.size());
@@ -168,7 +169,7 @@ void BroadPhase::check_changes() const {
 
 // --- Pairs.
 
-// The changes of slots since the last update.
+// The changes of slots since the last update, by slot.
 struct BroadPhase::Noticed {
     explicit Noticed(const BroadPhase& b) : changes(b.changes_) {
         if (changes.empty()) return;
@@ -183,7 +184,7 @@ struct BroadPhase::Noticed {
     std::vector<std::uint32_t> of_slot[2];
 };
 
-// Whether the next update would notice the end of a pair: its boxes meet, or what ended it is among the changes.
+// Whether the pair's boxes overlap, or the next update will notice that it has ended.
 bool BroadPhase::ends_or_goes_on(const Noticed& noticed, int home, std::uint32_t slot, std::uint32_t key) const {
     if (noticed.of(std::uint32_t(home), slot)) return true;
     const TreeBox own = awake_[home].box(slot);
@@ -230,7 +231,7 @@ void BroadPhase::check_rows(PairReader& reader) {
     }
 }
 
-// A list of kept pairs; without a reader that of the free places. Returns how many there are.
+// Checks a linked list of kept pairs, or without a reader the list of free entries. Returns its length.
 std::uint32_t BroadPhase::check_kept(std::uint32_t island, std::uint32_t first, std::vector<std::uint8_t>& seen,
                                      PairReader* reader) const {
     std::uint32_t count = 0;

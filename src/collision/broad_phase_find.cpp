@@ -1,5 +1,5 @@
-// The search for pairs. The rows of a leaf depend on the boxes, and on what they were before, alone: leaves in which
-// nothing can have changed are skipped, and the others may be searched in any order, by any number of threads.
+// The search for pairs. The new rows of a leaf depend only on the boxes and on the old rows: leaves that cannot have
+// changed are skipped, and the others may be searched in any order, by any number of threads.
 #include "collision/broad_phase.h"
 
 #include <algorithm>
@@ -9,20 +9,20 @@ namespace cairn {
 namespace {
 
 constexpr std::uint32_t leaves_per_group = 8;
-constexpr int groups_per_chunk = 4; // for threads
+constexpr int groups_per_chunk = 4; // groups that a thread takes at a time
 
 } // namespace
 
-// Marks the leaves whose rows may have changed: those of shapes that changed their boxes, those of shapes listed
-// before them that meet the old box but not the new one or the other way round, and those that meet a box of a shape
-// that is not awake and has changed.
+// Marks the leaves whose rows may have changed: leaves of shapes whose boxes have changed; leaves of shapes listed
+// before these that overlap only the old or only the new box; and leaves that overlap a changed box of a shape that is
+// not awake.
 void BroadPhase::mark_leaves() {
     for (int home = 0; home < 2; ++home) {
         const std::uint32_t leaves = awake_[home].leaf_count();
         rows_[home].set_leaf_count(leaves);
         dirty_[home].assign(leaves, std::uint8_t(all_dirty_ != 0));
     }
-    // Above so many, asking for each is dearer than searching everything.
+    // Above this number, marking leaves costs more than searching everything.
     const std::size_t asked = changes_.size() + touched_.size(),
                       slots = awake_[0].slot_count() + awake_[1].slot_count();
     if (!all_dirty_ && search_all_ && asked > 0) all_dirty_ = 1;
@@ -49,7 +49,7 @@ void BroadPhase::mark_everywhere(int home, const TreeBox& before, const TreeBox&
         kernels_.mark_changed(tree.view(), before, after, tree.leaf_count() - 1, dirty_[home].data());
 }
 
-// Leaves of a tree that meet the box, into list `which`.
+// Lists the leaves of a tree that overlap the box in list `which`; returns their number.
 std::uint32_t BroadPhase::list_leaves(Search& own, int which, const TreeView& tree, const TreeBox& box,
                                       std::uint32_t first_leaf) const {
     if (tree.level_count == 0) return 0;
@@ -76,8 +76,8 @@ void BroadPhase::mark_crowds() {
     }
 }
 
-// Takes the leaves of a crowd out of list `which`, so that n kinematic shapes in one place are not n^2 pairs to look
-// at. Returns how many are left; the boxes are padded as the kernels want it.
+// Removes the leaves that belong to a crowd from list `which`, so that n kinematic shapes in one place do not cause n^2
+// tests. Returns how many are left; pads the boxes as the kernels require.
 std::uint32_t BroadPhase::drop_crowds(Search& own, int which, int home, std::uint32_t count, std::uint8_t crowd) const {
     if (count == 0) return 0;
     const LeafList list = leaf_list(own, which);
@@ -94,7 +94,7 @@ std::uint32_t BroadPhase::drop_crowds(Search& own, int which, int home, std::uin
     return left;
 }
 
-// Chunks note what has changed; then that takes the place of what was, in order.
+// Searches in chunks, each of which records the changed rows; these are then merged in a fixed order.
 void BroadPhase::search(int home, ThreadPool* thread_pool) {
     const std::uint32_t leaves = awake_[home].leaf_count();
     const auto groups = std::size_t(leaves + leaves_per_group - 1) / leaves_per_group;
@@ -115,7 +115,7 @@ void BroadPhase::search(int home, ThreadPool* thread_pool) {
     }
 }
 
-// The leaves first .. end - 1, 64 slots, share one walk through the trees.
+// Searches for the leaves first .. end - 1, up to 64 slots, which share one tree traversal.
 void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, Search& own, NewRows& found) const {
     const std::vector<std::uint8_t>& dirty = dirty_[home];
     while (first < end && !dirty[first]) ++first;
@@ -163,7 +163,7 @@ void BroadPhase::search_leaf(int home, std::uint32_t leaf, std::uint32_t own_cou
         all.insert(all.end(), keys, keys + rows.count[row]);
         for (; other < own.others.size() && own.others[other] >> 32 == row; ++other)
             all.push_back(std::uint32_t(own.others[other]));
-        // Dead rows have no shape, and no keys.
+        // Rows of dead slots have no shape and no keys.
         const std::uint8_t crowd = all.size() > begin ? proxies_[awake_[home].item(leaf * 8 + row)].crowd : 0;
         if (crowd) {
             const auto keep = std::remove_if(all.begin() + std::ptrdiff_t(begin), all.end(), [&](std::uint32_t key) {
@@ -180,7 +180,7 @@ void BroadPhase::search_leaf(int home, std::uint32_t leaf, std::uint32_t own_cou
 }
 
 bool BroadPhase::is_new(int home, const NewRows::Leaf& rows, const std::uint32_t* keys) const {
-    if (!refiltered_.empty()) return true; // the sink is asked again
+    if (!refiltered_.empty()) return true; // the sink must be asked again
     const LeafRows& old_rows = rows_[home].leaf(rows.leaf);
     if (!std::equal(rows.count, rows.count + 8, old_rows.count)) return true;
     const PairEntry* const old = rows_[home].entries(rows.leaf);
@@ -189,7 +189,7 @@ bool BroadPhase::is_new(int home, const NewRows::Leaf& rows, const std::uint32_t
     return false;
 }
 
-// The leaves of a tree that an item of a leaf of awake ones may meet, with what is in their lanes.
+// Lists the leaves of a tree that an item of the given leaf may overlap, with the items in their lanes.
 void BroadPhase::list_met(Search& own, const Node8& leaf, const TreeBox& bounds, const TreeView& tree,
                           const std::uint32_t* items) const {
     if (tree.level_count == 0) return;
@@ -202,10 +202,10 @@ void BroadPhase::list_met(Search& own, const Node8& leaf, const TreeBox& bounds,
     for (std::size_t k = first; k < own.met_count; ++k) own.met_items[k] = items + std::size_t(own.met[k].index) * 8;
 }
 
-// f(row, item) for all that items of a leaf meet in those.
+// Calls f(row, item) for all overlaps of the leaf's items with items of the listed leaves.
 template <class F>
 void BroadPhase::for_each_met(Search& own, const Node8& leaf, const TreeBox& bounds, const F& f) const {
-    constexpr std::size_t chunk = 64; // leaves at a time, so that the buffer stays small
+    constexpr std::size_t chunk = 64; // leaves at a time, to bound the size of the buffer
     own.hits.resize(64 * chunk);
     for (std::size_t first = 0; first < own.met_count; first += chunk) {
         const auto leaves = std::uint32_t(std::min(chunk, own.met_count - first));
@@ -218,8 +218,8 @@ void BroadPhase::for_each_met(Search& own, const Node8& leaf, const TreeBox& bou
     own.met_count = 0;
 }
 
-// Partners that are not awake, as row << 32 | key, sorted. A sleeping island of one shape is its box in the tree of
-// islands; those of more have trees of their own.
+// Finds the partners that are not awake, as row << 32 | key, sorted. A sleeping island of one shape is represented by
+// its box in the tree of islands; larger islands have trees of their own.
 void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds, Search& own) const {
     const Node8& items = awake_[home].leaf(leaf);
     own.others.clear();
@@ -249,7 +249,7 @@ void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds
     std::sort(own.others.begin(), own.others.end());
 }
 
-// Replaces the rows of a leaf by the new ones: pairs in both keep their contacts.
+// Replaces the rows of a leaf by new ones: pairs in both keep their contacts.
 void BroadPhase::merge_leaf(int home, const NewRows::Leaf& rows, const std::uint32_t* key) {
     const std::uint32_t leaf = rows.leaf;
     const LeafRows& old_rows = rows_[home].leaf(leaf);

@@ -1,13 +1,13 @@
-// The trees of the broad phase, box by box.
+// The boxes of the broad phase's trees, for debug drawing.
 #include "collision/broad_phase.h"
 
 namespace cairn {
 
 std::vector<BroadPhase::Node> BroadPhase::nodes(std::uint32_t max_depth, std::size_t max_count) const {
-    // A node of eight lanes, which are below the box at place `parent` of the list.
+    // A node whose lanes are children of the box at index `parent` of the list.
     struct Below {
         Node::Tree tree;
-        const Island* island; // of which the tree is, or null
+        const Island* island; // the island whose tree it is, or null
         TreeView view;
         std::uint32_t level, index, parent;
     };

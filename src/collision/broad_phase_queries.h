@@ -40,7 +40,7 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
         if (crosses(plane, box)) visit(plane.shape);
 }
 
-// Through some trees: max = visit(shape, max) as in visit_by_distance.
+// Traverses several trees together: max = visit(shape, max) as in visit_by_distance.
 template <std::size_t count, class Enter, class F>
 float BroadPhase::query_trees(const SlotTree* const (&trees)[count], float max, Enter&& enter, F&& visit) const {
     return visit_by_distance(trees, max, enter, [&](std::uint32_t tree, std::uint32_t slot, float limit) {
@@ -55,8 +55,8 @@ float BroadPhase::query_trees(const SlotTree* const (&trees)[count], float max, 
         });
     });
 }
-// Through all of them in turn, for what looks at a shape about as quickly as at a node: the fixed ones, which are few,
-// bound the others at once.
+// Traverses the trees one after another, for queries to which a shape costs about as much as a node. The trees with few
+// shapes come first, as their hits limit the search in the others.
 template <class Enter, class F> void BroadPhase::query_by_distance(float max, Enter&& enter, F&& visit) const {
     for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0], &top_}) {
         if (tree->slot_count() == 0) continue;
@@ -66,7 +66,7 @@ template <class Enter, class F> void BroadPhase::query_by_distance(float max, En
     }
 }
 
-// The trees measure distances in float: their limit is kept a little beyond the true one.
+// The trees measure distances in float, so their limit is a little greater than the exact one.
 inline float widened(double distance) {
     return distance < double(largest_bound) ? float(distance * (1.0 + 1e-6)) : largest_bound;
 }
@@ -91,7 +91,7 @@ void BroadPhase::query_ray(math::DVec3 origin, math::DVec3 direction_unit, doubl
         });
 }
 
-// Whether a box that moves along stays on one side of a plane, where nothing is, by more than rounding.
+// Whether a moving box stays on one side of a plane, where it does not touch it, by more than rounding errors.
 inline bool BroadPhase::passes(const Plane& plane, math::DVec3 center, math::DVec3 half, math::DVec3 way) {
     constexpr double rounding = 0x1p-50;
     const math::DVec3 n = math::abs(plane.normal);
@@ -113,7 +113,8 @@ template <class F> void BroadPhase::query_sweep(const DBounds& bounds, math::DVe
         max = visit(plane.shape, max);
         if (max < 0.0) return;
     }
-    // A sweep takes longer than many nodes: none is made past what is farther than something in another tree.
+    // A sweep of a shape costs more than many nodes: traversing all trees together by distance avoids sweeps beyond the
+    // nearest hit.
     const SlotTree* const all[] = {&awake_[0], &awake_[1], &fixed_, &top_};
     query_trees(
         all, widened(max * length),

@@ -7,7 +7,7 @@ namespace cairn {
 
 namespace {
 
-// Room for a few more pairs, so that most changes stay in place.
+// A capacity with room for a few more pairs, so that most changes need no reallocation.
 std::uint32_t roomy(std::uint32_t count) { return count == 0 ? 0 : count + count / 4 + 8; }
 
 } // namespace

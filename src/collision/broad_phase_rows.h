@@ -1,4 +1,4 @@
-// Pairs of the items of one slot tree, in rows: the row of a slot lists its partners, ascending by key.
+// The pairs of the items of one slot tree, in rows: the row of a slot lists its partners, in ascending order of keys.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,12 @@
 
 namespace cairn {
 
-// What a partner is called in a row. An awake partner: its slot, with large_key if it is in the tree of large items;
-// it is listed only in the row of the lower key. Any other partner: its shape index, with other_key.
+// Flags of the key of a partner in a row. The key of an awake partner is its slot, with large_key if it is in the tree
+// of large items; such a pair is listed only in the row of the lower key. The key of any other partner is its shape
+// index, with other_key.
 inline constexpr std::uint32_t large_key = 0x40000000u, other_key = 0x80000000u;
 
-inline constexpr std::uint32_t filtered_contact = 0xffffffffu; // a pair that the sink refused
+inline constexpr std::uint32_t filtered_contact = 0xffffffffu; // a pair that the sink filtered out
 
 struct PairEntry {
     std::uint32_t key, contact;
@@ -35,13 +36,14 @@ class PairRows {
     PairEntry& entry(std::uint32_t index) { return pool_[index]; } // index in the pool
 
     void set_leaf_count(std::uint32_t count); // new leaves have empty rows
-    // Replaces the rows of a leaf; returns where the first entry now is in the pool.
+    // Replaces the rows of a leaf; returns the index of the first entry in the pool.
     std::uint32_t replace(std::uint32_t leaf, const std::uint32_t (&count)[8], const PairEntry* entries);
     void compact_if_wasteful();
     void clear();
     std::size_t bytes() const;
 
-    // Of what was read from a snapshot: throws Error(invalid_file) unless they are rows of up to so many leaves.
+    // Validates rows loaded from a snapshot: throws Error(invalid_file) unless they are rows of at most `leaves`
+    // leaves.
     void check(const char* name, std::uint32_t leaves) const;
 
     template <class Archive> void serialize(Archive& archive) { archive(leaves_), archive(pool_), archive(used_); }

@@ -1,4 +1,4 @@
-// Sleeping islands of the broad phase: a small tree for each, and the pairs that wait in them.
+// Sleeping islands of the broad phase: each has a small tree, and a list of the pairs that are kept while it sleeps.
 #include "bvh/traverse.h"
 #include "collision/broad_phase.h"
 
@@ -36,7 +36,7 @@ std::uint32_t BroadPhase::new_island() {
     return island;
 }
 
-// The nodes above the leaves, from the leaves; returns the bounds of all.
+// Recomputes the nodes above the leaves; returns the bounds of the island.
 TreeBox BroadPhase::refit_island(const Island& island) {
     std::uint32_t base = island.node_base;
     for (std::uint32_t nodes = (island.shape_count + 7) / 8; nodes > 1; nodes = (nodes + 7) / 8) {
@@ -138,7 +138,7 @@ void BroadPhase::write_sleeping_box(std::uint32_t shape, const TreeBox& box) {
     top_.set_box(island.top_slot, refit_island(island));
 }
 
-// Moves the trees of sleeping islands together when more than half of the pool is dead.
+// Compacts the trees of sleeping islands when more than half of the pool is unused.
 void BroadPhase::compact_islands() {
     const bool few_nodes = 2 * std::size_t(dead_island_nodes_) <= island_nodes_.size() + 64;
     const bool few_shapes = 2 * std::size_t(dead_island_shapes_) <= island_shapes_.size() + 64;
@@ -161,7 +161,7 @@ void BroadPhase::compact_islands() {
 
 // --- Pairs of shapes that do not move.
 
-// Whether a pair of these shapes waits for one of them to wake.
+// Whether a pair of these shapes is kept until one of them wakes.
 bool BroadPhase::may_keep(std::uint32_t shape_a, std::uint32_t shape_b) const {
     const State a = proxies_[shape_a].state, b = proxies_[shape_b].state;
     const auto at_rest = [](State s) { return s == State::fixed || s == State::plane || s == State::sleeping; };
@@ -186,7 +186,7 @@ void BroadPhase::keep_pair(const EndedPair& pair) {
     ++kept_count_;
 }
 
-// Hands the pairs of a list, or those of them that may not wait any longer, to the next report.
+// Moves the pairs of a list, or only those that may not be kept, to the next report.
 void BroadPhase::release_kept(std::uint32_t& first, bool all) {
     std::uint32_t* link = &first;
     while (*link != none) {
@@ -204,7 +204,7 @@ void BroadPhase::release_kept(std::uint32_t& first, bool all) {
     }
 }
 
-// A fixed shape with this box goes: sleeping islands there may keep pairs with it.
+// Flags the sleeping islands that may keep pairs with a fixed shape whose box is removed or changed.
 void BroadPhase::flag_removal(const TreeBox& box) {
     visit_box(kernels_, top_.view(), box, [&](std::uint32_t slot) {
         islands_[top_.item(slot)].removal = 1;

@@ -110,8 +110,8 @@ float BroadPhase::median(std::vector<float>& values) {
     return *middle;
 }
 
-// From which size on an awake shape goes to the tree of the large ones: one that is far larger than the rest spoils
-// the bounds of its leaf and of all nodes above.
+// The size from which on an awake shape goes to the tree of large shapes: a shape far larger than its neighbors would
+// enlarge the bounds of its leaf and of all nodes above.
 float BroadPhase::size_limit() {
     sizes_.clear();
     for (const SlotTree& tree : awake_)
@@ -120,11 +120,11 @@ float BroadPhase::size_limit() {
     return sizes_.size() < 64 ? empty_bound : large_ratio * median(sizes_);
 }
 
-// Whether the middle of the awake shapes is so far from the origin that floats get coarse, and where the origin
-// should be instead.
+// Whether the median position of the awake shapes is so far from the origin that floats lose precision; `wanted` is a
+// better origin.
 bool BroadPhase::origin_is_far(math::DVec3& wanted) {
     bool is_far = false;
-    for (const SlotTree& tree : awake_) { // the quick answer: all of them are near
+    for (const SlotTree& tree : awake_) { // quick test: all shapes are near
         const TreeBox bounds = tree.bounds();
         for (int axis = 0; axis < 3 && tree.alive_count() > 0; ++axis)
             is_far |= -bounds.lo[axis] > float(origin_distance) || bounds.hi[axis] > float(origin_distance);
@@ -145,7 +145,7 @@ bool BroadPhase::origin_is_far(math::DVec3& wanted) {
     return is_far;
 }
 
-// All boxes relative to a new origin.
+// Recomputes all boxes relative to a new origin.
 void BroadPhase::rebase(math::DVec3 origin) {
     origin_ = origin;
     for (SlotTree* tree : {&awake_[0], &awake_[1], &fixed_}) {
@@ -165,7 +165,7 @@ void BroadPhase::rebase(math::DVec3 origin) {
     all_dirty_ = 1;
 }
 
-// All pairs as (shape, key of the partner as if none were awake, contact); those with a dead slot end.
+// Collects all pairs as (shape, partner, contact, whether the partner is not awake); pairs with a dead slot end.
 void BroadPhase::flatten_rows() {
     flat_.clear();
     for (std::uint32_t home = 0; home < 2; ++home) {
@@ -187,10 +187,10 @@ void BroadPhase::flatten_rows() {
     }
 }
 
-// The rows again, from the flat list and the new slots: a counting sort by slot, then each row by key.
+// Rebuilds the rows from the flat list and the new slots: a counting sort by slot, then a sort of each row by key.
 void BroadPhase::unflatten_rows() {
     const std::uint32_t small_slots = awake_[0].leaf_count() * 8;
-    order_.assign(small_slots + awake_[1].leaf_count() * 8 + 1, 0); // by slot, large ones behind: where rows begin
+    order_.assign(small_slots + awake_[1].leaf_count() * 8 + 1, 0); // by slot, large ones last: the begin of each row
     const auto key_of = [&](std::uint32_t shape) {
         return proxies_[shape].place | (proxies_[shape].home ? large_key : 0u);
     };
@@ -206,7 +206,7 @@ void BroadPhase::unflatten_rows() {
     for (std::size_t i = 1; i < order_.size(); ++i) order_[i] += order_[i - 1];
     set_size_anew(merged_, flat_.size());
     for (const EndedPair& pair : flat_) merged_[order_[pair.shape_a]++] = {pair.shape_b, pair.contact};
-    // order_[i] is now where row i ends.
+    // order_[i] is now the end of row i.
     std::uint32_t begin = 0, index = 0;
     for (int home = 0; home < 2; ++home) {
         rows_[home].clear();
@@ -252,8 +252,8 @@ void BroadPhase::report(PairSink& sink) {
     }
 }
 
-// A shape that falls asleep or wakes changes its name in the rows: a pair that ends under one name and is found under
-// another goes on.
+// A shape that falls asleep or wakes gets another key in the rows: a pair that ends under one key and is found under
+// another one continues with its contact.
 void BroadPhase::match_transfers() {
     const auto name = [](std::uint32_t a, std::uint32_t b) {
         return a < b ? std::uint64_t(a) << 32 | b : std::uint64_t(b) << 32 | a;

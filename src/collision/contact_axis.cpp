@@ -9,9 +9,9 @@ using math::DVec3;
 
 namespace {
 
-// The face of a hull along whose normal another shape is farthest away. Any point of the other shape tells how far that
-// can be at most: the face of which that is the most is measured, which gives another point, and so on, until no other
-// can be the one.
+// Finds the face of a hull along whose normal another shape is farthest away. Any point of the other shape gives an
+// upper bound of its separation for each face. The face with the largest bound is measured, which gives another point
+// and tightens the bounds, and so on, until no bound exceeds the best separation.
 class HullFaceSearch {
   public:
     HullFaceSearch(const Convex& hull, const Convex& other, const DVec3& p, const FaceAxis& floor)
@@ -30,10 +30,10 @@ class HullFaceSearch {
     using F4 = columns::F4;
 
     math::Vec3 local(DVec3 point) const { return math::to_float(to_local(hull_, point - hull_.center)); }
-    // What a limit must exceed for the face to be looked at.
+    // A face is measured only if its bound exceeds this value.
     float bar() const { return static_cast<float>(best_.separation - outer_radius(hull_) - slack_); }
 
-    // Among the faces from there on.
+    // Searches the faces `first` to `first + at_once - 1`.
     void search_from(std::size_t first) {
         const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
         const std::size_t blocks = (std::min(planes.size() - first, at_once) + width - 1) / width;
@@ -55,7 +55,7 @@ class HullFaceSearch {
         }
     }
 
-    // The place of a limit, which is then done with.
+    // The index of the given bound, which is then marked as done.
     static std::size_t take(F4* limits, float limit) {
         const F4 wanted = columns::splat(limit);
         std::size_t i = 0;
@@ -66,7 +66,7 @@ class HullFaceSearch {
         return i * width + k;
     }
 
-    // The point of the other shape that is nearest to the face.
+    // Measures a face; returns the point of the other shape that is nearest to it.
     DVec3 measure(int face) {
         const DVec3 normal = face_normal(hull_, face);
         const NearSupport nearest = near_support(other_, -normal);
@@ -90,7 +90,7 @@ FaceAxis best_face(const Convex& c, const Convex& other, const DVec3& p, const F
     for (int i = 0; i < face_count(c); ++i) {
         if (!has_face(c, i)) continue;
         const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
-        if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
+        if (!(dot(normal, p - on_face) > best.separation)) continue; // the separation is at most that of p
         const NearSupport nearest = near_support(other, -normal);
         const double separation = dot(normal, nearest.point - on_face);
         if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex, on_face};

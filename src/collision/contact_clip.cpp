@@ -9,12 +9,13 @@ using math::DVec3;
 
 namespace {
 
-// As in kernels/face_clip.h: the reference face is widened by this part of its size, and its corners count as inside
-// the incident one only where they are inside by as much. Aligned faces of equal size stay whole under rounding.
+// As in kernels/face_clip.h: the reference face is enlarged by this share of its size, and its corners count as inside
+// the incident face only where they are inside by as much. So aligned faces of equal size keep all corners in spite of
+// rounding.
 constexpr double face_tolerance = 1e-4;
-// A face seen at less than this cosine is seen edge-on and has no inside.
+// A face whose normal has a cosine below this with the viewing direction is seen edge-on and has no interior.
 constexpr double edge_on = 1e-2;
-// Candidates are numbered from these on, so that features differ by their kind.
+// The first candidate numbers of each kind, so that the features of different kinds differ.
 constexpr std::uint32_t from_rim = 0, from_edges = 16, from_corners = 0x8000;
 
 struct Point3 {
@@ -35,7 +36,7 @@ std::uint32_t feature_base(std::uint32_t reference, std::uint32_t incident) {
     return (reference * 64 + incident) << 17;
 }
 
-// How far the corners of a feature are inside the sides of a face.
+// Signed distances of the corners of a feature from the sides of a face, positive inside.
 class Inside {
   public:
     Inside(std::span<const SideBlock> sides, const Polygon& corners, double slack) : blocks_(sides.size()) {
@@ -47,7 +48,7 @@ class Inside {
             }
     }
 
-    // The part of the edge from corner p to q that is inside; false if there is none.
+    // Clips the edge from corner p to q to the part inside, in edge parameters; false if there is none.
     bool cut(std::size_t p, std::size_t q, double& start, double& end) const {
         start = 0, end = 1;
         const Four *at_p = values_.data() + p * blocks_, *at_q = values_.data() + q * blocks_;
@@ -71,18 +72,19 @@ class Inside {
   private:
     struct Four {
         double value[SideBlock::width];
-        unsigned outside; // a bit for each
+        unsigned outside; // one bit per side
     };
     std::size_t blocks_;
-    Buffer<Four, 16> values_; // block by block of the first corner, of the second and so on
+    Buffer<Four, 16> values_; // all blocks of the first corner, then of the second and so on
 };
 
-// Which of four corners of the reference face are beyond a side of the incident one, or less inside than `slack`; seen
-// from the front of the reference face, the incident one is clockwise.
+// Which of four corners of the reference face are outside of the side p q of the incident face, or inside by less than
+// `slack`, as bits; seen from the front of the reference face, the incident face is clockwise.
 unsigned beyond_side(const SideBlock& corners, const Point3& p, const Point3& q, double slack) {
     using namespace sides;
     const double dx = q.x - p.x, dy = q.y - p.y;
-    // Rather than by the length of the side, which takes a root: by up to 1.4 times as much.
+    // Scaled by the sum of the components instead of the length of the side, which needs a root: up to 1.4 times as
+    // large.
     const D2 least = splat(slack * (std::fabs(dx) + std::fabs(dy)));
     unsigned beyond = 0;
     for (std::size_t k = 0; k < SideBlock::width; k += 2) {
@@ -92,7 +94,7 @@ unsigned beyond_side(const SideBlock& corners, const Point3& p, const Point3& q,
     return beyond;
 }
 
-// The corners of the face that are over the incident polygon.
+// Adds the corners of the face that are over the incident polygon.
 void add_corners(const FaceOutline& face, const Feature& incident, const Polygon& other, double slack,
                  ContactPoints& out) {
     const ContactFrame& frame = face.frame;
@@ -115,11 +117,11 @@ void add_corners(const FaceOutline& face, const Feature& incident, const Polygon
     }
 }
 
-// A disc leans when one side of its rim is lower than its center by this.
+// A disc counts as tilted when one side of its rim is lower than its center by this.
 double lean(double extent) { return 0.5 * flat_contact_part * extent; }
 
-// A disc seen as a polygon that has its lowest point over the reference disc as a corner, or if it does not lean, the
-// four points of that.
+// Approximates a disc by a polygon that has its lowest point over the reference disc as a corner, or, if it is not
+// tilted, the four points that the reference disc uses.
 void disc_polygon(const Feature& disc, const Feature& reference, double extent, Feature& out) {
     constexpr double half = 0.70710678118654752, c = 0.92387953251128676, s = 0.38268343236508977;
     constexpr double circle[16][2] = {{1, 0},        {c, s},  {half, half},  {s, c},   {0, 1},         {-s, c},
@@ -134,8 +136,8 @@ void disc_polygon(const Feature& disc, const Feature& reference, double extent, 
     for (const auto& p : circle) out.points.add(disc.center + (disc.radius * p[0]) * e1 + (disc.radius * p[1]) * e2);
 }
 
-// In the plane of the disc. m: the contact normal, from the disc to the other feature, along which points of the two
-// surfaces face each other.
+// Contact points of a disc and another feature, computed in the plane of the disc. m: the contact normal, from the disc
+// to the other feature, along which points of the two surfaces are matched.
 class DiscPoints {
   public:
     DiscPoints(const Feature& disc, const Feature& other, DVec3 m, double extent, ContactPoints& out)
@@ -170,8 +172,8 @@ class DiscPoints {
     double wide() const { return (1 + face_tolerance) * disc_.radius; }
     void add(const Point3& p, std::uint32_t number) { out_.list.add({p.x, p.y, p.z, out_.frame.feature + number}); }
 
-    // Four points of the rim. They do not turn with the disc: on a face they keep to its first edge, and as soon as the
-    // disc leans to one side the first is the lowest.
+    // Adds up to four points of the rim. They do not rotate with the disc: on a face they are aligned with its first
+    // edge, and as soon as the disc is tilted, the first is the lowest.
     void rim(double facing) {
         // z = z0 + gx x + gy y in the plane of the disc.
         const double z0 = dot(other_.points[0] - disc_.center, other_.normal) / facing;
@@ -182,7 +184,7 @@ class DiscPoints {
         if (!leans) x = corners_[1].x - corners_[0].x, y = corners_[1].y - corners_[0].y;
         const double length = std::sqrt(x * x + y * y);
         x = length > 0 ? x / length : 1, y = length > 0 ? y / length : 0;
-        Buffer<double, 16 + SideBlock::width> xs, ys; // counterclockwise as the disc sees it
+        Buffer<double, 16 + SideBlock::width> xs, ys; // counterclockwise as seen from the disc
         for (std::size_t i = corners_.size(); i-- > 0;) xs.add(corners_[i].x), ys.add(corners_[i].y);
         for (std::size_t k = 0; k < SideBlock::width; ++k) xs.add_unset(), ys.add_unset();
         Buffer<SideBlock, 4> sides;
@@ -202,7 +204,7 @@ class DiscPoints {
         }
     }
 
-    // Where an edge crosses the rim; with `both`, also its ends inside.
+    // Adds the points where an edge crosses the rim; with `both`, also its ends inside.
     void edge(const Point3& p, const Point3& q, bool both, std::uint32_t number) {
         const double r = both ? wide() : disc_.radius;
         const double dx = q.x - p.x, dy = q.y - p.y, square_length = dx * dx + dy * dy;
@@ -222,10 +224,10 @@ class DiscPoints {
     DVec3 m_;
     double cosine_, extent_;
     ContactPoints& out_;
-    Polygon corners_; // of the other feature, seen along m in the plane of the disc
+    Polygon corners_; // corners of the other feature, projected along m to the plane of the disc
 };
 
-// Whether all of a disc is over another.
+// Whether a disc is completely over another one.
 bool lies_over(const Feature& disc, const Feature& face) {
     const DVec3 d = disc.center - face.center, across = d - dot(d, face.normal) * face.normal;
     return math::length(across) + disc.radius <= face.radius;
@@ -260,7 +262,7 @@ void outline_points(const FaceOutline& face, const Feature& incident, ContactPoi
         // The end of an edge is the start of the next.
         if (end < 1 || n == 2) add(between(other[i], other[next], end), from_edges + 2 * i + 1);
     }
-    // A polygon that is on the face altogether has no corner of it inside.
+    // A polygon completely inside the face has none of the face's corners inside.
     if (n > 2 && inside.any_outside != 0) add_corners(face, incident, other, slack, out);
 }
 
@@ -278,7 +280,7 @@ void disc_points(const Feature& reference, const Feature& incident, double exten
     if (reference.kind != Kind::disc) {
         DiscPoints(incident, reference, -reference.normal, extent, out).find();
     } else if (incident.kind == Kind::disc && lies_over(incident, reference)) {
-        Feature square; // the part of the face that it is over
+        Feature square; // the part of the reference face below the disc
         square_under(incident, reference.center, reference.normal, square);
         DiscPoints(incident, square, -square.normal, extent, out).find();
     } else if (incident.kind == Kind::disc) {
@@ -297,8 +299,8 @@ EdgePoints edge_points(const EdgeLine& first, const EdgeLine& second, DVec3 n, d
     const bool is_a = aa > 0, is_b = bb > 0;
     EdgePoints out;
     if (is_a && is_b && aa * bb - ab * ab < parallel * parallel * aa * bb) {
-        // Side by side: the part of the first that the second covers. All points are exactly under the second, for
-        // seams.
+        // Parallel edges: the part of the first that the second covers. All points are exactly below the second edge,
+        // which internal edges rely on.
         const double t0 = dot(w, da) / aa, t1 = t0 + ab / aa;
         const double start = std::max(0.0, std::min(t0, t1)), end = std::min(1.0, std::max(t0, t1));
         if (start < end) {

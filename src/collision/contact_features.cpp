@@ -7,7 +7,7 @@ using math::DVec3;
 
 namespace {
 
-// An edge is across a direction within this cosine.
+// Cosine: an edge counts as perpendicular to a direction up to this.
 constexpr double across_tolerance = 1e-2;
 
 void hull_face(const Convex& c, int face, Feature& out) {
@@ -24,7 +24,7 @@ void box_face(const Convex& c, int face, Feature& out) {
     for (const DVec3& p : {middle + s + t, middle - s + t, middle - s - t, middle + s - t}) out.points.add(p);
 }
 
-// Of a cylinder: the line of its side in that direction across the axis.
+// The generator line of a cylinder's side in the direction n, projected perpendicularly to the axis.
 void side_line(const Convex& c, DVec3 n, Feature& out) {
     const DVec3 local = to_local(c, n);
     const double across = std::sqrt(local.x * local.x + local.z * local.z);
@@ -41,7 +41,7 @@ void capsule_line(const Convex& c, DVec3 n, Feature& out) {
     out.points.add(c.center + half + c.size.z * n);
 }
 
-// The face that looks most along n among those that meet in the vertex that is farthest along n.
+// The face whose normal is most along n, among those at the vertex that is farthest along n.
 int face_of_hull(const Convex& c, const DVec3& n, int vertex) {
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);
@@ -63,7 +63,7 @@ int supporting_face(const Convex& c, const DVec3& n, int vertex) {
     return face_of_hull(c, n, vertex);
 }
 
-// The farthest point of the core along n, and the edge from there that is most across n.
+// The farthest point of the core along n, with the edge from there that is most nearly perpendicular to n.
 void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
     DVec3 from;
     if (c.kind == Convex::Kind::hull) {
@@ -111,14 +111,14 @@ void shift(Feature& f, DVec3 by) {
     f.center += by;
 }
 
-// From the core of a rounded shape to its surface where that looks along n: the whole feature is then as far along n as
-// its points are.
+// Moves a feature from the core of a rounded shape to its surface, where that has the normal n: the feature is then as
+// far along n as its points are.
 void move_out(const Convex& c, DVec3 n, Feature& f) {
     const bool has_core = c.kind != Convex::Kind::ball && c.kind != Convex::Kind::capsule;
     if (has_core && !c.is_sharp) shift(f, c.radius * n);
 }
 
-// Of the core.
+// The face of the core.
 void core_face(const Convex& c, int face, Feature& out) {
     reset(out);
     out.kind = Feature::Kind::polygon;
@@ -150,7 +150,7 @@ void core_incident(const Convex& c, const DVec3& n, int vertex, Feature& out) {
     case Convex::Kind::capsule:
         return capsule_line(c, n, out);
     case Convex::Kind::cylinder: {
-        // The end where it looks more along n than the side does.
+        // The flat end, if its normal is more along n than that of the side.
         const DVec3 local = to_local(c, n);
         const double dr = c.size.x - c.size.z, side = std::sqrt(4 * c.size.y * c.size.y + dr * dr);
         const double across = std::sqrt(local.x * local.x + local.z * local.z);

@@ -10,12 +10,12 @@ using math::DVec3;
 
 namespace {
 
-// What is kept is told by the bits above four corners.
+// Kinds of memory, stored in the bits above four corner numbers.
 constexpr std::uint32_t of_first = 1, of_second = 2, of_edges = 3;
 constexpr int corner_bits = 7, kind_shift = 4 * corner_bits;
 constexpr std::uint32_t max_corners = 1u << corner_bits;
 
-// No other corner is farther along the axis than an edge by more than this part of the extent.
+// As a share of the extent: no other vertex may be farther along the axis than an edge by more than this.
 constexpr double farther = 1e-6;
 
 const Columns& corners_of(const Core& core) {
@@ -27,7 +27,7 @@ DVec3 nearly_farthest(const Core& core, DVec3 unit) {
     return hull_point(*core.shape, corners[corners.nearly_farthest(to_local(*core.shape, unit))]);
 }
 
-// The number of the corner that is there; max_corners where it has none.
+// The index of the core's vertex at p; max_corners if there is none.
 std::uint32_t corner_at(const Core& core, DVec3 p) {
     const Columns& corners = corners_of(core);
     for (std::uint32_t i = 0; i < corners.size() && i < max_corners; ++i)
@@ -37,7 +37,7 @@ std::uint32_t corner_at(const Core& core, DVec3 p) {
 
 struct Edge {
     DVec3 from, to;
-    int count = 0; // of ends found
+    int count = 0; // ends found so far
     void offer(DVec3 p) {
         if (count == 0)
             from = p, count = 1;
@@ -48,7 +48,7 @@ struct Edge {
     }
 };
 
-// From two numbers.
+// Decodes the edge between two vertex numbers.
 bool edge_of(const Core& core, std::uint32_t numbers, Edge& edge) {
     const std::uint32_t i = numbers % max_corners, k = numbers / max_corners % max_corners;
     const Columns& corners = corners_of(core);
@@ -92,8 +92,8 @@ ContactMemory memory_of_edges(const CorePair& cores, const GjkResult& found) {
     return memory;
 }
 
-// Two convex shapes are nearest to each other at a point of each if the planes through these, across the line between
-// them, have the shapes on either side.
+// Two convex shapes are nearest to each other at two given points if the planes through these points, perpendicular to
+// the line between them, have the shapes on either side.
 bool axis_of_edges(ContactMemory memory, const CorePair& cores, Axis& axis) {
     if (memory >> kind_shift != of_edges || !are_hulls(cores)) return false;
     Edge a, b;

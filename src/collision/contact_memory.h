@@ -1,5 +1,5 @@
-// What the test of two convex shapes leaves for that of the next step: which features met. A number, so that it fits
-// into the record of a contact; any number is allowed, as the shapes may have been changed in between.
+// The features that met in the last test of two convex shapes, kept for the next step. Encoded as a number, so that it
+// fits into the contact; any number is valid, as the shapes may have changed since.
 #pragma once
 
 #include "shapes/gjk.h"
@@ -13,14 +13,14 @@ struct Axis;
 using ContactMemory = std::uint32_t;
 inline constexpr ContactMemory nothing_met = 0;
 
-// A face, of the second shape or of the first. Faces beyond 2^28 are not kept.
+// Encodes a face of the second or first shape. Faces beyond 2^28 are not kept.
 ContactMemory memory_of_face(int face, bool is_second);
-// Puts its number into `axis`; false when it is no face of these shapes.
+// Decodes a face into `axis`; false if these shapes have no such face.
 bool face_of_memory(ContactMemory memory, const Convex& a, const Convex& b, Axis& axis);
 
-// Two edges of the cores of hulls, if they are nearest to each other. Corners beyond 127 are not kept.
+// Encodes the two nearest edges of the cores of hulls, if edges are nearest. Vertices beyond 127 are not kept.
 ContactMemory memory_of_edges(const CorePair& cores, const GjkResult& found);
-// The direction between them, and `touch`; false when they are not nearest to each other anymore.
+// Computes the direction between the two edges, and `touch`; false if they are not nearest to each other now.
 bool axis_of_edges(ContactMemory memory, const CorePair& cores, Axis& axis);
 
 } // namespace cairn

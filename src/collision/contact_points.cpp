@@ -12,16 +12,16 @@ using math::DVec3;
 
 namespace {
 
-// As in kernels/face_clip.h: candidates that tie within this are taken in their order, so that rounding does not
-// change the choice from step to step; a third or fourth point lies farther than `thinnest` beside the others.
+// As in kernels/face_clip.h: candidates that tie within this factor are taken in their order, so that rounding does not
+// change the choice from step to step; a third or fourth point must be farther than `thinnest` beside the others.
 constexpr double tie = 1 + 2e-4, thinnest = 1e-3;
 
-// Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
-// largest triangle; where one side is empty, the point farthest outside the triangle of the other three. All of them
-// weighed by nearness: a box that lies on three peaks of a mesh must not lose one of them to others that are farther
-// out and do not touch, or it falls to and fro. But what overlaps counts alike: where a cylinder is pressed in on one
-// side, its points must not all be there, or nothing holds the other side. Between planes it changes nothing: there,
-// what is twice as far out is at most twice as far apart.
+// Chooses at most four points: the deepest; the one farthest from it; on each side of the line through both, the one
+// that spans the largest triangle; if one side is empty, the point farthest outside the triangle of the other three.
+// All measures are weighted by how near the surfaces are: a box on three peaks of a mesh must not lose one of them to
+// points that are farther out and do not touch, or it would rock to and fro. But all overlapping points have equal
+// weight: if a cylinder is pressed in on one side, its points must not all be there, as nothing would then support the
+// other side. Between planes the weights change nothing: a point twice as far out is at most twice as far apart.
 class Reducer {
   public:
     Reducer(std::span<FlatPoint> points, double extent) : points_(points), extent_(extent) {
@@ -42,7 +42,7 @@ class Reducer {
         bool has_left = false, has_right = false;
         best_on_sides(r, least, a, b, has_left, has_right);
         if (has_left == has_right) return r;
-        // One side is empty: beside the edge from the third point to either of the others.
+        // One side is empty: search beyond the edges from the third point to each of the others.
         const FlatPoint c = at(r, 2);
         const double sign = has_left ? 1 : -1;
         double area = least;
@@ -70,7 +70,8 @@ class Reducer {
         }
         return r.count == 1;
     }
-    // Adds, of the points whose measure is above `least`, the one where it weighs most; `least` becomes its measure.
+    // Adds the point with the largest weighted measure among those whose measure exceeds `least`, which becomes its
+    // measure.
     template <class Measure> bool best(Chosen& r, double& least, Measure measure) const {
         const FlatPoint* p = points_.data();
         const std::size_t n = points_.size();
@@ -86,7 +87,7 @@ class Reducer {
         return is_found;
     }
 
-    // The same on both sides of the line from a to b at once.
+    // The same search on both sides of the line from a to b in one pass.
     void best_on_sides(Chosen& r, double least, const FlatPoint& a, const FlatPoint& b, bool& has_left,
                        bool& has_right) const {
         const FlatPoint* p = points_.data();
@@ -113,7 +114,7 @@ class Reducer {
 } // namespace
 
 FlatFrame::FlatFrame(const DVec3& normal, const DVec3& middle) : center(middle) {
-    // Any frame will do: only distances and areas count.
+    // Any frame in the plane suffices: only distances and areas matter.
     const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
     e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
 }
@@ -134,12 +135,12 @@ void write_manifold(const ContactPoints& points, const DVec3& normal, const DVec
     const ContactPoint* const list = points.list.data();
     const std::size_t n = points.list.size();
     Buffer<FlatPoint, 32> flat;
-    Buffer<std::size_t, 32> which; // of those that count
+    Buffer<std::size_t, 32> which; // indices of the points within the margin
     DVec3 middle;
     if (n > 1) {
         const ContactFrame& f = points.frame;
         DVec3 d = center - f.origin;
-        if (f.leans) { // to the plane along the normal
+        if (f.leans) { // project to the plane along the normal
             const DVec3 across = math::cross(f.e1, f.e2);
             d -= (dot(d, across) / dot(f.normal, across)) * f.normal;
         }

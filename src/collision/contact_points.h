@@ -1,4 +1,4 @@
-// The candidate points of a contact, and the choice of at most four that represent them.
+// The candidate points of a contact, and the selection of at most four that represent them.
 #pragma once
 
 #include "collision/manifold.h"
@@ -7,13 +7,13 @@
 
 namespace cairn {
 
-// A frame in the plane of a face or at an edge. Heights are measured along the normal of the contact, which is that of
-// the plane but for discs that lean.
+// A frame in the plane of a face or at an edge. Heights are measured along the contact normal, which is the normal of
+// the plane except for tilted discs.
 struct ContactFrame {
-    math::DVec3 origin, e1, e2; // unit vectors, at right angles
+    math::DVec3 origin, e1, e2; // orthogonal unit vectors
     math::DVec3 normal;
-    std::uint32_t feature = 0; // added to that of each point
-    bool leans = false;        // the normal is not at right angles to the plane
+    std::uint32_t feature = 0; // added to the features of all points
+    bool leans = false;        // the normal is not perpendicular to the plane
 
     math::DVec3 to_frame(math::DVec3 p) const {
         const math::DVec3 d = p - origin;
@@ -30,7 +30,7 @@ struct ContactPoints {
     ContactFrame frame;
     Buffer<ContactPoint, 32> list;
 
-    // Midway between the surfaces.
+    // The point midway between the surfaces.
     math::DVec3 position(double x, double y, double separation) const {
         return frame.origin + x * frame.e1 + y * frame.e2 + (0.5 * separation) * frame.normal;
     }
@@ -39,15 +39,14 @@ struct ContactPoints {
 
 void clear_manifold(Manifold& out);
 
-// Writes the points that are not farther apart than `margin`, reduced to four. `center`: near the middle of where the
-// contact may be; `extent`: the size of the smaller shape, for the tolerances; no separation is given as deeper than
-// `least`.
+// Writes the points with separations up to `margin`, reduced to four. `center`: near the middle of the possible
+// contact; `extent`: the size of the smaller shape, for the tolerances; separations below `least` are raised to it.
 void write_manifold(const ContactPoints& points, const math::DVec3& normal, const math::DVec3& center, double extent,
                     double margin, double least, Manifold& out);
 
-// Points closer than this part of the extent are one point.
+// Share of the extent: points closer to each other than this count as one point.
 constexpr double same_point_part = 1e-3;
-// Depths that differ by less than this part of it are equal.
+// Share of the extent: depths that differ by less than this count as equal.
 constexpr double flat_contact_part = 1e-4;
 
 } // namespace cairn

@@ -17,35 +17,38 @@ namespace {
 
 constexpr double none = -std::numeric_limits<double>::infinity();
 
-// The second shape's faces are the reference only where they are less deep by this part of the extent.
+// Share of the extent: a face of the second shape is the reference face only if it is less deep than the first shape's
+// by this.
 constexpr double second_face_tolerance = 1e-4;
-// Where distances are exact, a normal is made that of a face within this part of the extent.
+// Share of the extent: where distances are exact, the normal is replaced by that of a face within this.
 constexpr double snap_tolerance = 2e-3;
-// With a cylinder, this part of the tolerance for polytopes: round sides and rims have normals of their own.
+// With a cylinder, the tolerance is this share of that for polytopes: round sides and rims have normals of their own.
 constexpr double round_part = 0.1;
 
-// Of lengths, as part of the extent.
+// Share of the extent: tolerance of lengths for rounding errors.
 constexpr double rounding = 1e-6;
-// Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
-// reach.
+// Share of the preference for faces: a face that has not been compared with the others may be deeper than its deepest
+// point by this at most.
 constexpr double unsearched_reach = 0.3;
-// Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
+// Multiple of the overlap: how far from the border of a face its points must be, so that no other face can be better.
 constexpr double min_amid = 1.2;
-// Of the distance of the cores: directions are within a thousandth. Round shapes come nearer by a factor in each turn
-// of GJK, polytopes are exact at once: 1e-8 took 13 turns for cylinders and capsules, and a third more instructions.
+// Relative tolerance of the distance of the cores in GJK: directions are accurate to a thousandth. For round shapes,
+// each iteration of GJK reduces the error by a factor, for polytopes the result is exact: 1e-8 took 13 iterations for
+// cylinders and capsules, and a third more instructions.
 constexpr double direction_tolerance = 1e-6;
 
-// Features that pass each other by more than this part of the extent do not touch there.
+// Share of the extent: features whose nearest points are laterally farther apart than this do not touch there.
 constexpr double sideways_tolerance = 0.1;
 
-// No contact: the shapes are that far apart along the normal.
+// Reports that there is no contact: the shapes are `separation` apart along the normal.
 bool put_apart(Manifold& out, DVec3 normal, double separation) {
     math::put(out.normal, math::to_float(normal));
     out.points[0][3] = static_cast<float>(separation);
     return true;
 }
 
-// Between a sharp box, inset by so much, and a triangle. False where EPA must look: they are others, or they meet.
+// The axis between a sharp box, inset by `inset`, and a triangle. False if EPA is needed: for other shapes, or if they
+// overlap.
 bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Axis& axis) {
     if (a.kind != Convex::Kind::box || !a.is_sharp || b.kind != Convex::Kind::polygon || b.corner_count != 3)
         return false;
@@ -60,7 +63,7 @@ bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Ax
     return true;
 }
 
-// Of which the nearest points are looked for.
+// Whether GJK runs on the exact cores, not on the inset ones.
 bool is_by_exact_cores(const Convex& a, const Convex& b) { return !a.is_sharp || !b.is_sharp; }
 CorePair quick_pair(Core a, Core b) {
     a.is_quick = b.is_quick = true;
@@ -71,7 +74,8 @@ CorePair cores_of(const Convex& a, const Convex& b) {
     return quick_pair(inset_core(a), inset_core(b));
 }
 
-// The direction between the cores; false when the shapes are farther apart than the margin. `met`: what is nearest.
+// Finds the direction between the cores; false if the shapes are farther apart than the margin. `met`: the nearest
+// edges.
 bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis, ContactMemory& met) {
     met = nothing_met;
     if (axis_of_box_and_triangle(a, a.radius, b, axis)) return axis.separation <= margin;
@@ -80,7 +84,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
     GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);
     axis.normal = r.normal;
     if (r.state == GjkResult::State::far) {
-        // The corners of sharp shapes reach farther than the radius.
+        // The corners of sharp shapes are farther out than the radius around the inset core.
         axis.separation = separation_along(a, b, r.normal);
         if (is_exact || axis.separation > margin) return false;
         r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity(), direction_tolerance);
@@ -98,7 +102,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
     return axis.separation <= margin;
 }
 
-// Edge against edge, or whatever lies farthest along the normal.
+// A contact of two edges, or of the points that are farthest along the normal.
 struct EdgeContact {
     ContactPoints points;
     EdgePoints found;
@@ -109,20 +113,20 @@ struct EdgeContact {
         edge_feature(b, -axis.normal, second);
         found = edge_points(first, second, axis.normal, axis.separation, points);
     }
-    // Whether the shapes are nearest to each other there: between the ends of two edges that the axis is across, if
-    // nothing overlaps.
+    // Whether the shapes are nearest to each other there: between the ends of two edges that the axis is perpendicular
+    // to, and without an overlap.
     bool is_nearest(const Axis& axis, double extent) const {
         return axis.separation >= 0 && found.is_cross && found.sideways <= rounding * extent;
     }
     void write(const Axis& axis, double extent, double margin, Manifold& out) {
-        // Not these features but the inside of a round or a tilted face: the cores know where.
+        // The nearest points are not on these features but inside a round or tilted face: the cores give the position.
         if (found.sideways > sideways_tolerance * extent)
             points.frame.origin = axis.touch - (0.5 * points.list[0].separation) * axis.normal;
         write_manifold(points, axis.normal, points.frame.origin, extent, margin, none, out);
     }
 };
 
-// A contact of one point.
+// Writes a contact with one point.
 void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32_t feature, double extent,
                     double margin, Manifold& out) {
     ContactPoints points;
@@ -136,20 +140,20 @@ double common_extent(const Convex& a, const Convex& b) {
     return extent < 1e30 ? extent : math::length(b.corners[1] - b.corners[0]);
 }
 
-// The smaller inset or radius of the two, without that of polygons.
+// The smaller inset or radius of the two shapes, ignoring polygons.
 double inset_part_of(const Convex& a, const Convex& b) {
     return a.shallow > 0 && b.shallow > 0 ? std::min(a.shallow, b.shallow) : std::max(a.shallow, b.shallow);
 }
 
-// Faces are preferred where they are less separated by no more than this: they give up to four points.
+// How much deeper a face may be than the axis and still be preferred, as faces give up to four points.
 double face_preference(const Convex& a, const Convex& b, double extent) {
     if (!a.is_sharp || !b.is_sharp) return snap_tolerance * extent;
     const bool is_round = a.kind == Convex::Kind::cylinder || b.kind == Convex::Kind::cylinder;
     return (is_round ? round_part : 1) * inset_part_of(a, b);
 }
 
-// The face along whose normal the shapes are farthest apart, if that is about as good as the axis; which may be such a
-// face itself.
+// The face along whose normal the shapes are farthest apart, if its separation is about that of the axis, which may
+// itself be a face normal.
 FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent,
                         FacePoints& found) {
     const double tolerance = second_face_tolerance * extent;
@@ -166,8 +170,8 @@ FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, doub
     return face;
 }
 
-// Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves. True if it is
-// another then.
+// Inset cores round off edges: where these meet a round side, the axis is that of the sharp shapes. True if it has
+// changed.
 bool sharpen(const Convex& a, const Convex& b, Axis& axis) {
     if (!a.is_sharp || !b.is_sharp) return false;
     Axis exact;
@@ -182,7 +186,8 @@ bool sharpen(const Convex& a, const Convex& b, Axis& axis) {
     return true;
 }
 
-// Contact along an axis found from the cores, or along the normal of a face where that is about as good: true then.
+// Writes the contact along an axis found from the cores, or along the normal of a face if that is about as good: then
+// true.
 bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const FaceAxis face = preferred_face(a, b, axis, preference, extent, found);
@@ -201,12 +206,13 @@ bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, F
     return false;
 }
 
-// Whether the face that was the contact in the last step still is: its points come as near as any can along its
-// normal, so that no other direction separates the shapes more. True as well when they are apart along it; there are no
-// points then, and the normal is that. The other faces need not be looked at. `axis`: of that face, if it is one.
+// Whether the reference face of the last step still gives the contact: its points come as near as any can along its
+// normal, so that no other direction separates the shapes more, and other faces need not be tested. Also true if the
+// shapes are separated along its normal; there are no points then, and the manifold's normal is that of the face.
+// `axis` receives the data of this face, if there is one.
 //
-// Where the shapes overlap by d, a direction at an angle f to the normal makes that d cos(f) + b sin(f) at least, if
-// the points are b away from the border of the face: not less than d as long as b > d tan(f / 2).
+// Where the shapes overlap by d, the overlap along a direction at an angle f to the normal is d cos(f) + b sin(f) at
+// least, if the points are b away from the border of the face: not less than d as long as b > d tan(f / 2).
 bool contact_by_last_face(const Convex& a, const Convex& b, double margin, ContactMemory memory, Axis& axis,
                           FacePoints& found, Manifold& out) {
     if (!face_of_memory(memory, a, b, axis)) return false;
@@ -229,10 +235,10 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
     return false;
 }
 
-// What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
-// near it is the contact: its points come as near as any points can along the face's normal, so that no other
-// direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better. `axis`: of
-// the face of the last step, or of none.
+// Tries to find the contact from the last normal, without the cores. True if the shapes are separated along it, or if a
+// face near it gives the contact: its points come as near as any points can along the face's normal, so that no other
+// direction or face is better. Only for shallow overlaps: for deeper ones, edges might be better. `axis`: that of the
+// last reference face, or without a face.
 bool contact_by_guess(const Convex& a, const Convex& b, double margin, Axis axis, DVec3 guess, FacePoints& found,
                       Manifold& out) {
     if (axis.face < 0) {
@@ -251,22 +257,22 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, Axis axis
     return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
 
-// Cylinders, and capsules with equal ends.
+// Whether a shape is a cylinder, or a capsule with equal ends.
 bool has_straight_side(const Convex& c) {
     const bool is_cylinder = c.kind == Convex::Kind::cylinder && c.is_sharp;
     return (is_cylinder || c.kind == Convex::Kind::capsule) && c.size.x == c.size.z && c.size.y > 0;
 }
 
-// Whether two such shapes whose axes cross at an angle are nearest to each other between their ends: along the normal
-// of both axes then, or they are apart along it. Where they overlap, the ends are out of the question if they are
-// farther than that away (contact_by_last_face).
+// Whether two such shapes, whose axes cross at an angle, are nearest to each other between their ends: then the normal
+// is perpendicular to both axes. Also true if they are separated along it. If they overlap, the ends cannot be nearest
+// if they are farther away than a multiple of the overlap (contact_by_last_face).
 bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold& out) {
     if (!has_straight_side(a) || !has_straight_side(b)) return false;
     const DVec3 u = a.axes.c1, v = b.axes.c1, r = b.center - a.center, across = math::cross(u, v);
     const double square = dot(across, across);
     if (!(square > min_crossing * min_crossing)) return false;
     const double uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
-    const double s = (ur - uv * vr) / square, t = (uv * ur - vr) / square; // from the centers, in meters
+    const double s = (ur - uv * vr) / square, t = (uv * ur - vr) / square; // distances from the centers, in meters
     const double side = dot(across, r) < 0 ? -1 : 1;
     const DVec3 n = (side / std::sqrt(square)) * across;
     const double separation = dot(n, r) - (a.size.x + b.size.x), room = min_amid * std::max(-separation, 0.0);
@@ -311,7 +317,7 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
 
 void collide_plane(const Convex& a, DVec3 up, double height, double margin, Manifold& out) {
     clear_manifold(out);
-    const DVec3 origin = a.center - height * up; // of the plane
+    const DVec3 origin = a.center - height * up; // a point of the plane
     Feature lower;
     incident_feature(a, -up, unknown_vertex, lower);
     ContactPoints points;
@@ -332,7 +338,7 @@ void collide_plane(const Convex& a, DVec3 up, double height, double margin, Mani
 
 namespace {
 
-// Where the polygon holds a point, seen along its normal: on the face, or at the nearest edge or corner.
+// The part of the polygon that contains a point, seen along its normal: the face, or the nearest edge or corner.
 SurfaceContact part_of(const Convex& polygon, DVec3 p, double extent) {
     SurfaceContact r;
     int outside = 0;
@@ -357,12 +363,13 @@ bool is_over(const Convex& polygon, DVec3 p) {
     return true;
 }
 
-// A push counts as downward where its direction has this against the normal, as in kernels/collide_box_rectangle.cpp.
+// A push on the first shape counts as downward if its cosine with the polygon's normal is below minus this, as in
+// kernels/collide_box_rectangle.cpp.
 constexpr double downward = 1e-3;
 
-constexpr double squared_rounding = 1e-10; // of a unit vector in float that is computed twice
+constexpr double squared_rounding = 1e-10; // difference of a unit vector in float that is computed twice
 
-// Where the contact is; one that would push down is none.
+// Where on the polygon the contact is; a contact that would push down is removed.
 SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
     if (out.count == 0) return {};
     const DVec3 n{out.normal[0], out.normal[1], out.normal[2]};
@@ -381,14 +388,15 @@ SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
     return r;
 }
 
-// The points over the polygon, `separation` along its normal or more.
+// Writes the points over the polygon, with the separation along its normal, at least `separation`.
 bool front_manifold(const Convex& a, const Convex& polygon, double separation, double margin, Manifold& out) {
     const FaceAxis face{-polygon.axes.c1, separation, 0, true, unknown_vertex, polygon.corners[0]};
     FacePoints found;
     return face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out);
 }
 
-// Pushed out along the normal, by the lower side; by the middle where that reaches beyond the polygon.
+// Pushes a shape out along the polygon's normal, by the points of its lower side; by its center if these are beyond the
+// polygon.
 void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
@@ -399,7 +407,7 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     point_manifold(position, -up, separation, 0xffff, a.extent, margin, out);
 }
 
-// A contact with the front of a polygon, that the guess does not tell.
+// The contact with the front of a polygon if the guess was not sufficient.
 SurfaceContact contact_from_cores(const Convex& a, const Convex& polygon, double margin, DVec3 guess, FacePoints& found,
                                   Manifold& out) {
     const DVec3 up = polygon.axes.c1;
@@ -407,7 +415,8 @@ SurfaceContact contact_from_cores(const Convex& a, const Convex& polygon, double
     ContactMemory met;
     if (!find_axis(a, polygon, margin, guess, axis, met)) return {};
     if (dot(axis.normal, up) > downward) {
-        // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
+        // The normal would push the shape down. Then it has left the polygon, or it is so far above it that it is
+        // pushed up.
         const double upward = separation_along(a, polygon, -up);
         if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
         axis.normal = -up;
@@ -424,7 +433,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
     const DVec3 up = polygon.axes.c1, m = inside_of(a);
     const double height = dot(m - polygon.corners[0], up);
     if (height < 0) {
-        // What does not reach the front is not held: it may stand on the far side of a thin wall.
+        // A shape that does not extend to the front is not pushed out: it may be on the far side of a thin wall.
         const double top = dot(near_support(a, up).point - polygon.corners[0], up);
         if (top > 0 && is_over(polygon, m)) lift(a, polygon, margin, out);
         return {.is_lifted = true};

@@ -17,11 +17,11 @@ using namespace sweep;
 
 namespace {
 
-// A way along a mesh is looked at in pieces of so many sizes of what moves, but no more than that many.
+// A path along a mesh is processed in pieces of this many sizes of the moving shape, but at most max_pieces of them.
 constexpr double sizes_per_piece = 8;
 constexpr int max_pieces = 64;
 
-// Of a shape.
+// The frame of a shape.
 struct Frame {
     DVec3 origin;
     DMat3 axes;
@@ -36,11 +36,11 @@ Frame frame_at(const Mover& m, double time) {
     return {m.origin_at(pose), math::to_matrix(m.rotation_at(pose))};
 }
 
-// The core of a shape at one time after another: it is made once, and then placed.
+// The core of a shape at successive times: it is made once, and then only placed.
 class SweptCore {
   public:
-    // It is asked for again and again where the span begins and ends. Of strips, which have no end, it is the part near
-    // a point, and `reach` about it.
+    // The cores at the ends of the span are kept, as they are requested often. Infinitely long strips are replaced by
+    // the part within `reach` of the point `near`.
     SweptCore(const Mover& m, Span span, DVec3 near = {}, double reach = 0)
         : m_(m), near_(near), reach_(reach), begin_{span.begin, made({}, {0, 0, 0, 1})}, end_{span.end},
           local_center_(begin_.core.center), scale_{begin_.core.axes.c0.x, begin_.core.axes.c1.y,
@@ -55,7 +55,7 @@ class SweptCore {
         place(*now_);
         return now_->core;
     }
-    const Frame& frame() const { return now_->frame; } // of what was asked for last
+    const Frame& frame() const { return now_->frame; } // at the time of the last call
 
   private:
     struct Placed {
@@ -70,10 +70,10 @@ class SweptCore {
         if (m_.layer < Layer::skin) shrink(core, depth_of(core, m_.layer, m_.half_width));
         return core;
     }
-    // A copy of the core, placed where the shape is at its time.
+    // Places a copy of the core at the shape's pose at p.time.
     void place(Placed& p) const {
         p.is_placed = true;
-        if (m_.is_point()) { // no turn moves it
+        if (m_.is_point()) { // a ball that no rotation moves
             p.core.center = p.frame.origin = m_.center_at(p.time);
             return;
         }
@@ -91,11 +91,11 @@ class SweptCore {
     const DVec3 near_;
     const double reach_;
     Placed begin_, end_, between_;
-    const DVec3 local_center_, scale_; // in the frame of the shape
+    const DVec3 local_center_, scale_; // in the shape's frame
     Placed* now_ = &begin_;
 };
 
-// From a ball, where a formula tells it: of the others but hulls and polygons.
+// The gap between a ball and a shape with a closed formula: of all kinds except hulls and polygons.
 std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
     if (ball.kind != Convex::Kind::ball) return std::nullopt;
     const DVec3 local = to_local(other, ball.center - other.center);
@@ -109,14 +109,14 @@ std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
     return Gap{distance - (radius + exact_core(other).radius), normal, ball.center + radius * normal};
 }
 
-// With the two in the other order.
+// The same gap with the shapes exchanged.
 Gap seen_from_other(const Gap& gap) { return {gap.distance, -gap.normal, gap.on_a + gap.distance * gap.normal}; }
 
-// The distances of two shapes at one time after another: each begins with the corners that the last one ended with,
-// which are points of the shapes wherever those are.
+// Distances of two shapes at successive times: each GJK starts with the vertices of the last simplex, which are points
+// of the shapes at any pose.
 class GapFinder {
   public:
-    // `axis`: for the first, a direction from one to the other; then that of the last.
+    // `axis`: the initial direction from one shape to the other; updated by each call.
     explicit GapFinder(DVec3& axis) : axis_(axis) {}
     Gap gap_of(SweptCore& a, SweptCore& b, double time) {
         const Convex &first = a.at(time), &second = b.at(time);
@@ -154,10 +154,10 @@ class GapFinder {
     static constexpr double tolerance = 1e-6;
     DVec3& axis_;
     int count_ = 0;
-    DVec3 on_a_[3], on_b_[3]; // in the frames of the shapes
+    DVec3 on_a_[3], on_b_[3]; // in the shapes' frames
 };
 
-// How far a shape reaches from its center along a unit direction.
+// The support distance of a shape from its center along a unit direction.
 double reach_along(DVec3 n, const Convex& c) {
     const Core core = exact_core(c);
     if (c.kind == Convex::Kind::ball) return core.radius;
@@ -166,12 +166,12 @@ double reach_along(DVec3 n, const Convex& c) {
     return dot(along, c.size) + core.radius;
 }
 
-// How far two are apart along a unit direction from `a` to `b`.
+// The separation of two shapes along a unit direction from `a` to `b`.
 double gap_along(DVec3 n, const Convex& a, const Convex& b) {
     return dot(n, b.center - a.center) - (reach_along(n, a) + reach_along(-n, b));
 }
 
-// Whether two never come as near as `question` asks along a direction: what is cheap to ask, and true of most.
+// Whether two shapes stay farther apart along a direction than `question` asks: a cheap test that most pairs pass.
 template <class Pair>
 bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span, Pair& pair,
                       const Question& question) {
@@ -211,7 +211,7 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked
         return {};
     const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
-    if (question.deeper == infinity && // along the normal of the contact that pushes them apart
+    if (question.deeper == infinity && // the normal of the contact that pushes them apart
         pair.apart_along(math::normalized(asked.axis), span.begin) < question.highest_floor)
         return {overlapped};
     return course_by(a, b, question, span, pair);
@@ -253,13 +253,13 @@ Convex triangle_at(const Frame& frame, const Triangle& t) {
 class TrianglePair {
   public:
     static constexpr bool has_axes = true;
-    // `center`: of `a` when the span begins.
+    // `center`: of `a` at the beginning of the span.
     TrianglePair(SweptCore& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
           begin_face_(triangle_at(begin_frame_, triangle)), from_center_(begin_face_.center - center),
           axis_(from_center_), finder_(axis_) {}
-    const Convex& begin_face() const { return begin_face_; } // when the span begins
-    DVec3 from_center() const { return from_center_; }       // to that
+    const Convex& begin_face() const { return begin_face_; } // at the beginning of the span
+    DVec3 from_center() const { return from_center_; }       // from the center of `a` to that face
     Gap gap_at(double time) {
         const Convex& core = a_.at(time);
         const Frame b = b_.is_still() ? begin_frame_ : frame_at(b_, time);
@@ -288,7 +288,7 @@ template <class F> void with_surface(const SweptShape& s, F&& f) {
         f(height_field_of(s.data));
 }
 
-// With one triangle, from its front.
+// The course of a shape and the front of one triangle.
 void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triangle& triangle, Span span,
                    const Asked& asked, Course& best, bool& overlaps) {
     const Convex& mover = core.at(span.begin);
@@ -306,9 +306,9 @@ void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triang
         best.take(course);
 }
 
-// With the triangles of a mesh or height field.
+// The course of a shape and the triangles of a mesh or height field.
 Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Asked& asked) {
-    const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
+    const auto local_at = [&](double time) { // the middle of a in the surface's frame
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
     };
@@ -340,25 +340,25 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Aske
     return best;
 }
 
-// Whether they move against each other so little that no core can pass.
+// Whether the relative motion of two shapes is so small that no core can pass through.
 bool stay_together(const Mover& a, const Mover& b) {
     const DVec3 way = (b.end - b.start) - (a.end - a.start);
     return length(way) + (a.turning() + b.turning()) <= free_share * a.half_width;
 }
 
-// Whether balls around both meet at all, along lines, with what they may be beside them.
+// Whether bounding spheres of both shapes meet at all on straight paths, with their deviations from these added.
 bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     const DVec3 from = b.start - a.start, to = b.end - a.end, way = to - from;
     double sagitta = a.sagitta() + b.sagitta();
-    if (a.until() < 1 || b.until() < 1) sagitta += length(way); // no straight line
+    if (a.until() < 1 || b.until() < 1) sagitta += length(way); // the relative path is not straight
     const double reach = a.bounding_radius() + b.bounding_radius() + sagitta + within, square = dot(way, way);
     const double time = square > 0 ? std::clamp(-dot(from, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = from + time * way;
     return dot(nearest, nearest) <= reach * reach;
 }
 
-// Whether a ball stays beside a box: its middle goes straight, as the box sees it, past the planes of its faces, with
-// what the two may be beside their lines.
+// Whether a ball misses a box: in the box's frame, its center moves straight past the box's enlarged bounds. The
+// deviations of both from straight paths are added.
 bool passes_box(const Mover& ball, const Mover& box, double within) {
     const Geometry& g = box.shape().geometry;
     if (g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
@@ -392,20 +392,20 @@ double half_width_of(const SweptShape& a, const SweptShape& b) {
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
-// Whether no cores meet on a course that ends without a meeting. The distance of convex shapes that move straight is a
-// convex function of time: no touch of them is missed. What turns so little that it gets nowhere deeper by it is missed
-// by no more.
+// Whether it is certain that no cores meet on a course without a meeting. The distance of convex shapes in straight
+// motion is a convex function of time, so that no touch of theirs is missed. Shapes that rotate so little that it moves
+// their points by less than the tolerance can sink deeper only by as much.
 bool is_certain(const Course& course, const Mover& a, const Mover& b) {
     return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
-// `axis`: the direction to the other where the two touch.
+// `axis`: the direction to the other shape if the two touch.
 Nearness nearness_on(const Course& course, double to, DVec3 axis) {
     if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }
 
-// A ball deep inside of a shape, with that part of its smallest half width.
+// A ball inside a shape, with a radius of `part` times its smallest half width.
 Geometry ball_inside(const Mover& m, float part) {
     Geometry ball;
     const float radius = part * 0.5f * smallest_extent(m.shape().geometry, m.shape().data);
@@ -427,16 +427,16 @@ RigidPath RigidPath::between(DVec3 x0, DQuat q0, DVec3 x1, DQuat q1, double begi
 RigidPath::Pose RigidPath::at(double time) const {
     const double part = begin < until ? (time - begin) / (until - begin) : 1.0;
     const DQuat turned = math::normalized(DQuat{part * by.x, part * by.y, part * by.z, 1 + part * (by.w - 1)});
-    return {start + time * translation, turned * rotation}; // of two unit quaternions
+    return {start + time * translation, turned * rotation}; // a product of two unit quaternions
 }
 
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
-    if (from == 0 && to >= 1 && stay_together(first, second)) return never; // all parts of a step could add up
+    if (from == 0 && to >= 1 && stay_together(first, second)) return never; // parts of a step could add up
     double time = course_of(first, second, {from, to}, {0, 0, axis}).meeting;
-    // What begins too deep goes no deeper than half of that, or up to its middle.
+    // Cores that overlap at the start may sink until a ball of half their half width, or the center, meets the other.
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
@@ -457,7 +457,7 @@ double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, doub
         const double time = course.meeting;
         if (time != overlapped)
             return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, is_known, from, axis);
-        if (held != Held::by_nothing) break; // the solver pushes them apart
+        if (held != Held::by_nothing) break; // the solver pushes the shapes apart
     }
     return time_of_meeting(a, b, true, from, axis);
 }

@@ -24,7 +24,7 @@ void FaceOutline::find(const Convex& c, int face, const DVec3& normal, const DVe
     frame.normal = polygon.normal, frame.e1 = direction_in_plane(p[1] - p[0], frame.normal);
     frame.e2 = math::cross(frame.normal, frame.e1);
     frame.origin = p[0];
-    double x[max_made_sides + 1], y[max_made_sides + 1]; // a box's face or a polygon: four corners at most
+    double x[max_made_sides + 1], y[max_made_sides + 1]; // a box's face or a polygon has at most four corners
     for (std::size_t i = 0; i < corner_count; ++i) {
         const DVec3 q = frame.to_frame(p[i]);
         x[i] = q.x, y[i] = q.y;

@@ -1,4 +1,4 @@
-// A flat face of a convex shape with corners, in its own plane.
+// The outline of a flat polygonal face of a convex shape, in its own plane.
 #pragma once
 
 #include "collision/contact_features.h"
@@ -9,20 +9,20 @@
 namespace cairn {
 
 struct FaceOutline {
-    ContactFrame frame; // about the first corner
+    ContactFrame frame; // its origin is the first corner
     std::uint32_t index = 0;
     std::size_t corner_count = 0;
-    double size = 0; // the largest coordinate of a corner
+    double size = 0; // the largest absolute coordinate of a corner
     std::span<const SideBlock> sides;
 
-    // `normal`, `on_face`: as of face_normal and face_point.
+    // `normal`, `on_face`: the results of face_normal and face_point.
     void find(const Convex& c, int face, const math::DVec3& normal, const math::DVec3& on_face);
 
-    // Whether a point, seen along the normal, is farther inside of every side than so much.
+    // Whether a point, projected along the normal, is inside of every side by more than `distance`.
     bool holds(const math::DVec3& p, double distance) const;
 
   private:
-    SideBlock made_[made_blocks]; // of what has none at hand
+    SideBlock made_[made_blocks]; // used if the shape has no precomputed sides
 };
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// The contact of a face with what is opposite: which face, and the points between the two.
+// The contact of a reference face with the opposite feature: which face it is, and the points between the two.
 #pragma once
 
 #include "collision/contact_axis.h"
@@ -11,7 +11,7 @@
 
 namespace cairn {
 
-// The best face of one shape of a pair (best_face), which is asked for again with another axis.
+// A cached best_face of one shape of a pair, as it is requested several times with different floors.
 class FaceSearch {
   public:
     FaceAxis find(const Convex& c, const Convex& other, const math::DVec3& p, const FaceAxis& floor) {
@@ -24,27 +24,28 @@ class FaceSearch {
     }
 
   private:
-    std::optional<FaceAxis> best_;                           // of all
-    double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
+    std::optional<FaceAxis> best_;                           // the best of all faces
+    double floor_ = std::numeric_limits<double>::infinity(); // else no face has a greater separation
 };
 
-// The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
-// the face is mostly the same, and how far its points reach is mostly enough.
+// The contact points of one pair of shapes between a face and the opposite feature, cached: they are requested again
+// with another axis, but mostly for the same face, and mostly only for their least separation.
 struct FacePoints {
     FaceSearch on_a, on_b;
     FaceReach known;
-    bool is_found = false;       // else only how far they reach may be known
-    std::optional<Feature> disc; // the face, if it or what is opposite is one
-    FaceOutline outline;         // of a face with corners
+    bool is_found = false;       // false: at most their least separation is known
+    std::optional<Feature> disc; // the face, if it or the opposite feature is a disc
+    FaceOutline outline;         // of a polygonal face
     ContactPoints points;
 
     bool is_of(const FaceAxis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
     void find(const Convex& c, const Convex& other, const FaceAxis& axis, double extent);
-    // Whether the middle of the points that reach so far is farther from the border of the face than `distance`.
+    // Whether the mean of the points with separations up to `reach` is farther from the border of the face than
+    // `distance`.
     bool are_amid(const Convex& c, double reach, double distance) const;
 };
 
-// Writes the points of the face unless they all stay farther apart than `least` by more than `tolerance`; true if there
+// Writes the points of the face unless they are all farther apart than `least` by more than `tolerance`; true if there
 // are any.
 bool face_manifold(const Convex& a, const Convex& b, const FaceAxis& axis, double least, double tolerance,
                    double extent, double margin, FacePoints& found, Manifold& out);

@@ -8,10 +8,10 @@ using math::dot;
 
 namespace {
 
-// What rounding, and directions of segments that are nearly parallel, may take from a distance, as part of the sizes.
+// Share of the sizes: the error of the distance due to rounding and to nearly parallel segments.
 constexpr float slack_part = 4e-3f;
 
-// A segment, and how far the shape reaches beyond it.
+// A capsule around a shape: a segment, and a radius around it.
 struct Bar {
     math::Vec3 center, half;
     float radius;
@@ -21,7 +21,7 @@ Bar bar_around(const Geometry& g, const ShapePose& pose, math::Vec3 center) {
     const math::Quat q{pose.q[0], pose.q[1], pose.q[2], pose.q[3]};
     if (g.type == ShapeType::capsule || g.type == ShapeType::cylinder)
         return {center, math::rotate(q, math::Vec3{0, g.size.y, 0}), std::max(g.size.x, g.size.z) + g.rounding};
-    if (g.type == ShapeType::box) { // along its longest axis
+    if (g.type == ShapeType::box) { // the segment is along its longest axis
         const math::Vec3 h = g.size;
         const int i = h.x >= h.y && h.x >= h.z ? 0 : h.y >= h.z ? 1 : 2;
         math::Vec3 half, rest = h;
@@ -34,8 +34,8 @@ Bar bar_around(const Geometry& g, const ShapePose& pose, math::Vec3 center) {
 
 float within(float t) { return std::min(std::max(t, -1.0f), 1.0f); }
 
-// Square of the distance of two segments (as Ericson, "Real-Time Collision Detection", 2005, section 5.1.9, but from
-// their middles: parameters from -1 to 1).
+// The squared distance of two segments (as in Ericson, "Real-Time Collision Detection", 2005, section 5.1.9, but with
+// parameters from -1 to 1 about their middles).
 float square_distance(const Bar& a, const Bar& b) {
     const math::Vec3 r = a.center - b.center;
     const float uu = dot(a.half, a.half), vv = dot(b.half, b.half), uv = dot(a.half, b.half);

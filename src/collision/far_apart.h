@@ -1,4 +1,4 @@
-// A quick look at two convex shapes: most pairs whose bounds overlap do not come near each other.
+// A quick rejection test of two convex shapes: most pairs whose bounds overlap do not touch.
 #pragma once
 
 #include "collision/shape_pose.h"
@@ -6,8 +6,8 @@
 
 namespace cairn {
 
-// How far apart two shapes are at least, in meters: as far as capsules around them (spheres around hulls). Negative
-// where those overlap.
+// A lower bound of the distance of two shapes, in meters: that of capsules around them (spheres around hulls). Negative
+// if these overlap.
 float gap_lower_bound(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b);
 
 } // namespace cairn

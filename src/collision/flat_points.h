@@ -1,4 +1,4 @@
-// The points of a contact, and the choice of at most four that represent them.
+// The points of a contact, and the selection of at most four that represent them.
 #pragma once
 
 #include "math/vec.h"
@@ -8,19 +8,19 @@
 
 namespace cairn {
 
-// Midway between the surfaces.
+// A contact point midway between the surfaces.
 struct SurfacePoint {
     math::DVec3 position;
     double separation;
 };
 
-// A point that counts, seen along the normal. `nearness`, from 0 to 1: that of the surfaces there; found by
-// choose_points.
+// A candidate point, projected along the normal. `nearness`, from 0 to 1: a weight for how near the surfaces are there,
+// computed by choose_points.
 struct FlatPoint {
     double x, y, separation, nearness;
 };
 struct FlatFrame {
-    // `middle`: near that of where the contact may be.
+    // `middle`: near the middle of the possible contact.
     FlatFrame(const math::DVec3& normal, const math::DVec3& middle);
     FlatPoint flat(math::DVec3 position, double separation) const {
         const math::DVec3 d = position - center;
@@ -32,7 +32,7 @@ struct Chosen {
     int count = 0;
     std::size_t index[4] = {};
 };
-// At most four that represent all. `extent`: the size of the smaller shape, for the tolerances.
+// Chooses at most four points that represent all. `extent`: the size of the smaller shape, for the tolerances.
 Chosen choose_points(std::span<FlatPoint> points, double extent);
 
 } // namespace cairn

@@ -11,8 +11,8 @@ using math::to_vec;
 
 namespace {
 
-// Whether what touches `round`, and is nowhere farther than the reach of `other` from its middle, is within `depth` m
-// of the tangent plane there. What is a ball itself touches whatever there is in one place.
+// Whether all points that are within the bounding radius of `other` from a point where it touches `round` are within
+// `depth` m of the tangent plane there. A ball as `other` touches any surface in a single point.
 bool is_flat_to(const Geometry& round, const Geometry& other, double depth) {
     const bool is_straight = (round.type == ShapeType::capsule || round.type == ShapeType::cylinder) &&
                              round.size.x == round.size.z && round.rounding == 0;
@@ -22,12 +22,12 @@ bool is_flat_to(const Geometry& round, const Geometry& other, double depth) {
     return reach * reach <= 2 * double(round.size.x) * depth;
 }
 
-// The part of a vector along which a round side is straight: none of balls.
+// The component of a vector along which a round side is straight: zero for balls.
 DVec3 straight_part(const Convex& round, DVec3 v) {
     return round.kind == Convex::Kind::ball ? DVec3{} : dot(round.axes.c1, v) * round.axes.c1;
 }
 
-// Whether all that is so far from the middle of `other`, m, is over the side, and not over an end.
+// Whether all points within `reach`, m, of the middle of `other` are over the side, not over an end.
 bool is_over_side(const Convex& round, const Convex& other, double reach) {
     return round.kind == Convex::Kind::ball ||
            std::fabs(dot(round.axes.c1, middle(other) - round.center)) + reach < round.size.y;

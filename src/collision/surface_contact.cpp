@@ -13,13 +13,13 @@ using math::DVec3;
 
 namespace {
 
-constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits that are one patch
-constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
-constexpr double normal_rounding = 1e-6;     // likewise: one that is computed twice
-constexpr double flatness = 1e-4;            // of the shape's size: how far off a plane or a triangle a point may be
-constexpr std::size_t none = ~std::size_t{}; // of the patches
+constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits within this form one patch
+constexpr double same_normal = 2e-4;         // difference of unit normals: an edge so near a face supports nothing
+constexpr double normal_rounding = 1e-6;     // difference of a unit normal that is computed twice
+constexpr double flatness = 1e-4;            // share of the shape's size: tolerance for points on planes or triangles
+constexpr std::size_t none = ~std::size_t{}; // index of a patch: none
 
-// Where the frame of the hits is in the common one: as it comes, it is that.
+// The pose of the frame of the hits in the common frame; the identity by default.
 struct Placement {
     DVec3 center;
     math::DMat3 axes;
@@ -38,8 +38,8 @@ double squared(DVec3 v) { return math::dot(v, v); }
 
 bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distance * distance; }
 
-// An edge between triangles in the plane of a deeper patch is none: the shape slides over it. (Feet of boxes at edges
-// that are apart are some micrometers off, too far for those of LocalMinima.)
+// Whether a hit at an edge is at an internal edge: one in the plane of a deeper patch, over which the shape slides.
+// (For boxes whose edges are separated, foot points can be off by some micrometers, too far for LocalMinima.)
 bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, const TriangleHit& hit, double size) {
     if (hit.on_face || is_near(patch.normal, hit.normal, same_normal)) return false;
     const double tolerance = flatness * size, deepest = std::max(patch.depth, 0.0) + tolerance;
@@ -52,30 +52,30 @@ bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, 
     return true;
 }
 
-// A shape on a thin wall, or on a sheet whose triangles have others on their backs, has its middle behind the far side,
-// too, and may reach through it. It is not lifted to the far side if the triangle that it is in front of lies between:
-// at or behind the far side, and on the way from the middle of the shape straight to that.
+// Removes hits on the far sides of a thin wall, or of a sheet with triangles on both sides: the center of the shape is
+// behind the far side as well, and the shape may extend through it. A shape is not lifted to the far side if a triangle
+// with the shape in front of it lies between: at or behind the far side, and on the line from the shape's center to it.
 void drop_far_sides(SurfaceScratch& scratch, double tolerance) {
     std::vector<TriangleHit>& hits = scratch.hits;
     const auto is_far_side = [&](const TriangleHit& hit) {
         return hit.is_lifted && std::any_of(hits.begin(), hits.end(), [&](const TriangleHit& near) {
-                   const DVec3 way = near.foot - hit.foot; // that of a lifted shape is below its middle
+                   const DVec3 way = near.foot - hit.foot; // the foot of a lifted shape is below its center
                    return !near.is_lifted && math::dot(near.normal, hit.normal) < 0 &&
                           math::dot(hit.normal, way) >= -tolerance && math::dot(near.normal, way) <= tolerance;
                });
     };
     if (std::any_of(hits.begin(), hits.end(), [](const TriangleHit& hit) { return hit.is_lifted; }))
-        hits.erase(std::remove_if(hits.begin(), hits.end(), is_far_side), hits.end()); // in front all stay
+        hits.erase(std::remove_if(hits.begin(), hits.end(), is_far_side), hits.end()); // hits on fronts all stay
 }
 
-// The hit of one triangle.
+// Adds the hit of one triangle.
 void add_hit(const BoxHit& found, std::uint32_t triangle, SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
     scratch.points.insert(scratch.points.end(), found.points, found.points + found.count);
     scratch.hits.push_back({found.normal, found.foot, -found.separation, first, static_cast<std::uint32_t>(found.count),
                             triangle, found.on_face, false, none});
 }
-// Of a manifold in the common frame.
+// Adds a hit, from a manifold in the common frame.
 void add_hit(const Manifold& found, const SurfaceContact& contact, const Placement& frame, std::uint32_t triangle,
              SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
@@ -96,7 +96,7 @@ struct Bounds {
     math::Vec3 lo, hi;
 };
 
-// Of the shape and what is nearer to it than `reach`, in the frame of the surface.
+// Bounds of the shape, enlarged by `reach`, in the frame of the surface.
 Bounds bounds_of(const Convex& a, const Surface& surface, double reach) {
     Bounds bounds;
     for (int i = 0; i < 3; ++i) {
@@ -117,7 +117,7 @@ Bounds bounds_of(const Convex& a, const Surface& surface, double reach) {
     return bounds;
 }
 
-// f(data) for the mesh or height field.
+// Calls f(data) for the mesh or height field.
 template <class F> void with_data(const Surface& surface, F&& f) {
     if (const auto* mesh = std::get_if<std::shared_ptr<const MeshData>>(&surface.data))
         f(**mesh);
@@ -131,7 +131,7 @@ std::uint32_t material_number(const Surface& surface, std::uint32_t triangle) {
     return number;
 }
 
-// Whether a point is on a triangle, but for a tolerance.
+// Whether a point is on a triangle, within a tolerance.
 bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
     const DVec3 n = math::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double square = squared(n), height = math::dot(n, p - corners[0]);
@@ -144,7 +144,7 @@ bool is_on(const DVec3 (&corners)[3], DVec3 p, double tolerance) {
     return true;
 }
 
-// Finds the hits of a shape of any kind; returns how far it is apart from all triangles at least.
+// Finds the hits of a shape of any kind; returns a lower bound of its distance from all triangles.
 class HitSearch {
   public:
     HitSearch(const Convex& a, const Surface& surface, double margin, const Placement& frame, SurfaceScratch& scratch)
@@ -186,8 +186,8 @@ class HitSearch {
         return distance;
     }
 
-    // A triangle in the plane of a face that is touched deeper goes on with it: what leans toward that is nearest to
-    // its edge there, but may lie over all of it.
+    // Replaces the hit of a triangle that is coplanar with a deeper face by its contact along the face normal: a tilted
+    // shape is nearest to the triangle's edge there, but may be over all of it.
     void go_on_with(const SurfacePatch& face, std::uint32_t hit) {
         const Convex triangle = placed(scratch_.hits[hit].triangle);
         const DVec3 n = -triangle.axes.c1;
@@ -197,8 +197,8 @@ class HitSearch {
         replace(hit, found);
     }
 
-    // A shape that is sunk in beside an edge, beyond which the surface goes on or rises, does not leave over that, but
-    // along the normal: in the corner of a room each wall would push it through the other one.
+    // A shape that is sunk in near an edge beyond which the surface continues or rises is not pushed out over the edge,
+    // but along the triangle's normal: in the corner of a room, each wall would otherwise push it through the other.
     void lift_from_corners(double tolerance) {
         for (std::uint32_t k = 0; k < scratch_.hits.size(); ++k) {
             const TriangleHit& hit = scratch_.hits[k];
@@ -212,8 +212,9 @@ class HitSearch {
         }
     }
 
-    // What a cylinder or cone has to do with the plane of a face, if all of that is over triangles in it: where its rim
-    // meets several of them, each would have the lowest point over it. (Of other shapes those are corners.)
+    // The contact of a cylinder or cone with the plane of a face, if all its points are over triangles in that plane:
+    // if the rim meets several triangles, each would otherwise have its own lowest point. (For other shapes, these
+    // points are vertices.)
     bool lies_on_plane(std::size_t patch, double tolerance, Manifold& out) const {
         const SurfacePatch& face = scratch_.patches[patch];
         if (!face.on_face || a_.kind != Convex::Kind::cylinder) return false;
@@ -236,19 +237,20 @@ class HitSearch {
                    is_on({t.corners[0], t.corners[1], t.corners[2]}, foot, tolerance);
         });
     }
-    // By what was found of the same triangle, if there is anything.
+    // Replaces a hit by what was found for the same triangle, if anything.
     void replace(std::uint32_t hit, const Manifold& found) {
         if (found.count == 0) return;
         add_hit(found, {}, frame_, scratch_.hits[hit].triangle, scratch_);
         scratch_.hits[hit] = scratch_.hits.back();
         scratch_.hits.pop_back();
     }
-    // Whether a push leads over an edge at the place where the triangle is touched, beyond which the surface goes on or
-    // rises. At a corner that depends on all triangles there, and is not said. The place is known to within the depth.
+    // Whether the contact is at an edge beyond which the surface continues or rises, and its normal pushes the shape
+    // over that edge. False at a corner, where it depends on all adjacent triangles. The position is known to within
+    // the depth.
     bool leaves_over_corner(const Convex& triangle, std::uint32_t index, DVec3 normal, DVec3 foot, double depth,
                             double tolerance) const {
         const DVec3 up = triangle.axes.c1;
-        int at = -1; // the edge
+        int at = -1; // index of the edge
         for (int i = 0; i < 3; ++i) {
             const DVec3 from = triangle.corners[i], edge = triangle.corners[(i + 1) % 3] - from;
             const DVec3 outward = (1 / math::length(edge)) * math::cross(edge, up);
@@ -277,7 +279,7 @@ class HitSearch {
         with_data(surface_, [&](const auto& data) { triangle = placed(triangle_of(data, index)); });
         return triangle;
     }
-    // By the test of all convex shapes. beyond: what is known of the faces, if they do not make the contact.
+    // Tests a triangle by the general convex test. beyond: what is known of the faces, if they do not give the contact.
     void test(const Triangle& t, std::uint32_t index, const FaceReach* beyond = nullptr) {
         const Convex triangle = placed(t);
         const DVec3 guess = -triangle.axes.c1;
@@ -294,14 +296,14 @@ class HitSearch {
     SurfaceScratch& scratch_;
 };
 
-// What touches a surface is nearest to it there, among all places around: the edge of a triangle where another one goes
-// on towards the shape is not. The next triangle of a floor begins there, or the next facet of a bowl.
+// Tests whether a hit is a local minimum of the distance from the surface. At the edge of a triangle whose neighbor
+// continues towards the shape it is not: the next triangle of a floor, or the next facet of a bowl, begins there.
 class LocalMinima {
   public:
     LocalMinima(const Surface& surface, const Placement& frame, const SurfaceScratch& scratch, double tolerance)
         : surface_(surface), frame_(frame), scratch_(scratch), tolerance_(tolerance) {}
 
-    // Of a hit at that place in the order of depths.
+    // Tests the hit at `place` in the order of depths.
     bool has(std::size_t place) const {
         const TriangleHit& hit = scratch_.hits[scratch_.order[place]];
         if (hit.on_face) return true;
@@ -313,7 +315,7 @@ class LocalMinima {
     }
 
   private:
-    // Whether a triangle that is touched deeper, elsewhere, has that point, too.
+    // Whether a triangle with a deeper hit, along another normal, contains this point.
     bool goes_on(std::size_t place, const TriangleHit& hit, DVec3 foot) const {
         for (std::size_t k = 0; k < place; ++k) {
             const TriangleHit& other = scratch_.hits[scratch_.order[k]];
@@ -338,14 +340,14 @@ class LocalMinima {
     const double tolerance_;
 };
 
-// Whether a hit that is not along the normal of a deeper face has points in its plane.
+// Whether a hit with another normal than that of a deeper face is in the plane of the face.
 bool may_go_on_with(const SurfacePatch& face, const TriangleHit& hit, double size) {
     return face.on_face && is_near(face.normal, hit.normal, same_patch) &&
            !is_near(face.normal, hit.normal, normal_rounding) &&
            std::fabs(math::dot(face.normal, hit.foot - face.foot)) <= flatness * size;
 }
 
-// The points of all hits of a patch, reduced to four.
+// Writes the points of all hits of a patch, reduced to four.
 void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent, Manifold& out) {
     const DVec3 normal = scratch.patches[patch].normal;
     const FlatFrame flat(normal, {});
@@ -383,7 +385,7 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     scratch.hits.clear();
     scratch.points.clear();
     const bool is_box = is_sharp_box(a);
-    // Hits of boxes are in their frame.
+    // The hits of boxes are in the box's frame.
     const Placement frame = is_box ? Placement{a.center, a.axes, false} : Placement{};
     HitSearch search(a, surface, margin, frame, scratch);
     const double distance = is_box ? search.search_around_box(kernels, reach) : search.search(reach);

@@ -1,5 +1,5 @@
-// How two shapes come near each other on their ways: looks at a pair, one after another, until it is known whether and
-// when they meet. For core_sweep.cpp, which says what a pair is.
+// How two shapes approach each other on their paths: evaluates their distance at successive times until it is known
+// whether and when they meet. For core_sweep.cpp, which defines the kinds of pairs.
 #pragma once
 
 #include "collision/core_sweep.h"
@@ -18,23 +18,25 @@ using math::DQuat;
 using math::DVec3;
 using math::length;
 
-inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
-// Cores count as met when they are this near, as part of the depth.
+inline constexpr double known_depth_part = 0.5; // of the half width: for contacts that the solver knows
+// Share of the depth: cores count as touching when they are this near.
 inline constexpr double tolerance_part = 0.1;
-// After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
+// The greatest number of evaluations for a pair that rotates fast and hardly approaches; then the time reached is the
+// answer.
 inline constexpr int max_rounds = 100;
 
-// What is looked at: cores, what is twice as deep, the cores of contacts that the solver knows (`deep`: to see how what
-// is deeper than the others sinks), or the shapes themselves.
+// The part of the shapes that is swept: cores; inner cores, which are twice as deep; the cores of contacts that the
+// solver knows (known_core; `deep`: to detect how shapes that are deeper than the other layers sink); or the shapes
+// themselves (skin, impact).
 enum class Layer { core, inner, deep, known_core, skin, impact };
 
-// `half_width`: the smaller one of the pair.
+// `half_width`: the smaller of the pair's smallest half widths.
 inline double depth_of(const Convex& c, Layer layer, double half_width) {
     if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
     if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
     return layer >= Layer::deep ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
 }
-// By the narrower of the two, however wide the one is that moves.
+// The tolerance follows the narrower of the two shapes, however wide the moving one is.
 inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
     const double half = std::min(c.extent, half_width);
     switch (layer) {
@@ -53,7 +55,7 @@ inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
     return impact_tolerance(half);
 }
 
-// What is known of a shape on its way.
+// The motion of a shape along its path, and bounds of it.
 class Mover {
   public:
     Mover(const SweptShape& s, Layer layer, double half_width, double from, double to)
@@ -64,7 +66,7 @@ class Mover {
         const DVec3 to_middle = middle_offset();
         reach_ = length(to_middle) + ball;
         start = first_.x, end = last_.x;
-        if (to_middle == DVec3{}) return; // no turn moves it
+        if (to_middle == DVec3{}) return; // no rotation moves it
         start += math::rotate(first_.q, to_middle);
         end += math::rotate(last_.q, to_middle);
     }
@@ -73,7 +75,7 @@ class Mover {
     double until() const { return s_.until; }
     const SweptShape& shape() const { return s_; }
     RigidPath::Pose body_at(double time) const { return time == from_ ? first_ : time == to_ ? last_ : pose_at(time); }
-    // A ball about the center of mass, which no turn moves, and its center.
+    // A ball about the center of mass, which no rotation moves, and its center.
     bool is_point() const { return is_ball() && reach_ == 0; }
     DVec3 center_at(double time) const { return s_.path.start + std::min(time, s_.until) * s_.path.translation; }
     DQuat first_rotation() const { return rotation_at(first_); }
@@ -85,73 +87,75 @@ class Mover {
         const RigidPath::Pose pose = body_at(time);
         return pose.x + math::rotate(pose.q, middle_offset());
     }
-    // How fast any point can come along a direction that does not turn, at most.
+    // The greatest speed of any point along a direction of constant orientation.
     double speed_along(DVec3 n, double time) const {
         if (time >= s_.until) return 0;
         return dot(n, s_.path.translation) + length(math::cross(n, s_.path.turn)) * reach_;
     }
-    // Of any point, at most.
+    // The greatest speed of any point.
     double speed() const { return length(s_.path.translation) + turn_ * reach_; }
-    // Of a point of it.
+    // The velocity of a material point.
     DVec3 velocity_of(DVec3 point, double time) const {
         if (time >= s_.until) return {};
         return s_.path.translation + math::cross(s_.path.turn, point - (s_.path.start + time * s_.path.translation));
     }
-    // Seen from a frame that turns with this, about its center of mass: how far a point of another is from the straight
-    // line between two of its places, at most. As RigidPath::sagitta has it, with what a turning frame adds to the
-    // acceleration of d, the way from the center of mass: 2 w x d' and w x (w x d).
+    // In a frame that rotates with this shape about its center of mass: the greatest distance of a point of another
+    // shape from the straight line between two of its positions. As RigidPath::sagitta, plus the apparent accelerations
+    // of a rotating frame, 2 w x d' and w x (w x d), where d is the vector from the center of mass.
     double sagitta_of(const Mover& other) const {
         const double way = length(other.s_.path.translation - s_.path.translation);
         const double distance = length(other.s_.path.start - s_.path.start) + way + other.reach_;
         const double speed = way + other.turn_ * other.reach_;
         return other.sagitta() + s_.path.sagitta(distance) + 0.25 * turn_ * speed;
     }
-    // A direction that is fixed in it.
+    // A direction that is fixed in the shape, at another time.
     DVec3 turned(DVec3 n, double from, double to) const {
         return math::rotate(body_at(to).q, math::rotate(math::conjugate(body_at(from).q), n));
     }
-    // How far the middle is from the straight line between two of its places, at most.
+    // The greatest distance of the shape's middle from the straight line between two of its positions.
     double sagitta() const { return s_.path.sagitta(reach_); }
     bool is_still() const { return speed() == 0; }
-    // How far its points are from where they were if all of it moved at one velocity, at most.
+    // The greatest distance of the shape's points from where they would be if all moved at one constant velocity.
     double beside_straight() const { return s_.until >= 1 ? turn_ * reach_ : std::numeric_limits<double>::infinity(); }
-    // How far its points move about its middle, at most.
+    // The greatest displacement of the shape's points about its middle by rotation.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
-    // From the center of mass, in the body's frame: of the middle of its bounds, and of a point deep inside.
+    // Offsets from the center of mass, in the body's frame: of the middle of the shape's bounds, and of a point deep
+    // inside.
     DVec3 middle_offset() const { return s_.offset + in_body(math::to_double(s_.geometry.middle)); }
     DVec3 inside_offset() const {
         return s_.geometry.type == ShapeType::hull ? s_.offset + in_body(hull_of(s_.data).inside) : middle_offset();
     }
     const Layer layer;
-    const double half_width; // the smaller one of the pair, m
-    math::DVec3 start, end;  // of the middle of its bounds: when it is first looked at, and last
+    const double half_width; // the smaller of the pair, m
+    math::DVec3 start, end;  // of the middle of the shape's bounds, at the first and last time
 
   private:
-    // Floats make a unit quaternion to 1e-7 only, and a planet of 1 km larger by a tenth of a millimeter.
+    // Normalized in double: a float quaternion is unit only to 1e-7, which would scale a planet of 1 km by a tenth of a
+    // millimeter.
     DQuat own_rotation() const { return math::normalized(math::to_double(s_.geometry.rotation)); }
     RigidPath::Pose pose_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
     DVec3 in_body(DVec3 local) const { return s_.geometry.is_turned ? math::rotate(own_rotation(), local) : local; }
     const SweptShape& s_;
     const double from_, to_;
-    const RigidPath::Pose first_, last_; // there
+    const RigidPath::Pose first_, last_; // at from_ and to_
     const double turn_;
     double reach_;
 };
 
-inline constexpr double overlapped = -1; // a time: from the start
+inline constexpr double overlapped = -1; // meeting time of shapes that overlap from the start
 
 struct Gap {
     double distance;
     DVec3 normal; // from a to b
-    DVec3 on_a;   // the nearest point
+    DVec3 on_a;   // the nearest point of a
 };
 
-// The times that are looked at.
+// The range of times that is searched.
 struct Span {
     double begin, end;
 };
 
-// Until when the larger of the rates at which two come nearer stays what it is.
+// The time until which the bound of the approach speed remains the same: a body may stop before the end.
 inline double next_stop(const Mover& a, const Mover& b, double time, double end) {
     for (const double until : {a.until(), b.until()})
         if (time < until) end = std::min(end, until);
@@ -160,11 +164,11 @@ inline double next_stop(const Mover& a, const Mover& b, double time, double end)
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How two shapes come near each other.
+// The result of a search: how two shapes approach each other.
 struct Course {
     double meeting = never;    // a time, or `overlapped`
-    double nearest = 0;        // where they do not meet: when they are nearest,
-    Gap gap{infinity, {}, {}}; // and how near
+    double nearest = 0;        // if they do not meet: the time when they are nearest,
+    Gap gap{infinity, {}, {}}; // and their distance then
     bool is_certain = false;   // it is proven that they do not meet
 
     void take(const Course& other) {
@@ -174,30 +178,30 @@ struct Course {
 };
 inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
-// What overlaps may go deeper by that part before it is asked again: a body that is pressed in more and more within a
-// step is asked some ten times until it is at its middle.
+// Share of the excess: overlapping shapes may sink deeper by this before they are stopped, so that a body that is
+// pressed in more and more within a step is stopped some ten times until its center is reached.
 inline constexpr double deeper_part = 0.25;
 
-// What is asked of a pair. `within`: how near it comes matters up to there. `floor_part`: if not 0, it is asked when
-// inner cores are nearer than that part of their distance at a touch, in place of when the two meet; what is nearer
-// already, when it is nearer by the part `deeper` of what is missing (infinite: it counts as overlapping). `axis`: the
-// search begins with that direction from one to the other, or 0, and leaves the last one there.
+// A query about a pair. `within`: distances up to this matter. `floor_part`: if not 0, the event is not the touch, but
+// that inner cores are nearer than this share of the distance that they have when the shapes touch; if they are nearer
+// already, it is that they are nearer by the share `deeper` of the deficit (infinite: they count as overlapping).
+// `axis`: the initial search direction from one shape to the other, or 0; replaced by the last one.
 struct Asked {
     double within = 0, floor_part = 0;
     DVec3& axis;
     double deeper = deeper_part;
 };
 
-// What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
+// The parameters of a search: it ends when the shapes are as near as `tolerance`; their distance matters up to
 // `within`.
 struct Question {
     double tolerance, within = 0;
-    bool is_impact = false;   // what is as near as that and parts, or stays, has not met
-    double highest_floor = 0; // the part that is asked of the distance of inner cores where the shapes touch, at least
+    bool is_impact = false;   // shapes within the tolerance that separate, or stay, have not met
+    double highest_floor = 0; // the share `floor_part` of the distance of inner cores where the shapes touch
     double deeper = deeper_part;
 
     bool sinks() const { return highest_floor > 0; }
-    // Down to which distance of inner cores two may go that are now at another one.
+    // The distance of inner cores down to which shapes may sink whose inner cores are now at `distance`.
     double floor_from(double distance) const {
         const double missing = highest_floor - distance;
         return (missing > 0 ? distance - deeper * missing : highest_floor) - 2 * tolerance;
@@ -209,7 +213,7 @@ inline Question question_of(const Convex& c, const Mover& m, const Asked& asked,
             asked.floor_part * (depth_of(c, m.layer, m.half_width) + depth_of_other), asked.deeper};
 }
 
-// How fast the nearest points come nearer along the normal, and move at all, m/s.
+// The approach speed of the nearest points along the normal, and their relative speed, m/s.
 struct Closing {
     double along, speed;
 };
@@ -218,8 +222,8 @@ inline Closing closing_of(const Mover& a, const Mover& b, const Gap& gap, double
     return {dot(gap.normal, v), length(v)};
 }
 
-// Where two are nearest, among what was seen of a course: between the last look at which they came nearer and the first
-// at which they did not, or at an end.
+// The minimum of the distance on a course, bracketed by the evaluations: between the last one where the shapes approach
+// and the first one where they do not, or at an end.
 class Bracket {
   public:
     struct Look {
@@ -233,11 +237,12 @@ class Bracket {
         if (is_turn || is_start) keep(is_turn ? last_ : now, now);
         last_ = now, has_last_ = true;
     }
-    // Nothing follows. By false position (Illinois), until hardly anything approaches.
+    // After the last evaluation: the minimum by the Illinois method (false position), until the approach speed is
+    // nearly 0.
     template <class F> Course least(double speed, double within, F&& look_at) {
         if (last_.closing.along > 0) keep(last_, last_);
         Look lo = before_, hi = after_;
-        const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // bound
+        const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // lower bound
         if (lower > within) return {};
         Look best = lo.gap.distance < hi.gap.distance ? lo : hi;
         double rate_lo = lo.closing.along, rate_hi = hi.closing.along;
@@ -260,7 +265,7 @@ class Bracket {
 
   private:
     static constexpr int max_looks = 16;
-    static constexpr double turned_part = 0.05; // of the speed
+    static constexpr double turned_part = 0.05; // of the relative speed
     void keep(const Look& before, const Look& after) {
         const double distance = std::min(before.gap.distance, after.gap.distance);
         if (!(distance < least_)) return;
@@ -271,27 +276,28 @@ class Bracket {
     bool has_last_ = false;
 };
 
-// How far time goes on where the nearest points do not come nearer for now, as part of the step.
+// Share of the step: how far time advances while the nearest points do not approach.
 inline constexpr double longest_leap = 1.0 / 16;
 
-// How long two do certainly not meet.
+// A time for which the shapes certainly do not close the distance `way`.
 inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
     const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
     return speed > 0 ? way / speed : never;
 }
 
-// Whether two that are `first` apart along a direction when a span begins and `last` when it ends, m, are so in
-// between. Every point is within 4 S t (1 - t) of the straight line between its ends (S: the sagitta, t: the part of
-// the span), and the farthest of points on straight lines is never beyond the line between the farthest at both ends:
-// so they are (1 - t) first + t last - 4 S t (1 - t) apart, at least, which is positive for all t if this is true.
+// Whether two shapes that are `first` apart along a direction when a span begins, and `last` when it ends, m, stay
+// separated in between. Every point is within 4 S t (1 - t) of the straight line between its end positions (S: the
+// sagitta, t: the share of the span), and the support distance of points on straight lines is never beyond the linear
+// interpolation of its end values: so the separation is at least (1 - t) first + t last - 4 S t (1 - t), which is
+// positive for all t if this is true.
 inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double sagitta, double first, double last) {
-    if (next_stop(a, b, span.begin, span.end) < span.end) return false; // no one arc
+    if (next_stop(a, b, span.begin, span.end) < span.end) return false; // not one smooth arc
     const double duration = span.end - span.begin;
     return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * duration * std::sqrt(sagitta);
 }
 
-// What the direction is fixed in along which two are shown to be apart: two that turn together while they touch are so
-// along a face's normal, and for a moment alone along one that stands still.
+// The frame in which a separating direction is constant. Two bodies that rotate together while they touch stay
+// separated along a face's normal, but only for a moment along a direction that is fixed in the world.
 enum class AxisFrame { world, first, second };
 
 template <class Pair>
@@ -305,8 +311,9 @@ inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, Pair&
     return stay_apart_between(a, b, span, sagitta, first, last);
 }
 
-// Of a pair, `gap_at` (time) tells how far the two are apart, `apart_along` (direction from a to b, time) how far along
-// that, and `has_axes` whether that is so for any direction, or only for that in which they are.
+// A pair provides `gap_at` (time), the distance of the shapes; `apart_along` (direction from a to b, time), their
+// separation along a direction; and `has_axes`, whether the latter is valid for any direction, or only for that of the
+// gap.
 template <class Pair>
 inline bool stay_apart_in_any(const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap, double tolerance) {
     const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
@@ -321,21 +328,21 @@ inline bool stay_apart_from(const Mover& a, const Mover& b, Pair& pair, double t
     return stay_apart_in(AxisFrame::world, a, b, pair, {time, end}, gap, tolerance);
 }
 
-// Advances from `begin` to `end`, so that nothing is missed.
-inline constexpr double span_change = 0.25; // of a span that is too long to be proven, and back
+// Conservative advancement from `begin` to `end`: misses nothing.
+inline constexpr double span_change = 0.25; // factor by which an unproven span is shortened, and then lengthened again
 template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
     if (!(gap.distance > 0)) return overlapped;
-    tolerance = std::min(tolerance, 0.5 * gap.distance); // what has been stopped at it goes on if it parts
-    double span = end - begin;                           // is looked at next
+    tolerance = std::min(tolerance, 0.5 * gap.distance); // shapes stopped at the tolerance can then separate
+    double span = end - begin;                           // the span tried next
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
         if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
-        const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
+        const double stop = next_stop(a, b, time, end); // until then the speed bound is constant
         double next = time + certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
-        // What parts, or hardly moves, is apart for much longer than a bound of its speed says.
+        // Shapes that separate, or hardly move, stay apart for much longer than the speed bound shows.
         span = std::min(span, span_change * (stop - time));
         for (; time + span > next; span *= span_change) {
             if (stay_apart_in_any(a, b, pair, {time, time + span}, gap, 0.5 * tolerance)) next = time + span;
@@ -351,8 +358,8 @@ inline double advance(const Mover& a, const Mover& b, double tolerance, double b
     return time;
 }
 
-// How the shapes themselves come near each other: by the speed of the points that are nearest, which takes a few looks.
-// What that misses, the cores do not. `first`: how near they are at `begin`.
+// Approach of the shapes themselves by the speed of the nearest points, which takes few evaluations. What it misses is
+// caught by the cores. `first`: the gap at `begin`.
 template <class Pair>
 inline Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair,
                        const Gap& first) {
@@ -361,7 +368,7 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     };
     const auto look_at = [&](double time) { return look(time, pair.gap_at(time)); };
     const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
-    // An impact is where they would come nearer by more than the tolerance in the rest of the step.
+    // An impact requires that the shapes would approach by more than the tolerance in the rest of the step.
     const auto has_met = [&](const Bracket::Look& look) {
         return is_near(look) && !(question.is_impact && look.gap.distance >= 0 &&
                                   look.closing.along * (1 - look.time) <= question.tolerance);
@@ -374,7 +381,7 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     Bracket::Look now = look(begin, first);
     if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
     bool is_certain = true; // that they have not met so far
-    double beyond = end;    // they overlap then, or it is the end
+    double beyond = end;    // a time at which they overlap, or the end
     const double sunk = question.sinks() ? question.tolerance : -infinity;
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
@@ -396,7 +403,7 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
             }
         }
         Bracket::Look there = look_at(next < beyond ? next : 0.5 * (now.time + beyond));
-        while (there.gap.distance < 0 && there.time - now.time > 1e-6 * (end - begin)) { // too far
+        while (there.gap.distance < 0 && there.time - now.time > 1e-6 * (end - begin)) { // overshoot
             beyond = there.time;
             there = look_at(0.5 * (now.time + beyond));
         }
@@ -406,7 +413,7 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     return {now.time};
 }
 
-// A pair whose distance is counted from a floor.
+// A pair whose distance is measured from a floor.
 template <class Pair> class AboveFloor {
   public:
     AboveFloor(Pair& pair, double floor) : pair_(pair), floor_(floor) {}
@@ -423,7 +430,7 @@ template <class Pair> class AboveFloor {
     const double floor_;
 };
 
-// Of cores, or of the shapes themselves.
+// Searches by cores, or by the shapes themselves.
 template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
     if (!question.sinks() && !(question.within > 0) && !question.is_impact)
         return {advance(a, b, question.tolerance, span.begin, span.end, pair)};

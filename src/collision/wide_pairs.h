@@ -1,9 +1,10 @@
-// The pairs of shapes that have wide kernels, listed once: PairKind, KernelTable, the tables that fill it and the tests
-// of the narrow phase are all made from this, in this order. Plain data, for kernel translation units too.
+// The pairs of shape types that have wide kernels, listed once: PairKind, KernelTable, the tables that fill it and the
+// tests of the narrow phase are all generated from this list, in this order. Plain data, also for kernel translation
+// units.
 #pragma once
 
-// X(type of the kernel's first shape, type of its second): ShapeTypes; the kernel is named first_second. Those that
-// make one point come first, see has_one_point.
+// X(type of the kernel's first shape, type of its second), as ShapeTypes; the kernel is named first_second. Pairs with
+// a single contact point come first, see has_one_point.
 #define CAIRN_WIDE_PAIRS(X)                                                                                            \
     X(sphere, sphere)                                                                                                  \
     X(sphere, box)                                                                                                     \

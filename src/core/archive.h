@@ -1,6 +1,6 @@
-// Writing state to bytes and reading it back, with one `serialize(archive)` per class for both directions. Elements of
-// vectors are packed: of each only the 32-bit words that are others than foretold, by default those of the element
-// before. That is exact whatever is foretold, as long as writing and reading foretell the same.
+// Serialization of state to bytes and back, with one `serialize(archive)` per class for both directions. Elements of
+// vectors are packed: only those 32-bit words are stored that differ from a prediction, by default the element before.
+// This is lossless for any prediction, as long as writer and reader predict the same.
 #pragma once
 
 #include "core/bit_cast.h"
@@ -25,12 +25,13 @@ namespace archive_detail {
 template <class T> inline constexpr bool is_packed = sizeof(T) % 4 == 0 && sizeof(T) > 8;
 template <class T> using Words = std::array<std::uint32_t, sizeof(T) / 4>;
 
-// Words come in groups with a mask each of those that differ, a bit for each word.
+// Words are stored in groups, each with a bit mask of the words that differ from the prediction.
 inline constexpr std::size_t group = 32;
 constexpr std::size_t mask_size(std::size_t words) { return (words + 7) / 8; }
 template <class T> inline constexpr std::size_t max_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
 
-// Calls `f(first)` for the first word of each group, a constant: so are then the sizes of masks.
+// Calls `f(first)` for the first word of each group as a compile-time constant, so that the sizes of masks are
+// constant, too.
 template <class T, class F> void for_groups(F&& f) {
     [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::integral_constant<std::size_t, I * group>{}), ...); }
     (std::make_index_sequence<(sizeof(T) / 4 + group - 1) / group>{});
@@ -38,10 +39,10 @@ template <class T, class F> void for_groups(F&& f) {
 template <class T> constexpr std::size_t words_of_group(std::size_t first) {
     return std::min(sizeof(T) / 4 - first, group);
 }
-// Bytes: the masks alone.
+// Bytes: only the masks.
 template <class T> inline constexpr std::size_t min_packed_size = (sizeof(T) / 4 + 7) / 8;
 
-// Fails to compile, as no constant, where T has bytes that belong to no member: what they hold is left to chance.
+// Fails to compile if T has padding bytes, whose values would be indeterminate.
 template <class T> constexpr bool has_no_gaps() {
     unsigned sum = 0;
     for (const unsigned char byte : bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
@@ -65,8 +66,8 @@ class ArchiveWriter {
             raw(v.data(), v.size() * sizeof(T));
         }
     }
-    // Of elements that hold what nothing asks for any more. `used(i, room)`: element i without it, as it is or in
-    // `room`.
+    // Writes elements without the parts that nothing reads. `used(i, room)` returns element i without them: the element
+    // itself, or a copy in `room`.
     template <class T, class F> void used_part(const std::vector<T>& v, const F& used) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         T rooms[2];
@@ -79,7 +80,8 @@ class ArchiveWriter {
             },
             [&](std::size_t) { return before; });
     }
-    // `foretell(i)`: what element i will likely be, from what has been written before this vector.
+    // Writes elements relative to a prediction. `foretell(i)`: the likely value of element i, given what has been
+    // written before this vector.
     template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         static_assert(archive_detail::has_no_gaps<T>());
@@ -97,7 +99,7 @@ class ArchiveWriter {
     template <class T>
     requires std::is_trivially_copyable_v<T>
     void operator()(const T& value) {
-        static_assert(requires { T::length(); } || archive_detail::has_no_gaps<T>()); // the former: a vector of GLM's
+        static_assert(requires { T::length(); } || archive_detail::has_no_gaps<T>()); // the former: a vector of GLM
         raw(&value, sizeof value);
     }
 
@@ -133,7 +135,7 @@ class ArchiveWriter {
             for (std::size_t k = 0; k < count; ++k) {
                 const std::uint32_t differs = now[first + k] != before[first + k];
                 mask |= differs << k;
-                std::memcpy(to, &now[first + k], 4); // kept if the next one goes behind it
+                std::memcpy(to, &now[first + k], 4); // overwritten by the next word if this one does not differ
                 to += 4 * differs;
             }
             std::memcpy(place, &mask, archive_detail::mask_size(count));
@@ -155,7 +157,7 @@ class ArchiveReader {
     static constexpr bool reading = true;
     ArchiveReader(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
 
-    // Throws Error(invalid_file) where anything is left.
+    // Throws Error(invalid_file) if any bytes are left.
     void end() const {
         if (left_ > 0) throw_short();
     }
@@ -182,7 +184,7 @@ class ArchiveReader {
         s.resize(count(1));
         raw(s.data(), s.size());
     }
-    void operator()(bool& value) { // of which not every byte is one
+    void operator()(bool& value) { // not every byte is a valid bool
         std::uint8_t byte = 0;
         raw(&byte, sizeof byte);
         value = byte != 0;
@@ -192,14 +194,14 @@ class ArchiveReader {
     void operator()(T& value) { raw(&value, sizeof value); }
 
   private:
-    // Of elements that take so many bytes at least.
+    // Reads the number of elements that take at least `element` bytes each.
     std::size_t count(std::size_t element) {
         std::uint64_t n = 0;
         raw(&n, sizeof n);
         if (n > left_ / element) throw_short();
         return std::size_t(n);
     }
-    // Of the next group of `count` words: which of them are there.
+    // Reads the mask of the words that are stored for the next group of `count` words.
     template <std::size_t count> std::uint32_t mask() {
         std::uint32_t mask = 0;
         raw(&mask, archive_detail::mask_size(count));

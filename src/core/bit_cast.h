@@ -1,5 +1,5 @@
-// The value of type To that has the bits of a value of another type: std::bit_cast, which the C++ library of Debian
-// 12's emscripten (libc++ 13) does not have. All compilers that the engine is built with know the builtin.
+// std::bit_cast, which the C++ library of Debian 12's emscripten (libc++ 13) does not have. All compilers that the
+// engine is built with have the builtin.
 #pragma once
 
 namespace cairn {

@@ -1,4 +1,4 @@
-// A list that begins on the stack.
+// A list that starts on the stack and moves to the heap when it grows.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace cairn {
 
-// A list of plain data; the first N are kept in place.
+// A list of trivial elements; up to N are stored in the object itself.
 template <class T, std::size_t N> class Buffer {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
@@ -24,7 +24,7 @@ template <class T, std::size_t N> class Buffer {
         else
             add_beyond(value);
     }
-    // One more, without a value.
+    // Appends an element without a value.
     T& add_unset() {
         if (size_ == room_) grow();
         return data_[size_++];
@@ -45,7 +45,7 @@ template <class T, std::size_t N> class Buffer {
         std::byte bytes[sizeof(T)];
     };
     T* in_place() { return reinterpret_cast<T*>(storage_); }
-    [[gnu::noinline]] void add_beyond(const T value) { // a copy: it may be one of those that move
+    [[gnu::noinline]] void add_beyond(const T value) { // a copy: the argument may be an element, which is moved
         grow();
         data_[size_++] = value;
     }

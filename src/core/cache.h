@@ -1,10 +1,11 @@
-// Memory that is read soon.
+// Prefetching of memory that is read soon.
 #pragma once
 
 namespace cairn {
 
-// Asks the cache for the line that holds `p`. A function that does nothing else would be taken for one without effect,
-// and calls of it dropped (GCC does so with __builtin_prefetch alone): the empty statement stands for one.
+// Prefetches the cache line that contains `p`. A compiler may treat a function that only prefetches as one without
+// effect, and drop calls of it (GCC does so with __builtin_prefetch alone): the empty asm statement counts as an
+// effect.
 inline void ask_cache(const void* p) {
     __builtin_prefetch(p);
     asm volatile("");

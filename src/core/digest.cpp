@@ -48,13 +48,13 @@ std::vector<std::uint32_t> differing_slots(const StateDigest& a, const StateDige
     }
     if (!differ) return {};
     const std::uint64_t determinant = subtract(multiply(d[0], d[2]), multiply(d[1], d[1]));
-    if (determinant == 0) { // one body, or many
+    if (determinant == 0) { // one body differs, or many
         if (d[0] == 0) return {};
         const std::uint64_t place = multiply(d[1], inverse(d[0]));
         if (place == 0 || place > slots || multiply(d[2], place) != d[3]) return {};
         return {std::uint32_t(place - 1)};
     }
-    // Two: the roots of x^2 - e1 x + e2.
+    // Two bodies differ: the roots of x^2 - e1 x + e2.
     const std::uint64_t over = inverse(determinant);
     const std::uint64_t e1 = multiply(subtract(multiply(d[0], d[3]), multiply(d[1], d[2])), over);
     const std::uint64_t e2 = multiply(subtract(multiply(d[1], d[3]), multiply(d[2], d[2])), over);

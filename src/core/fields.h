@@ -1,4 +1,4 @@
-// Lists of the members of structs, and the guard that a list names all of them.
+// Lists of the members of structs, and a compile-time check that a list names all of them.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct Anything {
 };
 template <std::size_t> using AnythingAt = Anything;
 
-// In braces of its own each member takes one value, whatever it is: a number, an array, a plain struct, a base. Without
-// them also what has constructors does, but of an array each element.
+// With braces around each, every member takes one initializer, whatever it is: a number, an array, a plain struct, a
+// base. Without them, members with constructors take one as well, but arrays one per element.
 template <class T, bool InBraces, std::size_t... I> constexpr bool takes(std::index_sequence<I...>) {
     if constexpr (InBraces) return requires {
             T{{AnythingAt<I>{}}...};
@@ -40,24 +40,24 @@ template <class A, class B> constexpr bool same_member(A a, B b) {
 
 } // namespace fields_detail
 
-// How many members and bases an aggregate of plain data has. A base counts as one, and so does an array.
+// The number of members and bases of an aggregate of plain data. A base counts as one, and so does an array.
 template <class T> constexpr std::size_t field_count() {
     static_assert(std::is_aggregate_v<T>);
     return fields_detail::count<T, true>();
 }
-// Of an aggregate with members that have constructors (strings, vectors), but without arrays.
+// The same for an aggregate with members that have constructors (strings, vectors), but without arrays.
 template <class T> constexpr std::size_t class_field_count() {
     static_assert(std::is_aggregate_v<T>);
     return fields_detail::count<T, false>();
 }
 
-// Whether a list of pointers to members has this one.
+// Whether a list of pointers to members contains this one.
 template <class... Members, class Member> constexpr bool has_field(const std::tuple<Members...>& list, Member member) {
     return std::apply([&](auto... m) { return (fields_detail::same_member(m, member) || ...); }, list);
 }
 
-// Whether a list of pointers to members of T names each of them, and none twice. `bases`: how many bases T has, the
-// members of which are listed elsewhere.
+// Whether a list of pointers to members of T names each of them exactly once. `bases`: the number of bases of T, whose
+// members are listed elsewhere.
 template <class T, class... Members> constexpr bool lists_fields(const std::tuple<Members...>& list, int bases = 0) {
     const auto times = [&](auto member) {
         return std::apply([&](auto... m) { return (0 + ... + int(fields_detail::same_member(m, member))); }, list);

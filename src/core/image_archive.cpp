@@ -4,10 +4,10 @@ namespace cairn {
 
 namespace {
 
-// Of eight words at a time: how many times all of them are the same; then a mask of their quarters that differ, a bit
-// each, and the exclusive or of these.
+// Encoding of a delta: the number of equal groups of eight words; then, for the next group, a bit mask of the 16-bit
+// quarters that differ, and the exclusive or of these; and so on.
 constexpr std::size_t group = 8;
-constexpr std::size_t most_of_group = 4 + group * 8 + 2, most_of_number = 10; // 2: a quarter that will be written over
+constexpr std::size_t most_of_group = 4 + group * 8 + 2, most_of_number = 10; // 2: an overwritten quarter
 
 std::byte* put_number(std::byte* to, std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) *to++ = std::byte(value | 0x80);
@@ -50,7 +50,7 @@ void ImageWriter::write(const void* data, std::size_t size) {
     if (part_ == image_.parts.size()) image_.parts.emplace_back();
     StateImage::Part& part = image_.parts[part_++];
     const std::size_t before = part.size, common = std::max(words_of(before), words_of(size));
-    part.words.resize(common); // what one of the two lacks is 0
+    part.words.resize(common); // the shorter one is extended by zeros
     const std::size_t most = 2 * most_of_number + (common / group + 1) * (most_of_group + most_of_number);
     if (room_.size() < used_ + most) room_.resize(2 * (used_ + most));
     std::byte* to = put_number(room_.data() + used_, before);
@@ -73,7 +73,7 @@ void ImageWriter::write(const void* data, std::size_t size) {
         std::memcpy(now, from + 8 * first, sizeof now);
         put(first, group);
     }
-    for (; first < common; first += group) { // where one of the two ends
+    for (; first < common; first += group) { // the group where one of the two ends
         std::memset(now, 0, sizeof now);
         if (8 * first < size) std::memcpy(now, from + 8 * first, std::min(sizeof now, size - 8 * first));
         put(first, std::min(group, common - first));

@@ -1,4 +1,4 @@
-// States as they lie in memory, each as its difference from the one after it.
+// States as memory images, each stored as its difference from the next one.
 #pragma once
 
 #include <cairn/error.h>
@@ -14,7 +14,8 @@
 
 namespace cairn {
 
-// All that an archive was given, one part for each call: of vectors their bytes, and zeros up to a multiple of 8.
+// A memory image of all that an archive was given, one part per call: the bytes of vectors, padded with zeros to a
+// multiple of 8.
 struct StateImage {
     struct Part {
         std::vector<std::uint64_t> words;
@@ -23,14 +24,14 @@ struct StateImage {
     std::vector<Part> parts;
 };
 
-// What is to be done to an image to have the one before.
+// The difference that turns an image into the one before.
 using StateDelta = std::vector<std::byte>;
 
-// Turns an image into that of the state which is archived, and writes how to turn it back.
+// Turns an image into that of the state being archived, and writes the difference that turns it back.
 class ImageWriter {
   public:
     static constexpr bool reading = false;
-    // Both must be kept until the end; `room`: where the delta is written, kept from time to time.
+    // Both must outlive the writer; `room`: the memory for the delta, reused between calls.
     ImageWriter(StateImage& image, std::vector<std::byte>& room) : image_(image), room_(room) {}
 
     StateDelta delta() const { return {room_.begin(), room_.begin() + std::ptrdiff_t(used_)}; }
@@ -39,9 +40,9 @@ class ImageWriter {
         static_assert(std::is_trivially_copyable_v<T>);
         write(v.data(), v.size() * sizeof(T));
     }
-    // What nothing asks for stays as it is from state to state, and so costs nothing here.
+    // Parts that nothing reads do not change from state to state, and so cost nothing here.
     template <class T, class F> void used_part(const std::vector<T>& v, const F&) { (*this)(v); }
-    // What is as foretold from what came before is 0 in the image, and so the same from state to state.
+    // Words equal to their prediction are 0 in the image, and so the same from state to state.
     template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0);
         scratch_.resize(v.size() * (sizeof(T) / 8));
@@ -74,7 +75,7 @@ class ImageWriter {
 // Turns an image into that of the state before.
 void apply_delta(StateImage& image, const StateDelta& back);
 
-// Gives back what the image is of.
+// Restores the state of an image.
 class ImageReader {
   public:
     static constexpr bool reading = true;

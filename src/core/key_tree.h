@@ -1,4 +1,4 @@
-// Items with a few numbers each, in a binary tree of the bounds of these numbers: to look for one among many.
+// A binary tree of the bounds of items with a few numbers (keys) each, to search one among many.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,13 @@ namespace cairn {
 template <std::size_t count> class KeyTree {
   public:
     using Keys = std::array<double, count>;
-    // Of the items below a node that have not been removed, at least.
+    // Bounds of at least the items below a node that have not been removed.
     struct Bounds {
         Keys lo, hi;
     };
 
-    // Item i has keys[i]. Nodes are split by the key that spreads farthest, measured in units of 1 / scale.
+    // Builds the tree; item i has keys[i]. Nodes are split by the key that spreads farthest, measured in units of 1 /
+    // scale.
     void build(std::span<const Keys> keys, const Keys& scale) {
         items_.resize(keys.size());
         for (std::size_t i = 0; i < keys.size(); ++i) items_[i] = static_cast<std::uint32_t>(i);
@@ -27,10 +28,10 @@ template <std::size_t count> class KeyTree {
         if (!keys.empty()) add_node(keys, scale, 0, static_cast<std::uint32_t>(keys.size()), 0);
     }
 
-    // Whether `is_it(item)` holds for any item. It is asked of those below nodes for which `may_hold(bounds)`; where
-    // there are few items, of all. Removed ones may be asked for, too.
+    // Whether `is_it(item)` holds for any item. Only items below nodes with `may_hold(bounds)` are tested, or all if
+    // there are few. Removed items may be tested, too.
     template <class MayHold, class IsIt> bool any(MayHold&& may_hold, IsIt&& is_it) const {
-        std::uint32_t stack[64]; // depth is that of a balanced tree
+        std::uint32_t stack[64]; // sufficient: the depth is that of a balanced tree
         int depth = 0;
         if (!nodes_.empty()) stack[depth++] = 0;
         while (depth > 0) {
@@ -60,8 +61,8 @@ template <std::size_t count> class KeyTree {
     static constexpr std::uint32_t leaf_size = 8;
     struct Node {
         Bounds bounds;
-        std::uint32_t first, end;     // of items_
-        std::uint32_t left;           // items that have not been removed
+        std::uint32_t first, end;     // a range of items_
+        std::uint32_t left;           // number of items that have not been removed
         std::uint32_t parent, second; // the first child is the next node; second 0: a leaf
     };
 
@@ -95,7 +96,7 @@ template <std::size_t count> class KeyTree {
     }
 
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> items_, leaf_of_; // leaf_of_: by item, its node
+    std::vector<std::uint32_t> items_, leaf_of_; // leaf_of_: the leaf of each item
 };
 
 } // namespace cairn

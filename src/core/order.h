@@ -1,4 +1,4 @@
-// Sorting by whole numbers.
+// Sorting by integer keys.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace cairn {
 
-// The indices of the keys in ascending order of these, equal ones by index. Many are sorted by digits of 11 bits, the
-// lowest first (radix sort), which has no branches to guess wrong.
+// The indices of the keys in ascending order of the keys, equal ones by index. Many keys are sorted by digits of 11
+// bits, the lowest first (radix sort), which has no unpredictable branches.
 inline std::vector<std::uint32_t> order_by(std::span<const std::uint64_t> keys) {
     constexpr int digit_bits = 11;
     constexpr std::size_t digits = std::size_t(1) << digit_bits, few = 512;
@@ -26,7 +26,7 @@ inline std::vector<std::uint32_t> order_by(std::span<const std::uint64_t> keys) 
         std::array<std::size_t, digits> first{};
         auto digit = [shift](const Entry& e) { return std::size_t(e.first >> shift) & (digits - 1); };
         for (const Entry& e : entries) ++first[digit(e)];
-        if (first[digit(entries[0])] == entries.size()) continue; // all have the same
+        if (first[digit(entries[0])] == entries.size()) continue; // all keys have the same digit
         std::size_t sum = 0;
         for (std::size_t& f : first) sum += std::exchange(f, sum);
         for (const Entry& e : entries) sorted[first[digit(e)]++] = e;
@@ -38,8 +38,7 @@ inline std::vector<std::uint32_t> order_by(std::span<const std::uint64_t> keys) 
     return order;
 }
 
-// Sorts numbers >= 0 of which no two are equal; `marks` is working memory. Where they lie close together, by a bit for
-// each number there might be.
+// Sorts distinct numbers >= 0; `marks` is working memory. Dense numbers are sorted by a bit set.
 inline void sort_distinct(std::vector<std::int32_t>& numbers, std::vector<std::uint64_t>& marks) {
     if (numbers.empty()) return;
     const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
@@ -57,7 +56,7 @@ inline void sort_distinct(std::vector<std::int32_t>& numbers, std::vector<std::u
             numbers[k++] = 64 * (first + std::int32_t(word)) + __builtin_ctzll(bits);
 }
 
-// Keys in the order of the numbers; -0 and 0 are one.
+// Integer keys in the order of the floating-point numbers; -0 and 0 have the same key.
 inline std::uint64_t order_key(double x) {
     std::uint64_t bits;
     const double sum = x + 0.0;

@@ -1,4 +1,4 @@
-// How much room lists have. Left to themselves, vectors double as they grow, and keep for ever what they once had.
+// Capacities of vectors, which by themselves double as they grow, and never shrink.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,9 @@
 
 namespace cairn {
 
-// A list that grows gets so much more room than it needs, as a part of that: in the mean a twentieth is unused, where
-// vectors that double leave a quarter. All that it holds is moved some eight times as it grows, in place of once.
+// A growing list reserves this fraction (1 / spare_part) more than it needs: on average a twentieth is unused, whereas
+// vectors that double leave a quarter. In exchange, each element is moved some eight times as the list grows, instead
+// of once.
 inline constexpr std::size_t spare_part = 8;
 
 template <class T> void reserve_room(std::vector<T>& list, std::size_t size) {
@@ -19,7 +20,7 @@ template <class T> void set_size(std::vector<T>& list, std::size_t size, const T
     reserve_room(list, size);
     list.resize(size, value);
 }
-// The same of a list that is written anew: what it holds is moved nowhere.
+// The same for a list that is rewritten: its elements are not moved.
 template <class T> void set_size_anew(std::vector<T>& list, std::size_t size) {
     if (size > list.capacity()) list = {};
     reserve_room(list, size);
@@ -27,7 +28,7 @@ template <class T> void set_size_anew(std::vector<T>& list, std::size_t size) {
 }
 template <class T> void push(std::vector<T>& list, const T& value) {
     if (list.size() == list.capacity()) {
-        const T copy = value; // it may be one of those that move
+        const T copy = value; // a copy: the value may be an element, which is moved
         reserve_room(list, list.size() + 1);
         list.push_back(copy);
     } else {
@@ -35,12 +36,11 @@ template <class T> void push(std::vector<T>& list, const T& value) {
     }
 }
 
-// Bytes: a list with no more than that keeps it, so that small worlds allocate nothing, however their steps go up and
-// down.
+// Bytes: a list with at most this capacity keeps it, so that small worlds allocate nothing, however their steps vary.
 inline constexpr std::size_t kept_room = std::size_t(1) << 16;
 
-// Of a list that each step writes anew: what it holds is all that the last step needed. If that is less than a quarter
-// of its room, as after a fall, the rest is given back.
+// For a list that is rewritten in each step, and still has the elements of the last one. If these are less than a
+// quarter of its capacity, as after a collapse, the excess is freed.
 template <class T> void give_back_room(std::vector<T>& list) {
     const std::size_t room = list.capacity();
     if (room * sizeof(T) <= kept_room || list.size() >= room / 4) return;
@@ -49,7 +49,7 @@ template <class T> void give_back_room(std::vector<T>& list) {
     less.assign(std::move_iterator(list.begin()), std::move_iterator(list.end()));
     list.swap(less);
 }
-// Of a list that few steps need.
+// For a list that few steps need.
 template <class T> void give_back_all(std::vector<T>& list) {
     list.clear();
     if (list.capacity() * sizeof(T) > kept_room) list = std::vector<T>();

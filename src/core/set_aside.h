@@ -1,4 +1,4 @@
-// A state set aside, so that another one can be read in its place and given up again.
+// A state set aside, so that another one can be loaded in its place, and discarded again.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace cairn {
 
-// An archive of its own kind: what it is given changes places with what it has kept, which at first is nothing. That
-// takes no time worth mention, as vectors change hands whole, and keeps their memory for the next time. It is given the
-// same, in the same order, each time.
+// An archive that exchanges what it is given with what it keeps, which at first is empty. This takes negligible time,
+// as vectors are swapped as a whole, and reuses their memory the next time. It must be given the same objects, in the
+// same order, each time.
 class SetAside {
   public:
     static constexpr bool reading = false;
-    // Only `make_room` may throw, for want of memory, and it changes nothing of what it is given.
+    // Only `make_room` may throw, if memory runs out, and it does not change what it is given.
     enum class Mode : std::uint8_t { make_room, exchange };
 
     void begin(Mode mode) { mode_ = mode, next_ = 0; }
@@ -27,7 +27,7 @@ class SetAside {
     template <class T>
     requires std::is_trivially_copyable_v<T>
     void operator()(T& value) { take(value); }
-    // Of elements that are read in part: what is not read is the same in either place.
+    // For elements that are loaded only in part: the rest must be the same in both copies.
     template <class T> void in_part(std::vector<T>& v) {
         std::vector<T>& other = take(v);
         if (mode_ == Mode::make_room) other = v;

@@ -1,5 +1,5 @@
-// Slots with generations, for versioned handles. A slot goes through three states: live; dead (its handles are
-// stale, but the index is not given out yet, because something may still refer to it); free.
+// Slots with generations, for versioned handles. A slot has three states: live; dead (its handles are stale, but the
+// index is not reused yet, because something may still refer to it); free.
 #pragma once
 
 #include "core/sound.h"
@@ -12,13 +12,13 @@
 
 namespace cairn {
 
-// `Id`: the handles to the slots of this pool.
+// `Id`: the handle type for the slots of this pool.
 template <class Id> class SlotPool {
   public:
     static constexpr std::uint32_t max_slots = (1u << Handle<void>::index_bits) - 1;
     static constexpr std::uint32_t last_generation = (1u << Handle<void>::generation_bits) - 1;
 
-    // The index of a new live slot: the one freed last, or one past the end.
+    // Returns the index of a new live slot: the one freed last, or one past the end.
     std::uint32_t create() {
         ++live_count_;
         if (!free_.empty()) {
@@ -32,14 +32,14 @@ template <class Id> class SlotPool {
         return std::uint32_t(generations_.size() - 1);
     }
 
-    // From now on handles to the slot are stale.
+    // Makes a slot dead, and handles to it stale.
     void kill(std::uint32_t index) {
         live_[index] = 0;
         --live_count_;
     }
 
-    // Gives a dead slot out again, under its next generation. A slot that has used up its generations is retired,
-    // so that no handle ever names two objects.
+    // Frees a dead slot for reuse, under its next generation. A slot that has used up its generations is retired, so
+    // that no handle ever refers to two objects.
     void recycle(std::uint32_t index) {
         if (generations_[index] == last_generation) return;
         ++generations_[index];
@@ -53,12 +53,12 @@ template <class Id> class SlotPool {
     bool holds(Id id) const noexcept { return id.world() == world_ && is_live(id.index(), id.generation()); }
     Id id(std::uint32_t index) const noexcept { return Id::make(index, generations_[index], world_); }
     std::uint32_t world() const noexcept { return world_; }
-    void set_world(std::uint32_t world) noexcept { world_ = world; } // that handles name
+    void set_world(std::uint32_t world) noexcept { world_ = world; } // the world's number in handles
     std::size_t live_count() const noexcept { return live_count_; }
     std::size_t size() const noexcept { return generations_.size(); } // live, dead and free
     bool full() const noexcept { return free_.empty() && generations_.size() >= max_slots; }
 
-    // Without the world's number, of which there is one for all pools.
+    // Excludes the world's number, which is the same for all pools.
     template <class Archive> void serialize(Archive& archive) {
         archive(generations_);
         archive(live_);
@@ -66,8 +66,8 @@ template <class Id> class SlotPool {
         archive(live_count_);
     }
 
-    // Of what was read from a snapshot: throws Error(invalid_file) unless each slot is in one state. `dead`: those that
-    // are dead, except such as have used up their generations.
+    // Validates a loaded pool: throws Error(invalid_file) unless each slot is in one state. `dead`: the dead slots,
+    // except those that have used up their generations.
     void check(const char* name, const std::vector<std::uint32_t>& dead) const {
         require_sound(world_ > 0 && world_ <= 0xffff, {name, 0, "world"}, world_, "must be 1 to 65535");
         require_count(name, live_.size(), generations_.size());

@@ -1,4 +1,4 @@
-// What a snapshot says must hold before anything follows it: a checksum that fits does not say who made it.
+// Validation of snapshots before anything uses them: a matching checksum does not tell who made the file.
 #pragma once
 
 #include <cairn/error.h>
@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-// Of a snapshot: a member of an element of a list, for messages.
+// A location in a snapshot, for messages: a member of an element of a list.
 struct SnapshotPlace {
     const char* list;
     std::size_t at;
@@ -23,13 +23,13 @@ struct SnapshotPlace {
     throw Error(ErrorCode::invalid_file, field, std::to_string(value), expected);
 }
 
-// Throws Error(invalid_file) unless it holds.
+// Throws Error(invalid_file) unless the condition holds.
 inline void require_sound(bool holds, SnapshotPlace place, std::int64_t value, const char* expected) {
     if (!holds) [[unlikely]]
         refuse_snapshot(place, value, expected);
 }
 
-// Of a number of which there is one, or of how many elements there are.
+// Checks a single number, or the number of elements of a list.
 inline void require_count(const char* what, std::size_t count, std::size_t expected) {
     if (count != expected) [[unlikely]]
         throw Error(ErrorCode::invalid_file, std::string("Snapshot.") + what, std::to_string(count),

@@ -1,4 +1,4 @@
-// Lists that several threads write together, in the order of what they look at.
+// Lists that several threads write together, in the order of their input.
 #pragma once
 
 #include "core/room.h"
@@ -12,13 +12,14 @@
 
 namespace cairn {
 
-// What a chunk of items has written of a list.
+// The part of a list that one chunk of items has written.
 struct ListPart {
     std::size_t begin, end;
 };
 
-// `list` becomes what write(begin, end, next) has written of the items 0..count, chunk behind chunk: from `next` on, at
-// most room(begin, end) entries; it returns where it ended. `parts`: working memory. Without threads: null.
+// Sets `list` to the concatenated outputs of write(begin, end, next) for chunks of the items 0..count: it writes from
+// `next` on, at most room(begin, end) entries, and returns the end of its output. `parts`: working memory. thread_pool
+// may be null.
 template <class T, class Room, class F>
 void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
                    const Room& room, const F& write) {
@@ -43,7 +44,7 @@ void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>
     list.resize(filled);
 }
 
-// The same of at most one entry for each item.
+// The same with at most one entry per item.
 template <class T, class F>
 void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
                    const F& write) {
@@ -51,7 +52,7 @@ void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>
     list_in_order(thread_pool, count, grain, list, parts, room, write);
 }
 
-// Of most lists, most keys have no item: so many are looked at together, and left out.
+// The number of keys that are tested, and skipped, together: in most lists, most keys have no items.
 inline constexpr std::size_t keys_at_once = 16;
 inline bool are_zero(const std::uint32_t* counts) {
     std::uint32_t bits = 0;
@@ -59,8 +60,8 @@ inline bool are_zero(const std::uint32_t* counts) {
     return bits == 0;
 }
 
-// A stable counting sort: put(k, place) for each of the items 0..count, in the order of key_of(k) < `keys`, the first
-// of them at place `begin`. `ends`, if not null, gets the place behind the last of each key. `counts`: working memory.
+// A stable counting sort: calls put(k, place) for each of the items 0..count, with places in the order of key_of(k) <
+// `keys`, starting at `begin`. `ends`, if not null, receives the end of each key's places. `counts`: working memory.
 template <class KeyOf, class Put>
 void sort_in_order(ThreadPool* thread_pool, int count, int grain, std::size_t keys, std::uint32_t begin,
                    std::uint32_t* ends, std::vector<std::uint32_t>& counts, const KeyOf& key_of, const Put& put) {

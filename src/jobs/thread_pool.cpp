@@ -8,8 +8,8 @@ namespace cairn {
 
 namespace {
 
-// Looks of a worker that found nothing to do: with pauses, then giving way, then it sleeps. A stage of a step follows
-// the last within microseconds; waking a thread takes ten times as long.
+// How often an idle worker polls for work: with pauses, then yielding, before it sleeps. The stages of a step follow
+// each other within microseconds; waking a thread takes ten times as long.
 constexpr int looks_with_pause = 2000, looks_giving_way = 500;
 
 void pause() {
@@ -20,7 +20,7 @@ void pause() {
 #endif
 }
 
-// The program's signals are for the program's own threads.
+// Blocks all signals in workers, so that the program's own threads handle them.
 void leave_signals_alone() {
 #if defined(__unix__)
     sigset_t all;
@@ -29,10 +29,10 @@ void leave_signals_alone() {
 #endif
 }
 
-// Until someone is woken, unless the word has changed since it was seen.
+// Sleeps until woken, unless the word has changed since it was read as `seen`.
 void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t seen) {
 #if defined(__EMSCRIPTEN_PTHREADS__)
-    // The library of Emscripten 3.1 looks again after up to 8 ms in place of waiting: half a picture late.
+    // Emscripten 3.1's library polls every 8 ms instead of waiting: a delay of half a frame.
     __builtin_wasm_memory_atomic_wait32(reinterpret_cast<std::int32_t*>(&word), std::int32_t(seen), -1);
 #else
     word.wait(seen);
@@ -79,7 +79,7 @@ bool ThreadPool::take_chunk_of(Range& range, int thread) {
         const void* const context = context_.load(std::memory_order_relaxed);
         if (!range.word.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel, std::memory_order_acquire))
             continue;
-        // The stage cannot end before this chunk: what was read belongs to it.
+        // The stage cannot end before this chunk is done, so the values read belong to it.
         const int begin = first + int(chunk) * grain;
         try {
             work(context, begin, end - begin < grain ? end : begin + grain, thread);
@@ -92,7 +92,7 @@ bool ThreadPool::take_chunk_of(Range& range, int thread) {
     }
 }
 
-// Its own first, then those of the others, from the next one on.
+// Takes a chunk of the thread's own range, or else of the others', starting with the next thread's.
 bool ThreadPool::take_chunk(int thread) {
     const std::size_t threads = ranges_.size();
     for (std::size_t i = 0; i < threads; ++i)
@@ -113,7 +113,8 @@ void ThreadPool::run(int first, int end, int grain, Work work, const void* conte
         const std::uint64_t begin = chunks * i / threads, last = chunks * (i + 1) / threads;
         ranges_[i].word.store(stage << (2 * index_bits) | last << index_bits | begin, std::memory_order_release);
     }
-    stage_.store(stage); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
+    // Sequentially consistent with sleepers_: either this sees a sleeper, or the sleeper sees the stage.
+    stage_.store(stage);
     if (sleepers_.load() > 0) {
         ++wakes_;
         wake_all(wakes_);
@@ -137,7 +138,7 @@ void ThreadPool::help(int thread) {
     }
 }
 
-// Until there is another stage than the one that was seen.
+// Waits until the stage is another one than `seen`.
 void ThreadPool::wait_for_stage(std::uint64_t seen) {
     auto changed = [&] { return stage_.load() != seen || ends_.load(); };
     for (int looks = 0; looks < looks_with_pause; ++looks) {

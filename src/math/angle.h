@@ -1,4 +1,4 @@
-// Angles without trigonometry: the same bits on every machine.
+// Angles without trigonometric functions: bit-identical on every machine.
 #pragma once
 
 #include <cmath>
@@ -7,12 +7,12 @@ namespace cairn::math {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-// Of a direction in the upper half plane, which may have any length: from 0 to pi. Exact to a few roundings.
+// The angle of a direction of any length in the upper half plane, from 0 to pi. Accurate to a few roundings.
 inline double angle_of(double cosine, double sine) {
     if (!(sine > 0)) return cosine < 0 ? pi : 0;
     const double c = std::fabs(cosine);
     const bool is_steep = sine > c;
-    // atan t = 2 atan(t / (1 + sqrt(1 + t^2))), four times; then the series.
+    // atan t = 2 atan(t / (1 + sqrt(1 + t^2))), applied four times; then the power series.
     double t = is_steep ? c / sine : sine / c;
     for (int i = 0; i < 4; ++i) t = t / (1 + std::sqrt(1 + t * t));
     const double t2 = t * t;

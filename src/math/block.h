@@ -1,4 +1,4 @@
-// 3x3 blocks of doubles, row by row: what the factorization of joints is made of.
+// 3x3 blocks of doubles in row-major order, for the factorization of joints.
 #pragma once
 
 #include "math/vec.h"
@@ -11,7 +11,7 @@ struct Block {
 
 inline Block identity_block() { return {{1, 0, 0, 0, 1, 0, 0, 0, 1}}; }
 inline Block to_block(const DSym3& s) { return {{s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz}}; }
-// [r], with [r] v = r x v.
+// The matrix [r] with [r] v = r x v.
 inline Block cross_block(DVec3 r) { return {{0, -r.z, r.y, r.z, 0, -r.x, -r.y, r.x, 0}}; }
 // 1 - a a^T.
 inline Block across_block(DVec3 a) {
@@ -22,7 +22,7 @@ inline Block across_block(DVec3 a) {
 inline Block outer_block(DVec3 a) {
     return {{a.x * a.x, a.x * a.y, a.x * a.z, a.x * a.y, a.y * a.y, a.y * a.z, a.x * a.z, a.y * a.z, a.z * a.z}};
 }
-// The first row alone.
+// A block with r as its first row, and zeros.
 inline Block row_block(DVec3 r) { return {{r.x, r.y, r.z, 0, 0, 0, 0, 0, 0}}; }
 
 inline Block operator-(const Block& a) {
@@ -68,8 +68,8 @@ inline DVec3 transposed_times(const Block& a, DVec3 v) {
             a.m[2] * v.x + (a.m[5] * v.y + a.m[8] * v.z)};
 }
 
-// Inverse of a symmetric positive semidefinite block by its factors L D L^T. A row whose pivot is below `least` times
-// what the diagonal was at first says nothing that others do not say: it is left out.
+// Inverse of a symmetric positive semidefinite block by L D L^T factorization. A row whose pivot is below `least` times
+// the original diagonal entry is redundant, and is left out.
 inline Block inverse_of_rows(const Block& k, DVec3 first_diagonal, double least) {
     auto inverse_pivot = [&](double pivot, double first) { return pivot > least * first ? 1 / pivot : 0.0; };
     const double i0 = inverse_pivot(k.m[0], first_diagonal.x), l10 = k.m[3] * i0, l20 = k.m[6] * i0;
@@ -82,7 +82,7 @@ inline Block inverse_of_rows(const Block& k, DVec3 first_diagonal, double least)
     return {{i0 + (l10 * (l10 * i1) + b * (b * i2)), xy, b * i2, xy, i1 + l21 * (l21 * i2), yz, b * i2, yz, i2}};
 }
 
-// Likewise, by cofactors where all is far from singular.
+// The same inverse, by cofactors if the block is far from singular.
 inline Block inverse_of(const Block& k, DVec3 first_diagonal) {
     constexpr double healthy = 1e-7, least = 1e-12;
     const double xx = k.m[4] * k.m[8] - k.m[5] * k.m[7], xy = k.m[2] * k.m[7] - k.m[1] * k.m[8],

@@ -21,7 +21,7 @@ inline bool meet(const DBounds& a, const DBounds& b) {
     return true;
 }
 
-// With so much more on every side, m.
+// The box enlarged by `by` on every side, m.
 inline DBounds grown(const DBounds& b, double by) {
     const math::DVec3 more{by, by, by};
     return {b.lo - more, b.hi + more};

@@ -1,16 +1,16 @@
-// Rotation vectors (axis times angle) to quaternions and back, in double, without trigonometry: the same bits on every
-// machine. Errors are below 1e-9 up to a turn of two radians.
+// Conversions between rotation vectors (axis times angle) and quaternions in double, without trigonometric functions:
+// bit-identical on every machine. Errors are below 1e-9 for rotations up to two radians.
 #pragma once
 
 #include "math/vec.h"
 
 namespace cairn::math {
 
-// With half a quarter of the turn in x, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...); squared twice.
+// With x an eighth of the angle: tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...); the quaternion is squared twice.
 inline DQuat from_rotation_vector(DVec3 u) {
     DVec3 half = 0.125 * u;
     double x2 = dot(half, half);
-    if (!(x2 <= 1)) { // more than a whole turn: some turn about that axis
+    if (!(x2 <= 1)) { // more than a full rotation: clamped, about the same axis
         half = std::isfinite(x2) ? (1 / std::sqrt(x2)) * half : DVec3{};
         x2 = dot(half, half);
     }
@@ -20,7 +20,7 @@ inline DQuat from_rotation_vector(DVec3 u) {
     return normalized(middle * middle);
 }
 
-// The short way round. The angle is 2 atan(|v| / w), by halving: atan t = 2 atan(t / (1 + sqrt(1 + t^2))).
+// The shorter way around. The angle is 2 atan(|v| / w), by halving: atan t = 2 atan(t / (1 + sqrt(1 + t^2))).
 inline DVec3 to_rotation_vector(DQuat q) {
     if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
     const double sine = length(q.vector());

@@ -1,5 +1,5 @@
-// Scalar vectors, quaternions and matrices of the engine. Plain IEEE operations in the order written, so
-// that results are the same on every compiler and machine (GLM's functions promise no such thing).
+// Vectors, quaternions and matrices of scalars. Plain IEEE operations in the order written, so that results are the
+// same on every compiler and machine (GLM's functions do not guarantee this).
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,7 @@ template <class T> inline TVec3<T> abs(TVec3<T> a) { return {std::fabs(a.x), std
 constexpr DVec3 to_double(Vec3 a) { return {a.x, a.y, a.z}; }
 constexpr Vec3 to_float(DVec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
 
-// Three floats side by side.
+// Conversions from and to three consecutive floats.
 inline Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
 inline void put(float* p, Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
 

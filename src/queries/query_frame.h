@@ -1,4 +1,4 @@
-// What shape casts, closest points and overlaps have in common.
+// Common parts of shape casts, closest points and overlap queries.
 #pragma once
 
 #include "bodies/bodies.h"
@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-// A shape of the world in the frame of a query: axes of the world, origin where the query starts.
+// A shape of the world in the frame of a query: the axes of the world, with the origin where the query starts.
 struct PosedInQuery {
     const Geometry& geometry;
     const ShapeData& data;
@@ -22,12 +22,12 @@ struct PosedInQuery {
         : PosedInQuery(shapes.geometry[shape], shapes.data[shape], shape_position(shapes.poses[shape]) - origin,
                        shape_rotation(shapes.poses[shape])) {}
     math::DVec3 up() const { return math::rotate(rotation, math::DVec3{0, 1, 0}); }
-    // Of its bounds: the center of a ball around it.
+    // The center of the shape's bounding sphere.
     math::DVec3 middle() const {
         if (geometry.type != ShapeType::hull) return center;
         return center + math::rotate(rotation, math::to_double(geometry.middle));
     }
-    // Of a strip the part near a point: see near_part.
+    // The convex shape; of an infinite strip, the part near a point (near_part).
     Convex convex(math::DVec3 near, double reach) const {
         if (!is_strip(geometry)) return make_convex(geometry, data, center, rotation);
         math::DVec3 place = center;
@@ -36,7 +36,8 @@ struct PosedInQuery {
     }
 };
 
-// Of a box along the axes that casts know, of other shapes along these rounded to float, as in the broad phase.
+// Bounds of a shape: of a box along the exact axes that casts use, of other shapes along axes rounded to float, as in
+// the broad phase.
 inline DBounds bounds_in_query(const PosedInQuery& shape, const Convex& convex) {
     if (convex.kind != Convex::Kind::box)
         return geometry_bounds(shape.geometry, shape.data, shape.center,
@@ -48,7 +49,7 @@ inline DBounds bounds_in_query(const PosedInQuery& shape, const Convex& convex) 
     return {convex.center - half, convex.center + half};
 }
 
-// A convex shape in the query's frame, its bounds, and the radius of a ball around its middle that holds it.
+// A convex shape in the query's frame, its bounds, and the radius of its bounding sphere.
 struct QuerySolid {
     Convex convex;
     DBounds bounds;
@@ -59,7 +60,7 @@ struct QuerySolid {
           radius(double(shape.geometry.bounding_radius)) {}
 };
 
-// f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.
+// Calls f(triangle as a convex, index) for the triangles of a mesh or height field near the box, in the query's frame.
 template <class F> void for_each_triangle_near(const PosedInQuery& surface, math::DVec3 lo, math::DVec3 hi, F&& f) {
     const math::DMat3 axes = math::to_matrix(surface.rotation);
     const math::DVec3 middle = 0.5 * (lo + hi) - surface.center, half = 0.5 * (hi - lo);

@@ -1,5 +1,5 @@
-// AVX2 backend: one 256-bit register. With AVX-512 (CAIRN_SIMD_AVX512) there are 32 of them, and masks have registers
-// of their own.
+// AVX2 backend: one 256-bit register per vector. With AVX-512 (CAIRN_SIMD_AVX512) there are 32 registers, and masks
+// have registers of their own.
 #pragma once
 
 #include <immintrin.h>
@@ -20,10 +20,11 @@ struct mask8 {
 CAIRN_INLINE f32x8 splat(float s) { return {_mm256_set1_ps(s)}; }
 CAIRN_INLINE f32x8 load(const float* p) { return {_mm256_load_ps(p)}; }
 CAIRN_INLINE f32x8 load_unaligned(const float* p) { return {_mm256_loadu_ps(p)}; }
-// Of what may just have been stored by halves: a processor cannot hand two stores that are under way on to one load.
+// Loads two halves separately, for data that may just have been stored as halves: a processor cannot forward two
+// pending stores to one load.
 CAIRN_INLINE f32x8 load_halves(const float* p) {
     __m128 low = _mm_load_ps(p), high = _mm_load_ps(p + 4);
-    __asm__("" : "+x"(low)); // else the compiler makes one load of them
+    __asm__("" : "+x"(low)); // prevents the compiler from merging the loads
     return {_mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1)};
 }
 CAIRN_INLINE void store(float* p, f32x8 a) { _mm256_store_ps(p, a.v); }
@@ -67,7 +68,7 @@ CAIRN_INLINE mask8 mask_from_bits(int b) {
 }
 #endif
 
-// Rows of 4 floats (16-byte aligned) at p[0..7] become 4 columns of 8 lanes, and back.
+// Transposes rows of 4 floats (16-byte aligned) at p[0..7] to 4 columns of 8 lanes, and back.
 CAIRN_INLINE void gather4(const float* const* p, f32x8& a, f32x8& b, f32x8& c, f32x8& d) {
     auto row = [](const float* low, const float* high) {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);

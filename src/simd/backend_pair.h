@@ -1,5 +1,5 @@
-// SSE2, NEON and WASM SIMD128 backend: a pair of 16-byte compiler vectors. Only the square root, the mask bits and
-// choices need an intrinsic. (32-byte compiler vectors would be three to five times slower with gcc 12 on SSE2.)
+// SSE2, NEON and WASM SIMD128 backend: a pair of 16-byte compiler vectors. Only square roots, mask bits and selections
+// need intrinsics. (32-byte compiler vectors would be three to five times slower with gcc 12 on SSE2.)
 #pragma once
 
 #if defined(__SSE2__)
@@ -87,7 +87,7 @@ CAIRN_INLINE f32x8 abs(f32x8 x) {
     return {(f32x4)((i32x4)x.a & s), (f32x4)((i32x4)x.b & s)};
 }
 CAIRN_INLINE f32x8 sqrt(f32x8 x) { return {sqrt_half(x.a), sqrt_half(x.b)}; }
-#if defined(__wasm_simd128__) // the same choice in one instruction, also of NaN and of zeros
+#if defined(__wasm_simd128__) // the same selection in one instruction, also for NaN and zeros
 CAIRN_INLINE f32x8 max(f32x8 x, f32x8 y) {
     return {(f32x4)wasm_f32x4_pmax((v128_t)y.a, (v128_t)x.a), (f32x4)wasm_f32x4_pmax((v128_t)y.b, (v128_t)x.b)};
 }
@@ -104,8 +104,9 @@ CAIRN_INLINE mask8 mask_from_bits(int b) {
     return {(i32x4)((all & low) == low), (i32x4)((all & high) == high)};
 }
 
-// Lanes of x (0 to 3) and y (4 to 7). In WebAssembly by the intrinsic, which the compiler does not look into: for lanes
-// that nobody reads it writes lane 0, and then engines no longer see that one instruction of the processor would do.
+// Shuffles lanes of x (0 to 3) and y (4 to 7). In WebAssembly by an intrinsic, which is opaque to the compiler:
+// otherwise it replaces unused lanes by lane 0, and then engines do not recognize that one instruction of the processor
+// suffices.
 template <int A, int B, int C, int D> CAIRN_INLINE f32x4 lanes_of(f32x4 x, f32x4 y) {
 #if defined(__wasm_simd128__)
     return (f32x4)wasm_i32x4_shuffle((v128_t)x, (v128_t)y, A, B, C, D);
@@ -121,7 +122,7 @@ CAIRN_INLINE void transpose4(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
     c = lanes_of<0, 1, 4, 5>(t1, t3);
     d = lanes_of<2, 3, 6, 7>(t1, t3);
 }
-// Rows of 4 floats (16-byte aligned) at p[0..7] become 4 columns of 8 lanes, and back.
+// Transposes rows of 4 floats (16-byte aligned) at p[0..7] to 4 columns of 8 lanes, and back.
 CAIRN_INLINE void gather4(const float* const* p, f32x8& x, f32x8& y, f32x8& z, f32x8& w) {
     f32x4 a = *(const f32x4*)p[0], b = *(const f32x4*)p[1], c = *(const f32x4*)p[2], d = *(const f32x4*)p[3];
     f32x4 e = *(const f32x4*)p[4], f = *(const f32x4*)p[5], g = *(const f32x4*)p[6], h = *(const f32x4*)p[7];

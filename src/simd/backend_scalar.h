@@ -1,4 +1,4 @@
-// Scalar backend: an array of 8 floats and plain loops. The reference that the others must equal bit by bit.
+// Scalar backend: arrays of 8 floats and plain loops. The reference that the other backends must match bit by bit.
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <cstring>
 
 #if defined(CAIRN_SIMD_SCALAR)
-#define CAIRN_INLINE static inline // as the compiler likes: inlining all of the loops takes gcc ten times as long
+#define CAIRN_INLINE static inline // the compiler decides: with all loops inlined, gcc takes ten times as long
 #else
 #define CAIRN_INLINE static inline __attribute__((always_inline))
 #endif

@@ -1,5 +1,5 @@
-// Four doubles side by side, for the few kernels that need their digits: as in f32x8.h, every operation is one IEEE-754
-// operation per lane, in the order written.
+// Vectors of four doubles, for the few kernels that need double precision: as in f32x8.h, every operation is one
+// IEEE-754 operation per lane, in the order written.
 #pragma once
 
 #include "simd/f32x8.h"
@@ -7,7 +7,7 @@
 namespace cairn::CAIRN_ISA {
 
 using f64x4 = double __attribute__((vector_size(32)));
-using mask4 = long long __attribute__((vector_size(32))); // of each lane all bits or none
+using mask4 = long long __attribute__((vector_size(32))); // all bits of a lane are set, or none
 
 CAIRN_INLINE f64x4 splat4(double s) { return f64x4{s, s, s, s}; }
 CAIRN_INLINE f64x4 load4(const double* p) {
@@ -26,7 +26,7 @@ CAIRN_INLINE f64x4 select(mask4 m, f64x4 a, f64x4 b) { return m ? a : b; }
 CAIRN_INLINE f64x4 max(f64x4 a, f64x4 b) { return a > b ? a : b; }
 CAIRN_INLINE f64x4 min(f64x4 a, f64x4 b) { return a < b ? a : b; }
 CAIRN_INLINE f64x4 abs(f64x4 a) {
-    constexpr long long digits = 0x7fffffffffffffffLL; // all but the sign
+    constexpr long long digits = 0x7fffffffffffffffLL; // all bits except the sign
     return reinterpret_cast<f64x4>(reinterpret_cast<mask4>(a) & mask4{digits, digits, digits, digits});
 }
 #if defined(CAIRN_SIMD_AVX2)

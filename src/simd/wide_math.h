@@ -36,7 +36,7 @@ CAIRN_INLINE Vec3x8 select(mask8 m, Vec3x8 a, Vec3x8 b) {
 }
 CAIRN_INLINE Vec3x8 zero3() { return {zero(), zero(), zero()}; }
 
-// Structure-of-arrays members: float name[3][8] and float name[6][8].
+// Loads and stores of structure-of-arrays members: float name[3][8], float name[6][8] and float name[9][8].
 CAIRN_INLINE Vec3x8 load3(const float (*p)[8]) { return {load(p[0]), load(p[1]), load(p[2])}; }
 CAIRN_INLINE void store3(float (*p)[8], Vec3x8 a) {
     store(p[0], a.x);
@@ -62,7 +62,7 @@ CAIRN_INLINE void store9(float (*p)[8], const Mat3x8& m) {
     store3(p + 6, m.c2);
 }
 
-// Of a unit quaternion, what its rotation adds to a vector, R(q) - 1, without what cancels; and R(q).
+// R(q) - 1 for unit quaternions, which has no cancellation; and R(q).
 CAIRN_INLINE Mat3x8 turn_of(Quatx8 q) {
     const f32x8 x2 = q.v.x + q.v.x, y2 = q.v.y + q.v.y, z2 = q.v.z + q.v.z;
     const f32x8 xx = q.v.x * x2, yy = q.v.y * y2, zz = q.v.z * z2;
