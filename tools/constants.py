@@ -20,6 +20,10 @@ MARKS = {"unused", "unlimited", "not_found", "unknown_speed", "no_impact_speed",
          "first_fixed_color", "overflow_color", "no_color", "patches_at_hand", "turn_phase", "point_phase", "phases", "forms",
          "keys_per_color", "keys_per_batch", "side_by_side", "min_handed_out", "ahead", "early", "early_pairs", "capacity", "count"}
 
+# Names of values in encodings, and numbers that a formula brings with it: nobody chose them, and nobody could.
+GIVEN = {"every_rank", "absent", "told_to_sleep", "sleep_requested", "cut_by_body", "nothing_can_buckle", "outcome_bits", "points_shift",
+         "is_open", "form_with_turn", "no_row", "rows_per_point", "travel_units", "euler", "greenhill", "of_outline"}
+
 
 def constants(room):
     """(file, name, value, comment) of each constant; the comment beside it, or else the first sentence above it."""
@@ -39,18 +43,21 @@ def constants(room):
 def kind(name, value):
     if WORK.search(name):
         return "work"
+    if name in GIVEN:
+        return "given"
     return "mark" if name in MARKS or value.startswith(("{", "std::tuple", "std::get")) or "|" in value else "physics"
 
 
 def page():
     rows = [(room, *c) for room in ROOMS for c in constants(room)]
-    of = {k: [r for r in rows if kind(r[2], r[3]) == k] for k in ("physics", "work", "mark")}
+    of = {k: [r for r in rows if kind(r[2], r[3]) == k] for k in ("physics", "work", "given", "mark")}
     lines = ["# Constants of the solver's rooms", "",
              "Made by `tools/constants.py --write` from the named constants of `src/state`, `bodies`, `islands`, `contacts`, `joints`,",
              "`solver` and `impacts`; `./dev lint` checks that it is what the code says.", "",
-             f"**{len(of['physics'])} constants decide what is computed; the goal is {GOAL}.** {len(of['work'])} more are sizes of work for threads and",
-             "caches, which change no result. Derivations and measurements: at the constant, and in [decisions](decisions/README.md).", ""]
-    for key, title in (("physics", "What is computed"), ("work", "Sizes of work")):
+             f"**{len(of['physics'])} constants are choices that decide what is computed; the goal is {GOAL}.** {len(of['work'])} more are sizes of work for",
+             f"threads and caches, which change no result, and {len(of['given'])} are encodings or belong to formulas. Derivations and measurements: at the constant, and in [decisions](decisions/README.md).", ""]
+    for key, title in (("physics", "What is computed"), ("work", "Sizes of work"),
+                       ("given", "Encodings, and numbers that belong to formulas")):
         lines += [f"## {title}", "", "| constant | value | file | meaning |", "|---|---|---|---|"]
         lines += [f"| `{name}` | {value.replace('|', ' or ')} | `{path}` | {comment.replace('|', 'or')} |" for _, path, name, value, comment in of[key]]
         lines.append("")
