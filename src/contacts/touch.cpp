@@ -127,8 +127,8 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
     return (1 / math::length(clear)) * clear;
 }
 
-// How far the place of touch of what is round goes as its normal turns, so that what pushes it goes through its center;
-// of two that are round, that of both together.
+// The displacement of the contact point per change of the unit normal, m, by which the normal impulse on a round shape
+// keeps passing through its center; for two round shapes, the difference of both radii.
 double place_on_round(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
                       const Nearness& found) {
     const math::Vec3 normal = math::to_float(found.normal);
@@ -137,7 +137,8 @@ double place_on_round(const Shapes& shapes, const ContactInfo& c, const PosedBod
            double(contact_radius(shapes.geometry[c.shape_b], at_b.pose, -normal, apart));
 }
 
-// One point, where the two are nearest. Of two that are round the solver follows the normal as it is.
+// A manifold of one point, where two shapes are nearest on their paths. The normal of two round shapes that the solver
+// updates is kept as found.
 Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a,
                          const PosedBody& at_b, const Nearness& found) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
@@ -153,8 +154,9 @@ Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const Conta
     Manifold m{};
     math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
     m.count = 1;
-    const DVec3 first = c.flipped ? (b.x - a.x) + (at_b.moved + math::to_double(at_b.arm))
-                                  : at_a.moved + math::to_double(at_a.arm); // its place, from A at the start
+    // The position of the first shape, relative to A's center of mass at the start of the step.
+    const DVec3 first =
+        c.flipped ? (b.x - a.x) + (at_b.moved + math::to_double(at_b.arm)) : at_a.moved + math::to_double(at_a.arm);
     math::put(m.points[0], math::to_float(midway - first));
     m.points[0][3] = float(found.distance);
     for (int i = 1; i < 4; ++i) m.points[i][3] = 1e30f;

@@ -5,7 +5,7 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-constexpr float unused_separation = 1e9f; // points at least this far apart are not there
+constexpr float unused_separation = 1e9f; // m: points with at least this separation are unused
 
 CAIRN_INLINE bool is_movable(const SolverInertia& i) {
     return i.inverse_mass > 0.0f || i.xx > 0.0f || i.yy > 0.0f || i.zz > 0.0f;
@@ -23,7 +23,7 @@ CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int3
     return r;
 }
 
-// The matrix K of the points' normal velocities. `j`: arms for A.
+// Effective masses and shares, from the matrix K of the points' normal velocities. `j`: arms for A.
 template <int N>
 CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const mask8* used, Vec3x8 c,
                                 const Inertiax8& a, const Inertiax8& b) {
@@ -44,8 +44,9 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
                 if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
 }
 
-// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the
-// points that were loaded, or of all, if none was. What holds one point of two beside the other would hold it at none.
+// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the mean of the points
+// that were loaded in the last step, or of all if none was. With the mean of all, friction at two points of which one
+// is unloaded would hold neither.
 template <int N, class PlaceOf>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
                                    const Before& before, const Inertiax8& a, const Inertiax8& b, PlaceOf&& place_of) {
@@ -88,7 +89,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
     }
 }
 
-// Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
+// The moment of friction about the normal at the friction center, which arises because friction acts at the load.
 template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& block, Vec3x8 t1, Vec3x8 t2) {
     if constexpr (N == 1) return zero();
     f32x8 sum = zero();
@@ -103,10 +104,11 @@ template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& b
     return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
 }
 
-// How far A and B may pass each other, squared, while couplings of the start still fit: an arm that is longer by this
-// adds at most a quarter of what the masses have. A row whose coupling had more than doubled would overshoot by more
-// than what it is to correct, and soon does where B is a thin rod. Of the inverse inertia, a mean of its eigenvalues
-// weighted by themselves: all of them if they are equal, else that of the axis about which it turns most easily.
+// The square of the greatest change of d for which the couplings K still hold: an arm that is longer by this adds at
+// most a quarter of the masses' part of K. A row whose K has more than doubled would overshoot by more than the error
+// that it corrects, which happens soon if B is a thin rod. The inverse inertia counts with the mean of its eigenvalues
+// weighted by themselves: their value if they are equal, otherwise about that of the axis with the least moment of
+// inertia.
 CAIRN_INLINE f32x8 passing_square(const Inertiax8& a, const Inertiax8& b, Vec3x8 center_b) {
     const Sym3x8& i = b.inverse_inertia;
     const f32x8 sum = (i.xx + i.yy) + i.zz, aside = (i.xy * i.xy + i.xz * i.xz) + i.yz * i.yz,
@@ -116,12 +118,12 @@ CAIRN_INLINE f32x8 passing_square(const Inertiax8& a, const Inertiax8& b, Vec3x8
                   dot(center_b, center_b));
 }
 
-// Tangential and torsional rows at the friction center. The couple of the last step is kept about the load: the middle
-// of the points moves when one comes or goes.
+// Tangential and torsional rows at the friction center. Records hold the couple about the load instead, as the friction
+// center moves when a contact point appears or disappears.
 template <int N>
 CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 d,
                                    Vec3x8 center, const Inertiax8& a, const Inertiax8& b) {
-    // Any tangent will do: the friction limit is round.
+    // Any tangent will do: the friction limit is the same in all directions.
     const mask8 steep = abs(normal.x) < splat(0.5f);
     const Vec3x8 axis = {select(steep, one(), zero()), select(steep, zero(), one()), zero()};
     Vec3x8 t1 = cross(axis, normal);
@@ -272,8 +274,8 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
     }
 }
 
-// With the inertia that joints see by now, and where the bodies are. Rows of one body with two inertias would not agree
-// on its energy: a rod on a ball joint that hit a pole at 50 rad/s flew off at 2,000 m/s.
+// Recomputes the masses with the current inertia, as joints use it, and the current poses. Rows of one body with two
+// inertias would not agree on its energy: a rod on a ball joint that hit a pole at 50 rad/s flew off at 2,000 m/s.
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
@@ -284,7 +286,7 @@ template <int N> void renew_masses(void* blocks, int count, const SolverInertia*
         const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
         const Vec3x8 normal = load3(block.normal), d = load3(block.d), center = load3(block.center),
                      t1 = load3(block.tangent);
-        if (!block.isotropic) { // that of isotropic bodies does not turn, and is there
+        if (!block.isotropic) { // an isotropic inertia does not depend on the rotation
             store6(block.inertia_a, a.inverse_inertia);
             store6(block.inertia_b, b.inverse_inertia);
         }
@@ -298,7 +300,7 @@ template <int N> void renew_masses(void* blocks, int count, const SolverInertia*
 template void renew_masses<1>(void*, int, const SolverInertia*);
 template void renew_masses<4>(void*, int, const SolverInertia*);
 
-// Sums and minima over the points, to one report for each lane.
+// Writes one report per lane: the sum of the points' normal impulses, and their least separation.
 template <int N>
 CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t* ids, Vec3x8 friction_impulse,
                                 ContactReport* reports) {
@@ -316,19 +318,19 @@ CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t
         if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i], inverse_masses[i]};
 }
 
-// How far a step has moved the points of contacts, as a linear function of where they were.
+// The displacement of contact points in a step, as an affine function of their position r: turn * r + shift.
 struct PointMotionx8 {
     Mat3x8 turn;
     Vec3x8 shift;
-    Vec3x8 passed; // how far A has passed B
+    Vec3x8 passed; // displacement of A relative to B
 };
-// About that share of a rotation.
+// Approximately the fraction `share` of a rotation.
 CAIRN_INLINE Quatx8 part_of(Quatx8 q, f32x8 share) {
     const Vec3x8 v = share * q.v;
     return {v, select(share < one(), sqrt(max(one() - dot(v, v), zero())), q.w)};
 }
-// Midway between what was one point of both bodies at the moment that the contact is of. What is round does not turn
-// with its body.
+// A contact point moves to midway between the two points of the bodies that coincided when the contact was found. Round
+// surfaces do not rotate with their bodies.
 template <int N>
 CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose, f32x8 inverse_dt) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
@@ -341,10 +343,10 @@ CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const Solv
     return {half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - since), passed};
 }
 
-// What is beyond the range of numbers stays where it was, as its bodies do.
+// Points whose new position or separation is not finite stay where they were, as their bodies do.
 CAIRN_INLINE mask8 is_finite(Vec3x8 r, f32x8 s) { return zero() * ((r.x + r.y) + (r.z + s)) == zero(); }
 
-// The points of the records, moved along: what has not moved keeps its bits.
+// Moves the points of the records with the bodies; points that have not moved keep their bits.
 template <int N>
 CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record,
                               f32x8 inverse_dt) {
@@ -367,7 +369,7 @@ CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* po
     Vec3x8 d = load3(block.d0);
     d = d + select(is_finite(m.passed, zero()), m.passed, zero3());
     float* offset[8];
-    for (int k = 0; k < 8; ++k) offset[k] = record[k]->center_offset, record[k]->touch_time = 0; // it is of now
+    for (int k = 0; k < 8; ++k) offset[k] = record[k]->center_offset, record[k]->touch_time = 0; // the end of the step
     scatter4(offset, d.x, d.y, d.z, load(block.restitution));
 }
 
@@ -392,7 +394,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
-        // Without negative zeros: the sign of a zero may be that of what else is in the block.
+        // Adding zero removes negative zeros: the sign of a zero may depend on the other contacts of the block.
         scatter4(friction, p.x + zero(), p.y + zero(), p.z + zero(),
                  (load(b.torsion_impulse) - moment_about_center(b, t1, t2)) + zero());
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;

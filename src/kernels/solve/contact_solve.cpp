@@ -1,9 +1,9 @@
-// The contact solver's inner loops: warm start, solve (with soft bias) and relax (without), 8 contacts at a
-// time. The method is the soft step of Catto ("Solver2D", 2024) with three exact reductions; the derivation
-// is in docs/solver.md. In short, for the points i of one contact, with arms j_i for body A and j_i + c for B:
+// The contact solver's inner loops: warm start, solve (with soft bias) and relax (without), 8 contacts at a time. The
+// method is the soft step of Catto ("Solver2D", 2024) with three exact reductions; the derivation is in docs/solver.md.
+// In short, for the points i of one contact, with arms j_i for body A and j_i + c for B:
 //   normal velocity   v_i  = n.(vB - vA) + c.wB + j_i.(wB - wA)
 //   coupling          K_ij = 1/mA + 1/mB + j_i.IA^-1 j_j + (j_i + c).IB^-1 (j_j + c)
-// so the points are swept on four numbers alone (see Rows), and the bodies change once:
+// so sweeps over the points use four numbers per point alone (see Rows), and the bodies change once:
 //   vA -= n S/mA, vB += n S/mB, wA -= IA^-1 T, wB += IB^-1 (T + S c),  S = sum d_i, T = sum j_i d_i.
 #include "kernels/solve/friction.h"
 
@@ -11,13 +11,13 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// How far two bodies must pass each other to count, as part of how far it counts in one step.
+// The smallest change of d that is followed, as a fraction of the greatest (the square root of passing_square).
 constexpr float min_passing = 2.5e-6f;
 
-// Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
-// kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
-// missing since is left for the next `solve`. Nothing is done in lanes where nothing has moved: what happens in one
-// lane must not depend on what shares its block.
+// Updates d to the current poses, so that impulses act on both bodies at one point of the world and angular momentum is
+// conserved while the bodies pass each other. The impulses that are carried into the next substep acted with the old d;
+// the moment on B that they lack since is applied by the next `solve`. Lanes whose bodies have not moved are left
+// unchanged: the result of a lane must not depend on the other contacts of its block.
 template <int N, class Among>
 CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
     const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
@@ -26,7 +26,7 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
     mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * limit);
     if (has_rounds(block)) moves = and_not(moves, mask_from_bits(block.rounds));
     if (!any(moves)) return;
-    // Only as far as the couplings K, which are those of the touch, still fit.
+    // The couplings K are those of d_touch: d is followed only as far from it as they still hold.
     const Vec3x8 beyond = d - fitting;
     const f32x8 square = dot(beyond, beyond);
     const mask8 far = square > limit;
@@ -45,16 +45,17 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
     block.moved = 1;
 }
 
-// Separations now, from the motion of both bodies since the start of the step. Exact: the normal, not the
-// anchors, is rotated back, and by differences so that nothing cancels: with
-// delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
-// s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n), with d where the couplings are of.
-// That is for arms of the start of the step. Those of a contact that is of the time f turn by the rotation u(t) since
-// then, less that up to f: of second order in u(t) that is u x (u x r) / 2 less (u_f x (u x r) + u x (u_f x r)) / 2,
-// and with u_f = u(t) f / t, what delta has of second order times 1 - 2 f / t. In between u need not be even: at the
-// start of the step and at f it is exact. The surface of a sphere does not turn with it: only its center, a radius R
-// from the point, is a point of the body. Turning the material point would lift it by R (1 - cos), and a rolling ball
-// would lose its weight; R (delta.n) per sphere takes that out again.
+// Current separations, from the motion of both bodies since the start of the step. Exact: the normal, not the anchors,
+// is rotated back, and by differences so that no digits cancel: with
+//   delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
+//   s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n), with d = d_touch, as for the couplings.
+// This is for arms at the start of the step. The arms of a contact that was found at the time f have since rotated by
+// the rotation u(t) of the step minus that up to f. Its second-order part,
+//   u x (u x r) / 2 - (u_f x (u x r) + u x (u_f x r)) / 2,
+// is, with u_f = u(t) f / t, that of delta times 1 - 2 f / t (`bend`). The rotation need not be uniform: at the start
+// of the step and at f the result is exact. The surface of a sphere does not rotate with its body: only its center, a
+// radius R from the contact point, is a point of the body. Rotating the material point would lift it by R (1 - cos),
+// and a rolling ball would lose its load; R (delta.n) per sphere removes that.
 template <int N>
 CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal,
                                       float inverse_elapsed, f32x8* s, RoundTouch& round) {
@@ -97,7 +98,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });
 }
 
-// After bounces: to where their corrections will have moved the bodies. Nothing is done where none of the two bounced.
+// After bounces: adds to d the displacement by this substep's velocity corrections, if either body has bounced.
 template <int N>
 void refresh_arms(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction, float h) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
@@ -137,7 +138,7 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     }
 }
 
-// What impulses that are carried over are short of, as their places have run, and normals have turned.
+// Applies the moment on A and the impulse on both that carried impulses lack as points moved and normals rotated.
 CAIRN_INLINE void push_on(const ContactBlock<1>& block, Velocityx8& a, Velocityx8& b) {
     const mask8 rounds = mask_from_bits(block.rounds_moved), places = mask_from_bits(block.rims_a | block.rims_b);
     if (has_rims(block) || block.rounds_moved)
@@ -148,28 +149,28 @@ CAIRN_INLINE void push_on(const ContactBlock<1>& block, Velocityx8& a, Velocityx
     b.v = b.v + load(block.mass_b) * push;
 }
 
-// The normal rows of a block at work. A soft row with compliance asks for
+// The working state of a block's normal rows. The impulse that satisfies a soft row with compliance is
 //   impulse_i' = impulse_i - m_i scale_i (v_i + bias_i) - (1 - scale_i) impulse_i = scale_i wanted_i,
 //   wanted_i = impulse_i - m_i (v_i + bias_i),
-// and what is applied is the part of it that pushes; scale is 1 for a rigid row. An own change d of the impulse does
-// not alter `wanted`, as m_i K_ii = 1; a change of another point by d takes m_i K_ij d from it. So the points can be
-// swept without looking at the bodies again.
+// and is clamped to be at least 0; scale is 1 for a rigid row. A change of the point's own impulse does not alter
+// `wanted`, as m_i K_ii = 1; a change of the impulse at point j by d reduces it by m_i K_ij d. So the points can be
+// swept without reading the bodies again.
 template <int N> struct Rows {
     Velocityx8 a, b;
     f32x8 wanted[N], impulse[N], old[N], scale[N];
-    RoundTouch round; // in relax, where the block has any: how those touch now
+    RoundTouch round; // in relax, for blocks with two round surfaces: their current contact
 };
 
-// Lanes that bear nothing, and still will not: the bodies are left as they are. In a heap that is half of all contacts.
+// Lanes that have zero impulse and keep it: their bodies need no update. In a heap they are half of all contacts.
 template <int N> CAIRN_INLINE mask8 is_idle(const Rows<N>& rows) {
     mask8 lanes = (rows.impulse[0] == zero()) & (rows.wanted[0] <= zero());
     for (int i = 1; i < N; ++i) lanes = lanes & (rows.impulse[i] == zero()) & (rows.wanted[i] <= zero());
     return lanes;
 }
 
-// Sweeps over the points of M contacts at once: each is a chain of dependent operations, and chains side by side
-// take little more than the time of one. The second sweep is needed: after one, the corner that came first carries
-// most, and a box that falls flat tips and slides by 5 cm (0.25 mm with two).
+// Sweeps over the points of M blocks at once: each sweep is a chain of dependent operations, and interleaved chains
+// take little more time than one. The second sweep is needed: after one, the corner that was visited first carries most
+// of the load, and a box that falls flat tips and slides by 5 cm (0.25 mm with two).
 template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactBlock<N>* blocks, Rows<N>* rows) {
     constexpr int visits = N == 1 ? 1 : 2 * N;
 #pragma GCC unroll 8 // so that rows stay in registers
@@ -188,13 +189,13 @@ template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactB
             for (int j = 0; j < N; ++j)
 #pragma GCC unroll 4
                 for (int m = 0; m < M; ++m)
-                    if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
+                    if (j > i || (j < i && k < N)) // values that are not read again are not updated
                         rows[m].wanted[j] = rows[m].wanted[j] - load(blocks[m].share[share_index<N>(j, i)]) * d[m];
     }
 }
 
-// What the points' moving on within the step adds to their opening velocities (slip_of_turning): of several it grows
-// with their places.
+// Adds the effect of the motion of contact points within the step on their opening velocities (slip_of_turning), which
+// varies linearly with the position among several points.
 template <int N>
 CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal, f32x8* v) {
     f32x8 slip = dot(slip_of_turning(block, softness.middle), normal);
@@ -209,9 +210,9 @@ CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftnes
     }
 }
 
-// The opening velocities of places of touch that move are those of the middle of the substep. So is the arm of B there;
-// d is of its start in `solve`, of its end in `relax`, and `late` by that, s. A plank that slid over spinning rollers
-// was turned by them.
+// Moving contact points need the opening velocities, and the arm of B, in the middle of the substep; d is that of its
+// start in `solve`, of its end in `relax`. `late`: s, from the middle to the moment of d. Without this, a plank that
+// slides over spinning rollers is rotated by them.
 template <int N>
 CAIRN_INLINE void add_motion_of_places(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
                                        const Velocityx8& a, const Velocityx8& b, float late, f32x8* v) {
@@ -223,8 +224,8 @@ CAIRN_INLINE void add_motion_of_places(const ContactBlock<N>& block, const Conta
     if (has_rims(block)) v[0] += dot(slip_of_rims(block, b.w - a.w), normal);
 }
 
-// How fast the points part in the mean of a substep; `late` as above, and the first separation; in relax, how round
-// surfaces touch now.
+// Mean opening velocities of the points in a substep. `late`: as above; `separation`: of the first point; `now`: in
+// relax, the current contact of two round surfaces.
 template <int N>
 CAIRN_INLINE void opening_velocities(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
                                      const Rows<N>& rows, float late, f32x8 separation, const RoundTouch* now,
@@ -267,8 +268,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     }
 }
 
-// Whether anything hits the contact, faster than the speed at which that is an impact: those lanes stay as they were.
-// Seldom true, so it is looked for where the sums are at hand, by how much the velocity of a body would change.
+// Whether any contact is hit faster than `impact_speed`: those lanes keep their old impulses. As this is rare, it is
+// first tested whether the sum of the impulses changes a body's velocity by more than that.
 template <int N>
 CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
                                const ContactSoftness& softness) {
@@ -284,8 +285,8 @@ CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
         const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
         struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
     }
-    // What jolts under a load is left to that. So is what hits again and again: it is driven. A contact is struck in
-    // solve, which lets it close its gap, and in relax, once it is closed.
+    // No impact: a contact that already carries this impulse, or was hit twice in this step (something drives it).
+    // Twice is usual: in solve, which lets the contact close its gap, and in relax, once it is closed.
     struck = and_not(struck & jolts & (sum > carried), mask_from_bits(block.struck_twice));
     if (!any(struck)) return 0;
     block.struck_twice = std::uint8_t(block.struck_twice | (block.struck_once & bits(struck)));
@@ -336,16 +337,16 @@ CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, c
     return struck;
 }
 
-// How many blocks are worked at side by side. In WebAssembly, one: of several, engines keep nearly all rows in memory,
-// which takes more than waiting for what one row after the other needs. The bits are the same.
+// The number of blocks that solve and relax process interleaved. In WebAssembly one: with several, engines keep nearly
+// all rows in memory, which costs more than the latency of a single chain. The results are bit-identical.
 #if defined(__wasm_simd128__)
 constexpr int solved_together = 1, relaxed_together = 1;
 #else
 constexpr int solved_together = 4, relaxed_together = 2;
 #endif
 
-// One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
-// a gap is closed no faster than it takes one substep to close it.
+// The pass with soft constraints: penetration is pushed out at a rate and with a compliance given by `softness`; a gap
+// is closed no faster than within one substep.
 template <int N, bool Watched>
 int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     int k = 0, struck = 0;
@@ -354,7 +355,7 @@ int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const C
     for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
     return struck;
 }
-// Where nothing is an impact, none is looked for: that costs registers.
+// Batches without treatment of impacts use code without the test for them, which costs registers.
 bool looks_for_impacts(const ContactSoftness& softness) { return softness.impact_speed < 1e20f; }
 
 template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
@@ -363,8 +364,8 @@ template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, co
                                        : solve_all<N, false>(all, count, velocity, softness);
 }
 
-// The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
-// with all of their speed.
+// The rigid pass: stops only the approach beyond what closes the gap. Contacts that will bounce are not stopped: they
+// must arrive at full speed.
 template <int N>
 CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies, const ContactSoftness& softness,
                               Rows<N>& rows) {
@@ -391,7 +392,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     }
 }
 
-// Lanes that bear no friction of any kind.
+// Lanes without tangential, torsional or rolling impulse.
 template <int N> CAIRN_INLINE mask8 is_frictionless(const ContactBlock<N>& block) {
     mask8 lanes = (load(block.tangent_impulse[0]) == zero()) & (load(block.tangent_impulse[1]) == zero()) &
                   (load(block.torsion_impulse) == zero());

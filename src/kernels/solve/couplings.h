@@ -22,7 +22,7 @@ CAIRN_INLINE f32x8 normal_coupling(Vec3x8 j_a, Vec3x8 j_b, const Inertiax8& a, c
     return (a.inverse_mass + b.inverse_mass) + dot(a.inverse_inertia * j_a, j_a) + dot(b.inverse_inertia * j_b, j_b);
 }
 
-// Of the tangential and torsional rows at the friction center: the inverse of the tangential 2x2 matrix, the effective
+// The tangential and torsional rows at the friction center: the inverse of the tangential 2x2 matrix, the effective
 // mass of the torsional row, and its couplings with the tangential rows.
 struct FrictionCouplings {
     f32x8 m11, m12, m22, torsion, with_1, with_2;

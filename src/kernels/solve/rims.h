@@ -1,24 +1,26 @@
-// What touches a face by one point. The place of touch of a rim runs along it, faster than the body turns; that of a
-// corner turns with the body, and so does the middle of a sphere. It is known at every pose: with the outward normal n,
-// the axis u and the radius R of the rim, at the middle of that and R e, with e along n - (n.u) u; a corner is a rim
-// with R = 0, and what is rounded by r touches r n beyond. Impulses act where the place is when the substep begins, and
-// the velocities are asked for where it is in its middle, as bodies move by them from its start to its end.
+// Contacts with a single point between a face and a rim, a corner or a sphere of the other body, the rolling body. The
+// contact point on a rim moves along it, faster than the body rotates; a corner, and the center of a sphere, rotate
+// with the body. The point is known at every pose: with the normal n out of the rolling body, and the axis u, the
+// center and the radius R of the rim, it is the center plus R e, where e is the unit vector along n - (n.u) u. A corner
+// is a rim with R = 0; on a surface that is rounded by r the point is farther out by r n. Impulses act at the position
+// of the point at the start of the substep; the relative velocity is taken at its position in the middle of the
+// substep, as bodies move with their velocities from its start to its end.
 #pragma once
 
 #include "kernels/solve/contact_moment.h"
 
 namespace cairn::CAIRN_ISA {
 
-// The lanes of a block that are followed.
+// The lanes of a block whose contact point is followed over a face.
 struct RimLanes {
-    mask8 any, on_b;
-    Vec3x8 outward; // the normal, out of what rolls
+    mask8 any, on_b; // on_b: B is the rolling body
+    Vec3x8 outward;  // the normal, out of the rolling body
 
     RimLanes(mask8 on_a, mask8 on_b, Vec3x8 normal)
         : any(on_a | on_b), on_b(on_b), outward(select(on_b, -normal, normal)) {}
     RimLanes(const ContactBlock<1>& block, Vec3x8 normal)
         : RimLanes(mask_from_bits(block.rims_a), mask_from_bits(block.rims_b), normal) {}
-    // Of two bodies, that which rolls, and that with the face.
+    // Selects the value of the rolling body, or of the other body, which has the face.
     template <class T> T rolling(T a, T b) const { return select(on_b, b, a); }
     template <class T> T other(T a, T b) const { return select(on_b, a, b); }
 };
@@ -27,15 +29,16 @@ CAIRN_INLINE Quatx8 select(mask8 m, Quatx8 a, Quatx8 b) { return {select(m, a.v,
 CAIRN_INLINE bool has_rims(const ContactBlock<1>& block) { return (block.rims_a | block.rims_b) != 0; }
 CAIRN_INLINE bool has_rims(const ContactBlock<4>&) { return false; }
 
-// The arm of the lowest point of a rim, or of the middle of the sphere there.
+// The arm of the point of a rim that is farthest along `outward`; on a rounded rim, of the center of the sphere there.
+// `middle`: the arm of the rim's center, which is the result if the rim is parallel to the face.
 CAIRN_INLINE Vec3x8 rim_point(Vec3x8 outward, Vec3x8 axis, Vec3x8 middle, f32x8 radius) {
     const Vec3x8 across = outward - dot(outward, axis) * axis;
     const f32x8 square = dot(across, across);
     const mask8 leans = square > zero();
     return middle + (select(leans, radius, zero()) / sqrt(select(leans, square, one()))) * across;
 }
-// The direction in which what is on a rim rolls over a face, times the root of the radius of curvature that it has
-// there, R / |u x n|.
+// The direction in which a rim rolls over a face, times the square root of the rim's radius of curvature in that
+// direction, R / |u x n|.
 CAIRN_INLINE Vec3x8 rim_curvature(Vec3x8 axis, f32x8 radius, Vec3x8 normal) {
     const Vec3x8 along = cross(axis, normal);
     const f32x8 square = dot(along, along);
@@ -45,8 +48,8 @@ CAIRN_INLINE Vec3x8 rim_curvature(Vec3x8 axis, f32x8 radius, Vec3x8 normal) {
 }
 CAIRN_INLINE Vec3x8 turned(Vec3x8 rotation, Vec3x8 u) { return u + turned_difference(rotation, u); }
 
-// The arms of the friction center for A at the start of a substep, and how far it runs up to its middle. Given of the
-// start: axis and middle of the rim, velocities, and d.
+// The friction center's arm for A at the start of a substep, and its displacement relative to A's center of mass up to
+// the middle of the substep. The arguments (velocities, axis and center of the rim, d) are those at the start.
 struct RimCenter {
     Vec3x8 arm, lead;
 };
@@ -62,17 +65,18 @@ CAIRN_INLINE void store_lead(ContactBlock<1>& block, const RimLanes& lanes, Vec3
     store3(block.rim_lead, select(lanes.any, lead, load3(block.rim_lead)));
 }
 
-// What the velocities at the place of touch in the middle of the substep are more than at its start.
+// The relative velocity at the contact point in the middle of the substep minus that at the friction center, which is
+// the contact point at the start of the substep, or at its end for two round surfaces.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_rims(const ContactBlock<N>& block, Vec3x8 turning) {
     if constexpr (N == 1)
         if (has_rims(block) || has_rounds(block)) return cross(turning, load3(block.rim_lead));
     return zero3();
 }
 
-// At the start of a step: `center` is where the contact was found, at the time `found`, with the axis and the radius of
-// the record, of the lanes given; `separation` is that of the start if the place was one point of the body. A place is
-// followed where that could be seen until the time `until`, and rims wherever they are. Returns the friction center of
-// the first substep.
+// Begins to follow the contact points of `lanes` at the start of a step. `center`, and `axis` and `radius` of the rim,
+// are from the record: of the time `found`. `separation`: that at the start of the step for a point fixed in its body;
+// corrected here. Rims are always followed; corners and spheres only if the effect exceeds `unseen` by the time
+// `until`. Returns the friction center of the first substep.
 CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Vec3x8 axis, f32x8 radius, Vec3x8 normal,
                                Vec3x8 center, Vec3x8 d, f32x8 until, const Velocityx8& a, const Velocityx8& b, float h,
                                f32x8& separation) {
@@ -96,13 +100,13 @@ CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Ve
     store3(block.rim_moment, zero3());
     store_lead(block, followed, first.lead);
     const Vec3x8 arm0 = rim_point(lanes.outward, axis0, middle0 + beyond, radius);
-    const f32x8 rounded = sphere * dot(turned_difference(turn, normal), normal); // of which `separation` has that
+    const f32x8 rounded = sphere * dot(turned_difference(turn, normal), normal); // `separation` includes this part
     separation -= select(followed.any, dot(lanes.outward, arm0 - turned(back, arm)) + rounded, zero());
     return select(followed.any, first.arm, center);
 }
 
-// Their separations: `common` is what refresh_separations has of the two bodies' translations and of what does not
-// depend on arms; `delta_a` and `delta_b` likewise.
+// Separations of followed points. `common`: the part of their change that refresh_separations computes from the
+// translations of both bodies and that does not depend on arms. `delta_a`, `delta_b`: as there.
 CAIRN_INLINE f32x8 rim_separations(const ContactBlock<1>& block, Vec3x8 normal, Quatx8 turn_a, Quatx8 turn_b,
                                    Vec3x8 delta_a, Vec3x8 delta_b, f32x8 common) {
     const RimLanes lanes(block, normal);
@@ -115,8 +119,8 @@ CAIRN_INLINE f32x8 rim_separations(const ContactBlock<1>& block, Vec3x8 normal, 
     return load(block.separation0[0]) + (common + (face - dot(lanes.outward, now - before)));
 }
 
-// After a substep: the friction center goes to where the rim touches now. What is carried into the next was pushed at
-// the old one: the moments that are missing since are left for the next `solve`.
+// After a substep: moves the friction center to the current contact point. The impulses that are carried into the next
+// substep acted at the old one; the moments that they lack since are applied by the next `solve`.
 CAIRN_INLINE void advance_rims(ContactBlock<1>& block, const Posex8& at_a, const Posex8& at_b, const Velocityx8& a,
                                const Velocityx8& b, Vec3x8 normal, float h) {
     const RimLanes lanes(block, normal);

@@ -1,6 +1,8 @@
-// What touches something round by a round surface: balls, and balls on what is round about an axis. The normal is the
-// line between their centers, of an axis its nearest point, and turns as they pass each other. With the normal of the
-// start of a step, and one place of touch for both, a push turned one of them: balls without friction spun.
+// Contacts with a single point between two round surfaces: of two balls (or ends of capsules), or of a ball and a
+// surface that is round about an axis. The normal lies on the line between the centers of curvature (on an axis, its
+// point nearest to the other center), and rotates as the bodies pass each other. With the normal and the contact point
+// of the start of the step, a normal impulse would exert a torque on one of the bodies: balls without friction would
+// spin.
 #pragma once
 
 #include "kernels/solve/couplings.h"
@@ -9,16 +11,17 @@
 
 namespace cairn::CAIRN_ISA {
 
-// Centers of curvature, as arms, and the axis of that of the two which is round about one, zero for balls.
+// The arms of the centers of curvature (on an axis, of a point that is fixed on it), and the axis of the surface that
+// is round about one; zero for two balls.
 struct RoundCenters {
     Vec3x8 a, b, axis;
 };
-// What has changed since those: how far A has passed B, how far the centers have turned, and where the axis is.
+// Changes since then: the displacement of A relative to B, the changes of both centers' arms, and the new axis.
 struct RoundChange {
     Vec3x8 passed, a, b, axis;
 };
-// A's arm of the place of touch, which is midway between the surfaces; the way from B to A; the normal, the axis, how
-// far the centers are apart, and by how much farther than before: by differences, so that nothing cancels.
+// The contact point, midway between the surfaces, as an arm of A; d; the normal; the axis; the distance of the centers,
+// and how much it has grown, which is computed from differences so that no digits cancel.
 struct RoundTouch {
     Vec3x8 arm, d, normal, axis;
     f32x8 distance, grown;
@@ -29,8 +32,9 @@ CAIRN_INLINE RoundCenters first_centers(const ContactBlock<1>& block) {
     return {load3(block.rim_middle), load3(block.face_arm), load3(block.rim_axis)};
 }
 
-// `d`: the way from B to A, before; `distance`: of the centers, before. A's arm stays that of before, as does the
-// inertia by which bodies act; B's is from there, so that both are pushed at one place and angular momentum is kept.
+// `d`, `distance`: d and the distance of the centers before the change; `otherwise`: the normal if the centers
+// coincide. A's arm uses A's center before the change, as the inertia of the bodies is also that before the change; B's
+// arm follows from it by d, so that impulses act on both bodies at one point and angular momentum is conserved.
 CAIRN_INLINE RoundTouch round_touch(const ContactBlock<1>& block, const RoundCenters& before, Vec3x8 d, f32x8 distance,
                                     const RoundChange& change, Vec3x8 otherwise) {
     const Vec3x8 moved = (change.passed + change.a) - change.b, was = (d + before.a) - before.b;
@@ -69,9 +73,10 @@ CAIRN_INLINE RoundTouch round_touch_at(const ContactBlock<1>& block, const Posex
     return round_touch(block, start, load3(block.d0), distance, change, otherwise);
 }
 
-// How the centers, of an axis that point of it, move against each other: in the mean of a substep, from its start; and
-// how fast the place runs along the axis, which is one of unit length at the end as well: else it would run without
-// end.
+// The mean relative velocity of the centers in a substep from its start (on an axis, of the material point that is
+// nearest at the start), the axis, and the speed at which the nearest point moves along it. For that speed, the axis at
+// the end of the substep is normalized: otherwise the motion along the axis could exceed the total motion and grow
+// without bound.
 struct RoundMotion {
     Vec3x8 velocity, axis;
     f32x8 along;
@@ -99,8 +104,9 @@ CAIRN_INLINE RoundMotion round_motion(const ContactBlock<1>& block, Vec3x8 betwe
     return r;
 }
 
-// How fast the centers part in the mean of a substep, from where they are that far apart: |D + u h| - |D| over h, from
-// what is left of it if nothing cancels. Along the normal of its start alone, what passes would be turned away late.
+// The mean speed in a substep at which the centers separate, from the vector D = `between` (from A's center to B's, of
+// length `distance`): (|D + u h| - |D|) / h, transformed so that no digits cancel. With the velocity along the normal
+// of the start alone, bodies that pass each other would be deflected late.
 CAIRN_INLINE f32x8 round_opening(const ContactBlock<1>& block, Vec3x8 between, f32x8 distance, const Velocityx8& a,
                                  const Velocityx8& b, float h) {
     const RoundMotion m = round_motion(block, between, distance, a, b, h);
@@ -109,8 +115,8 @@ CAIRN_INLINE f32x8 round_opening(const ContactBlock<1>& block, Vec3x8 between, f
     const f32x8 later = sqrt(max(distance * distance + splat(h) * growth, zero()));
     return growth / max(later + distance, splat(1e-10f));
 }
-// Where the surfaces touch or overlap, what counts is the substep in which the bodies have moved by these velocities;
-// where `now` is given and there is a gap, the next.
+// The opening speed of the contact point. Where the surfaces touch or overlap, it is the mean of the substep in which
+// the bodies move with these velocities; where `now` is given and there is a gap, the mean of the next substep.
 CAIRN_INLINE f32x8 round_velocity(const ContactBlock<1>& block, const Velocityx8& a, const Velocityx8& b, f32x8 s,
                                   const RoundTouch* now, float h) {
     const Vec3x8 normal = load3(block.normal);
@@ -119,8 +125,9 @@ CAIRN_INLINE f32x8 round_velocity(const ContactBlock<1>& block, const Velocityx8
     return round_opening(block, distance * direction, distance, a, b, h);
 }
 
-// At the start of a step, of lanes of which a contact was found at the time `found`: the normal and the centers as they
-// were then become what they are now. Returns how they touch.
+// At the start of a step: converts the normal and the centers of curvature of lanes with two round surfaces from the
+// time `found`, at which the contact was found, to the start of the step. `both`: lanes in which both surfaces have a
+// radius. Returns the contact at the start of the step.
 CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord* const* record, mask8 both,
                                      f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 d, Vec3x8& normal) {
     Vec3x8 axis, center;
@@ -161,8 +168,8 @@ CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord
     return touch;
 }
 
-// Couplings with the arms of now. A row whose arm has grown along a thin rod would overshoot by more than what it is to
-// correct.
+// Recomputes the couplings with the current arms. With old ones, a row whose arm has grown along a thin rod would
+// overshoot by more than the error that it corrects.
 CAIRN_INLINE void renew_couplings(ContactBlock<1>& block, mask8 lanes) {
     const Inertiax8 a = {load(block.mass_a), kept_inertia(block.isotropic, block.inertia_a)},
                     b = {load(block.mass_b), kept_inertia(block.isotropic, block.inertia_b)};
@@ -174,18 +181,19 @@ CAIRN_INLINE void renew_couplings(ContactBlock<1>& block, mask8 lanes) {
         friction_couplings(normal, arm_a, arm_b, load3(block.tangent), second_tangent(block, normal), a, b));
 }
 
-// Of the two tangents of another normal, the first that is not nearly along this one, made one of its.
+// A unit tangent of `normal`, from the tangents t1 and t2 of another normal: t1, or t2 if t1 is nearly parallel to
+// `normal`, is projected onto the plane of contact.
 CAIRN_INLINE Vec3x8 tangent_near(Vec3x8 t1, Vec3x8 t2, Vec3x8 normal) {
     const f32x8 along = dot(t1, normal);
     const Vec3x8 t = select(abs(along) < splat(0.9f), t1, t2), across = t - dot(t, normal) * normal;
     return (one() / sqrt(dot(across, across))) * across;
 }
 
-// After a substep: normal, tangent, friction center and d go to where they are now. What is carried over was pushed
-// along the old ones: what is missing since is left for the next `solve`. The slip of friction is that of the middle of
-// the substep, halfway back.
+// After a substep: updates the normal, the tangent, the friction center and d to the current poses. The impulses that
+// are carried over acted with the old ones; the impulse and the moments that they lack since are applied by the next
+// `solve`. Friction needs the slip in the middle of the substep: rim_lead leads halfway back to the old contact point.
 CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) {
-    constexpr float unseen_share = 1e-6f; // of how far the centers are apart
+    constexpr float unseen_share = 1e-6f; // of the distance of the centers: smaller displacements are neglected
     const Vec3x8 normal = load3(block.normal), center = load3(block.center), d = load3(block.d);
     const Vec3x8 run = now.arm - center, passed = now.d - d;
     const f32x8 least = splat(unseen_share) * now.distance;
@@ -220,7 +228,7 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) 
     if (has_axes(block)) store3(block.d_touch, select(moves, now.axis, load3(block.d_touch)));
 }
 
-// At the end of a step: the records of what touches by the only point, as it does now.
+// At the end of a step: writes the current normal, contact point, radii and axis to the records of two round surfaces.
 CAIRN_INLINE void store_rounds(const ContactBlock<1>& block, const SolverPose* pose, mask8 among,
                                ContactRecord* const* record) {
     const f32x8 ra = load(block.radius_a), rb = load(block.radius_b), separation = load(block.separation[0]);
