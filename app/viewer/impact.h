@@ -1,3 +1,4 @@
+/// \file impact.h
 /// One impact of a run, with the numbers of the textbook formula for it: the impulse between two rigid bodies that
 /// collide frictionlessly at one point, beside the impulse that the engine applied.
 #pragma once

@@ -1,5 +1,5 @@
+/// \file joint_info.h
 /// Names of joints, of their kinds and positions, and their editable values, for lists, panels and reports.
-/// their values can be changed by hand.
 #pragma once
 
 #include <cairn/cairn.h>

@@ -1,3 +1,4 @@
+/// \file minkowski.h
 /// The Minkowski difference of two convex shapes, and the algorithm of Gilbert, Johnson and Keerthi (1988) on it, for
 /// teaching: in double precision and plain form. The engine has its own implementation.
 #pragma once

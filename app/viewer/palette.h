@@ -1,6 +1,6 @@
+/// \file palette.h
 /// Colors. The ramps suit the common kinds of color blindness: their lightness varies too, and they never rely on red
 /// against green. All results are linear; `srgb` converts them for the user interface.
-/// rely on red against green. All results are linear; `srgb` gives what a user interface wants.
 #pragma once
 
 #include <cairn/math.h>

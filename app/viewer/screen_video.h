@@ -1,5 +1,5 @@
+/// \file screen_video.h
 /// Screen recording of the window as a video.
-/// A video of the window, made while it is used.
 #pragma once
 
 #include "viewer/headless.h"
