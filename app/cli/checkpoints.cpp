@@ -140,7 +140,7 @@ void Checkpoints::restore(World& world, std::optional<JointTargets>& targets) {
                     fmt::format("must have {} sections", std::size_t{sections}));
     }
     Snapshot snapshot{std::exchange(last_->sections[state], {}), definitions_};
-    // changed since the start, for example by broken joints; shapes are unchanged
+    // Changed since the start, for example by broken joints; shapes are unchanged.
     if (!last_->sections[definitions].empty()) {
         snapshot.definitions = std::make_shared<SnapshotDefinitions>(
             SnapshotDefinitions{std::exchange(last_->sections[definitions], {}), definitions_->shapes});

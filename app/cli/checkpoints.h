@@ -33,7 +33,7 @@ class Checkpoints {
 
     // The checkpoint to resume from, if requested and available. Throws Error (`checkpoint::read_last`).
     const std::optional<checkpoint::Checkpoint>& last() const { return last_; }
-    // step number at which the run starts or resumes
+    // Step number at which the run starts or resumes.
     std::uint64_t first_step() const { return last_ ? last_->moment.step : 0; }
     // Restores the checkpoint's state, and frees its bytes. Throws Error (invalid_file).
     void restore(World& world, std::optional<JointTargets>& targets);

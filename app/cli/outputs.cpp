@@ -27,7 +27,7 @@ void check_outputs(std::span<const Output> outputs) {
         const files::Destination to = files::destination_of(output.path);
         const bool is_standard_output = files::is_standard_output(output.path);
         if (is_standard_output) standard_output_is_taken = true;
-        // several outputs may share /dev/null
+        // Several outputs may share /dev/null.
         if (to.kind == files::Destination::Kind::stream && !is_standard_output) continue;
         std::filesystem::path key = fmt::format("/dev/fd/{}", is_standard_output ? 1 : to.descriptor);
         std::error_code ignored; // on failure the name is used as it is

@@ -61,7 +61,7 @@ bool begins(const fs::path& path, const std::string& head, bool is_array, const 
     std::ifstream file(path, std::ios::binary);
     std::string piece(head.size(), '\0');
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    // the header of an array contains the number of rows, which differs
+    // The header of an array contains the number of rows, which differs.
     if (!file || (!is_array && piece != head)) return false;
     std::uint32_t crc = 0;
     piece.resize(std::size_t{1} << 20);

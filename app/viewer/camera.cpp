@@ -99,7 +99,7 @@ double OrbitCamera::height(const Ground& ground, const Position& point) const {
 }
 
 void OrbitCamera::stay_above() {
-    // the target first, because points under a ground plane cannot be seen from above
+    // The target is raised first, because points under a ground plane cannot be seen from above.
     for (const Ground& ground : grounds_) {
         const double depth = -height(ground, target_);
         if (depth > 0.0) target_.y += depth / double(ground.normal.y);

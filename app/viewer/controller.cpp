@@ -110,7 +110,7 @@ void Controller::perform_on_body(Action action) {
         post_(command::Spawn{preset_of(SpawnSettings::Kind::cone), above});
         break;
     case Action::add_polyhedron:
-        // linear congruential generator of Numerical Recipes; only its upper bits are good
+        // Linear congruential generator of Numerical Recipes; only its upper bits are good.
         polyhedra_ = polyhedra_ * 1664525u + 1013904223u;
         post_(command::Spawn{preset_of(polyhedron_kinds[(polyhedra_ >> 16) % std::size(polyhedron_kinds)]), above});
         break;
@@ -375,7 +375,7 @@ void Controller::drop_files(std::span<const std::string> paths) {
             if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
         return std::find(file_types_.begin(), file_types_.end(), type) != file_types_.end();
     };
-    // a dropped set may include textures and buffers
+    // A dropped set may include textures and buffers.
     const auto found = std::find_if(paths.begin(), paths.end(), is_scene);
     if (found != paths.end()) return post_(command::LoadScene{*found});
     std::string types;

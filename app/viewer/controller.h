@@ -131,7 +131,7 @@ class Controller {
     Drag drag_ = Drag::none;
     MouseButton drag_button_ = MouseButton::left;
     bool spans_frame_ = false; // a left-button drag that meets no body spans a selection rectangle
-    // joint under the cursor at button-down; it is stored because the click itself may make other joints visible
+    // Joint under the cursor at button-down; it is stored because the click itself may make other joints visible.
     JointId pressed_joint_;
     std::vector<HeldBody> held_bodies_; // bodies moved by a handle
     Position handle_center_{0.0, 0.0, 0.0};

@@ -41,7 +41,8 @@ JointDef drag_joint(const World& world, BodyId body, const Vec3& local_point, co
 /// Present world position of the grabbed point.
 Position dragged_point(const World& world, JointId drag);
 
-/// To be called before every step: moves the target of the grabbed point to `target`.
+/// To be called before every step: sets the joint's target to `target`, but at most `max_stretch` from the grabbed
+/// point.
 void pull_to(World& world, JointId drag, const Position& target, const DragSpring& spring = {});
 
 } // namespace cairn::viewer

@@ -19,7 +19,7 @@ class DrawScale {
 
   private:
     static constexpr std::array<float, 3> levels{1.0f, 0.75f, 0.5f};
-    // number of frames that a choice is based on; the first frame after a change is skipped
+    // Number of frames that a choice is based on; the first frame after a change is skipped.
     static constexpr int frames = 10;
 
     void change(std::size_t level);

@@ -8,7 +8,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// share of the range of a stick or trigger; worn ones do not return exactly to the center
+// Share of the range of a stick or trigger; worn ones do not return exactly to the center.
 constexpr float dead_zone = 0.15f;
 constexpr float orbit_speed = 2.5f;   // rad/s
 constexpr float pan_speed = 0.8f;     // view heights per second

@@ -36,7 +36,7 @@ GlObject compile(unsigned stage, const char* header, const std::string& source) 
 void attribute(unsigned location, int components, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, GLsizei(stride),
-                          // an offset into the buffer, passed as a pointer by OpenGL's convention
+                          // An offset into the buffer, passed as a pointer by OpenGL's convention.
                           reinterpret_cast<const void*>(offset));
 }
 
@@ -156,7 +156,7 @@ void GlMesh::draw() const { draw(0, std::size_t(index_count_)); }
 void GlMesh::draw(std::size_t first, std::size_t count) const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
-    // passed as a pointer by OpenGL's convention
+    // Passed as a pointer by OpenGL's convention.
     const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t));
     glDrawElementsInstanced(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, offset, instance_count_);
 }

@@ -33,7 +33,7 @@ constexpr int shadow_size = 2048;       // texels along an edge of the shadow ma
 constexpr float fade_distances = 20.0f; // camera distances over which the ground fades
 constexpr float extent_fades = 12.0f;   // in `fade_distances`: distance at which the ground ends
 constexpr float ghost_opacity = 0.55f;
-// draw calls of a picture without use before a mesh is freed; one window frame may have several
+// Number of pictures drawn without a mesh before it is freed; one window frame may have several pictures.
 constexpr int most_unused = 16;
 
 // Level of detail of round shapes, by the radius in pixels on the screen.
@@ -365,7 +365,7 @@ void GlRenderer::Impl::set_lamps(const GlProgram& program, const RenderFrame& fr
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
-    // parallel rays all show one sky color
+    // Parallel rays all show one sky color.
     const float half_height = camera.is_parallel() ? 0.0f : camera.half_height(aspect);
     sky.set("u_ray_forward", camera.forward());
     sky.set("u_ray_right", camera.right() * (half_height * aspect));
@@ -394,8 +394,8 @@ void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     rectangles.draw();
 }
 
-// Draws ghosts after everything opaque, since they are blended with it. A depth-only pass comes first, so that only the
-// front faces of the nearest ghost are blended.
+// Draws ghosts after everything opaque, because they are blended with it. A depth-only pass comes first, so that only
+// the front faces of the nearest ghost are blended.
 void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float aspect) {
     upload_instances(frame.ghosts, height, aspect);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -407,7 +407,7 @@ void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float a
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
-    // a constant, because the alpha channel holds brightness for the edge smoothing
+    // A constant, because the alpha channel holds brightness for the edge smoothing.
     glBlendColor(0.0f, 0.0f, 0.0f, ghost_opacity);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     draw();

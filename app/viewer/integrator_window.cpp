@@ -16,7 +16,7 @@ namespace {
 
 constexpr double seconds = 10.0; // simulated and shown time span
 constexpr double tail = 1.0;     // s, length of the trail behind a body
-// half the width of the picture of the motion, in units of the system's size; trajectories beyond it are clipped
+// Half the width of the picture of the motion, in units of the system's size; trajectories beyond it are clipped.
 constexpr double picture_half = 1.9;
 
 } // namespace

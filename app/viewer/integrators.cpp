@@ -241,7 +241,7 @@ LabState step(LabSystem system, Integrator integrator, const LabState& state, do
 
 std::array<double, 2> drawn_place(LabSystem system, const LabState& state) {
     if (system == LabSystem::pendulum) return {std::sin(state.place[0]), -std::cos(state.place[0])};
-    // the tilt reaches about twice its initial value
+    // The tilt reaches about twice its initial value.
     if (system == LabSystem::top) return {0.8 * state.place[0], 0.8 * state.place[1]};
     return state.place;
 }

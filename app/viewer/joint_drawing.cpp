@@ -18,7 +18,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-// size limits of a drawing, as shares of its distance from the camera
+// Size limits of a drawing, as shares of its distance from the camera.
 constexpr float min_size = 0.008f, greatest_size = 0.08f;
 constexpr float size_of_reach = 0.55f;     // size of a drawing, as a share of the body's reach
 constexpr std::size_t max_strokes = 30000; // beyond which joints are drawn as dots
@@ -128,7 +128,7 @@ class JointPen {
         Vec3 last = from;
         for (int i = 1; i <= pieces; ++i) {
             const float part = float(i) / pieces;
-            // the coil's ends lie on its axis
+            // The coil's ends lie on its axis.
             const float grown = radius * std::min(1.0f, 8.0f * std::min(part, 1.0f - part));
             const Vec3 next = from + way * part + around(u, v, 2.0f * pi * turns * part) * grown;
             line(last, next, 0.75f);

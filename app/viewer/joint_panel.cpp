@@ -100,7 +100,7 @@ bool edit_limits(std::optional<JointRange>& limits, bool is_angle, float now) {
     if (changed) limits = is_on ? std::optional(JointRange{now - room, now + room, {}}) : std::nullopt;
     if (!limits) return changed;
     ImGui::PushID("limits");
-    // right of a check box with the longer label
+    // Horizontal position right of a check box with the longer label.
     const float beside = ImGui::GetCursorPosX() + 5.0f * ImGui::GetFontSize();
     for (const auto& [check, name, bound, free] :
          {std::tuple("from", "##from", &limits->lower, -infinity), {"to", "##to", &limits->upper, infinity}}) {

@@ -65,7 +65,7 @@ std::optional<glm::dvec3> nearest_within(const std::vector<glm::dvec3>& points) 
         right[int(i - 1)] = -glm::dot(points[i] - points[0], points[0]);
     }
     const double size = gram[0][0] * gram[1][1] * gram[2][2];
-    // degenerate: a smaller subset has the same nearest point
+    // Degenerate: a smaller subset has the same nearest point.
     if (std::abs(glm::determinant(gram)) <= 1e-12 * size) return std::nullopt;
     const glm::dvec3 weights = glm::inverse(gram) * right;
     glm::dvec3 nearest = points[0];
@@ -155,7 +155,7 @@ GjkResult gjk(const ConvexShape& a, const ConvexShape& b) {
         const double squared = glm::dot(result.nearest, result.nearest);
         if (squared < 1e-18) break; // the origin is inside
         const glm::dvec3 next = difference_support(a, b, -result.nearest);
-        // the point is nearest to within tolerance
+        // The present point is the nearest one to within tolerance.
         if (squared - glm::dot(result.nearest, next) <= tolerance * squared) break;
         result.simplex.push_back(next);
         result.nearest = reduce(result.simplex);

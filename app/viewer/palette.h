@@ -33,18 +33,18 @@ Vec3 default_color(std::uint32_t number);
 /// Blue (0, unloaded) over white-green to yellow (1, about to break): for joints, visible over any body.
 Vec3 joint_ramp(float fraction);
 Vec3 joint_error_color();
-/// Of the line from a dragged body to the cursor.
+/// Color of the line from a dragged body to the cursor.
 Vec3 drag_color();
-/// Of the marks around the selected body.
+/// Color of the marks around the selected body.
 Vec3 selection_color();
 
 Vec3 static_color();
 Vec3 sleeping_color();
 Vec3 ground_color();
-Vec3 surface_color();  ///< Of triangle meshes.
-Vec3 trigger_color();  ///< Of lines.
-Vec3 disabled_color(); ///< Of lines.
-Vec3 terrain_color();  ///< Of the level parts of height fields.
+Vec3 surface_color();  ///< Color of triangle meshes.
+Vec3 trigger_color();  ///< Color of the outlines of triggers.
+Vec3 disabled_color(); ///< Color of the outlines of disabled bodies, and of disabled joints.
+Vec3 terrain_color();  ///< Color of the level parts of height fields.
 
 /// A color for every kind of shape; planes have that of static bodies.
 Vec3 shape_color(ShapeType type);

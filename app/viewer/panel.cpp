@@ -55,7 +55,7 @@ float draw_caption(const char* name, const std::string& text, const ImVec2& plac
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     const float widest = room - 4.0f * ImGui::GetStyle().WindowPadding.x;
-    // measured from the window's left edge
+    // Measured from the window's left edge.
     ImGui::PushTextWrapPos(std::min(0.55f * ImGui::GetIO().DisplaySize.x, widest));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

@@ -34,7 +34,7 @@ struct Instance {
     Vec3 half_size{0.5f, 0.5f, 0.5f};           ///< See `ShapeLayout::half_size`.
     float pattern = 1.0f;                       ///< Strength of the pattern that shows rotation or slope, 0 to 1.
     Vec3 color{0.8f, 0.8f, 0.8f};               ///< Linear.
-    float bound_radius = 0.0f;                  ///< Of a bounding sphere around `position`, meters.
+    float bound_radius = 0.0f;                  ///< Radius of a bounding sphere around `position`, meters.
 };
 static_assert(sizeof(Instance) == 64);
 
@@ -101,7 +101,7 @@ struct RenderFrame : ShapeInstances {
 };
 
 /// Which joints are drawn. `some`: the selected joint, those of the selected body, those loaded to at least half of
-/// their breaking force or torque, and those with a large position error.
+/// their breaking force or torque, and those with a large position or angular error.
 enum class JointsShown { some, all, none };
 inline constexpr int joints_shown_count = 3;
 const char* name_of(JointsShown shown);

@@ -48,7 +48,7 @@ struct Visual {
 struct RecordedStep {
     std::vector<std::vector<std::byte>> changes;
     std::vector<std::byte> step;       ///< Empty: no step follows.
-    std::optional<StateDigest> digest; ///< Of the state after the step, as recorded.
+    std::optional<StateDigest> digest; ///< Recorded digest of the state after the step.
 };
 
 /// The run of a recording file: the world of the scene is at its beginning, and these steps reproduce it.

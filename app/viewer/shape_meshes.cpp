@@ -17,7 +17,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// in each direction, of a height field; two triangles per cell make one mesh part
+// Cells of a height field per tile, in each direction; two triangles per cell make one mesh part.
 constexpr std::size_t cells_per_tile = 64;
 static_assert(2 * cells_per_tile * cells_per_tile == triangles_per_part);
 constexpr std::size_t max_smoothed = 64; // triangles at one vertex; beyond it, all stay flat-shaded

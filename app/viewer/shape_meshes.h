@@ -44,7 +44,7 @@ struct ShapeMesh {
     /// the texture.
     std::shared_ptr<const TexturePicture> texture{};
     std::shared_ptr<const Finish> finish{}; ///< Null: glossy, like plastic.
-    std::vector<BoneWeights> weights{};     ///< Of a skinned mesh, one for each vertex; else empty.
+    std::vector<BoneWeights> weights{};     ///< One for each vertex of a skinned mesh; else empty.
 };
 
 /// The faces of a hull, flat-shaded.

@@ -36,7 +36,7 @@ struct SpawnSettings {
 
     bool operator==(const SpawnSettings&) const = default;
 };
-// m/s, end of the slider and limit of the launch speed: targets beyond its range are not reached
+// End of the slider and limit of the launch speed, m/s: targets beyond its range are not reached.
 inline constexpr float greatest_shot_speed = 60.0f;
 inline constexpr int spawn_kind_count = 10;
 const char* name_of(SpawnSettings::Kind kind);

@@ -13,7 +13,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// s of real time per frame spent on a seek, before the intermediate state is shown
+// Real time per frame spent on a seek before the intermediate state is shown, s.
 constexpr double longest_look = 1.0 / 30.0;
 constexpr double writer_interval = 0.1; // s between checks whether a file is finished
 

@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double longest_way = 0.1; // s of compute time of steps; longer distances are bridged by restoring a state
-// share of the steps' compute time that keeping states may take on their thread
+// Share of the steps' compute time that keeping states may take on their thread.
 constexpr double greatest_share = 0.035;
 constexpr std::uint64_t least_interval = 15,
                         most_interval = 240; // steps between kept states, before any thinning out

@@ -156,7 +156,7 @@ class Timeline {
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // step from which on the run differs from the recording
     std::deque<Change> changes_;
-    // keyed by the moment from which the groups hold; the first key is at or before the first known step
+    // Keyed by the moment from which the groups hold; the first key is at or before the first known step.
     std::map<Moment, Groups> groups_;
     std::deque<KnownHit> hits_;
     std::deque<Mark> events_;         // impacts and breaks
