@@ -26,15 +26,15 @@ void give_reserve_free() {
     throw std::bad_alloc();
 }
 
-// Reached where memory runs out while something is destroyed (a JSON document needs some for that), or on a thread that
-// nobody waits for.
+// Terminate handler, reached when memory runs out during destruction (destroying a JSON document allocates), or on a
+// thread whose exceptions nobody catches.
 [[noreturn]] void end_after_terminate() {
     try {
         if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
         report_out_of_memory();
         _exit(1);
-    } catch (...) { // not of memory: as it would be without this
+    } catch (...) { // not out of memory: the default behavior
     }
     if (terminate_before != nullptr) terminate_before();
     std::abort();
@@ -74,7 +74,7 @@ void report_out_of_memory() noexcept {
     }
     length += std::snprintf(line.data() + length, rest(), "\n");
     const ssize_t written = write(STDERR_FILENO, line.data(), static_cast<std::size_t>(length));
-    static_cast<void>(written); // there is nobody to tell
+    static_cast<void>(written); // a failure cannot be reported
 }
 
 } // namespace cairn::cli

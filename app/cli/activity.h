@@ -1,4 +1,4 @@
-// What the program is doing, for the case that memory runs out: then nothing can be put together any more.
+// The present activity of the program, for the message when memory runs out: at that point no text can be composed.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,17 @@
 
 namespace cairn::cli {
 
-// "reading", "tower.gltf". Stays until the next call. One thread's business.
+// Example: "reading", "tower.gltf". Stays until the next call. To be called from one thread only.
 void set_activity(std::string_view doing, std::string_view what = {});
 
-// Which of how many steps or cases; forgotten by `set_activity`.
+// Number of finished steps or cases, and their total; reset by `set_activity`.
 void set_activity_count(std::uint64_t done, std::uint64_t total);
 
-// Keeps some memory back, which is given free when there is no other, so that what was begun can be undone; and where
-// undoing it fails as well, ends the program with the line of `report_out_of_memory` all the same.
+// Reserves memory that is freed on the first failed allocation, so that the present work can be undone by exceptions;
+// if that fails too, the program still ends with the line of `report_out_of_memory`.
 void prepare_for_out_of_memory();
 
-// One line on stderr: "cairn: out of memory while reading tower.gltf". Allocates nothing.
+// Prints one line to stderr: "cairn: out of memory while reading tower.gltf". Does not allocate.
 void report_out_of_memory() noexcept;
 
 } // namespace cairn::cli

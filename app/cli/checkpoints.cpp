@@ -22,14 +22,14 @@ namespace {
 
 constexpr double default_seconds_between = 600.0;
 
-// The bytes of a checkpoint, one behind the other.
+// The sections of a checkpoint, in order.
 enum Section : std::size_t { state, definitions, targets_of_joints, sections };
 
 template <class T> std::string_view as_text(std::span<const T> values) {
     return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-// Adds the data of shapes that copies share: snapshots refer to it only.
+// Checksum of shape data that snapshots share and only refer to.
 class ShapeSum {
   public:
     explicit ShapeSum(std::uint32_t start) : sum_(start) {}
@@ -52,7 +52,7 @@ class ShapeSum {
     void add_data(const HeightField& field) {
         if (is_new(field.data().get())) add_numbers(field.heights());
     }
-    template <class T> void add_data(const T&) {} // all of it is in the snapshot
+    template <class T> void add_data(const T&) {} // fully contained in the snapshot
     bool is_new(const void* data) { return seen_.insert(data).second; }
 
     std::uint32_t sum_;
@@ -66,7 +66,7 @@ std::uint32_t checksum_of(const Snapshot& snapshot) {
     return sum.value();
 }
 
-// The form of snapshots, which their first bytes tell.
+// Identifies the snapshot format by its first bytes.
 std::string form_of(const Snapshot& snapshot) {
     constexpr std::size_t size = 16;
     std::string text;
@@ -109,7 +109,7 @@ Checkpoints::Checkpoints(const RunOptions& options, const Ranks& ranks, const sc
     writer_ = std::make_unique<checkpoint::Writer>(options.checkpoint, identity_, communicator_.get(), options.keep);
 }
 
-// Refuses what would mix two runs, or lose one.
+// Rejects folders that would mix two runs, or lose one.
 void Checkpoints::require_new_folder() const {
     std::error_code ignored;
     const bool is_same = options_.checkpoint == options_.resume ||
@@ -140,7 +140,8 @@ void Checkpoints::restore(World& world, std::optional<JointTargets>& targets) {
                     fmt::format("must have {} sections", std::size_t{sections}));
     }
     Snapshot snapshot{std::exchange(last_->sections[state], {}), definitions_};
-    if (!last_->sections[definitions].empty()) { // of joints, say, that have broken; shapes stay what they were
+    // Changed since the start, for example by broken joints; shapes are unchanged.
+    if (!last_->sections[definitions].empty()) {
         snapshot.definitions = std::make_shared<SnapshotDefinitions>(
             SnapshotDefinitions{std::exchange(last_->sections[definitions], {}), definitions_->shapes});
     }

@@ -17,7 +17,7 @@ namespace cairn::cli {
 
 namespace {
 
-// CLI11's own range check lets NaN through.
+// A range check; CLI11's own accepts NaN.
 CLI::Validator between(double low, double high) {
     const std::string range = fmt::format("{} to {}", low, high);
     return CLI::Validator(
@@ -41,7 +41,7 @@ CLI::Validator one_of(std::vector<std::string> names, const std::string& remark 
 
 const std::vector<std::string_view> scene_extensions{".gltf", ".glb"};
 
-// The name of an output file. Where there are two formats, that of a pipe is the first.
+// Validates an output file name. With two formats, a pipe gets the first one.
 CLI::Validator file_of(const std::vector<std::string_view>& extensions) {
     return CLI::Validator(
         [extensions](std::string& text) {
@@ -64,7 +64,7 @@ void add_reading(CLI::App& command, ReadOptions& options) {
                      "Cut meshes that move into convex parts, instead of taking their convex hulls");
 }
 
-// A list of names, separated by commas.
+// Validates a comma-separated list of names.
 CLI::Validator list_of(const std::vector<std::string_view>& names) {
     return CLI::Validator(
         [names](std::string& text) {
@@ -118,7 +118,7 @@ void add_outputs(CLI::App& run, RunOptions& options) {
     run.add_flag("--json", options.json, "Print the summary as one JSON object");
 }
 
-// The name of a folder that is there or can be made.
+// Validates the name of a folder that exists or can be created.
 CLI::Validator folder() {
     return CLI::Validator(
         [](std::string& text) { return text.empty() ? std::string("must be the name of a folder") : std::string(); },
@@ -299,7 +299,7 @@ void add_validate(CLI::App& app, ValidateOptions& options) {
     validate->add_flag("--json", options.json, "Print one JSON object");
 }
 
-// "3/8": the third of eight parts.
+// Parses "3/8": the third of eight parts.
 void read_shard(const std::string& text, SweepOptions& options) {
     std::istringstream stream(text);
     char slash = ' ', rest = ' ';

@@ -1,4 +1,4 @@
-// The commands and their options, as they stand on the command line.
+// The commands of the program and their options.
 #pragma once
 
 #include "cli/commands.h"
@@ -13,7 +13,7 @@ struct CommandLine {
     CommandLine(const CommandLine&) = delete; // `app` refers to the options
     CommandLine& operator=(const CommandLine&) = delete;
 
-    int execute() const; // the exit code
+    int execute() const; // returns the exit code
 
     CLI::App app;
     RunOptions run;
@@ -31,13 +31,13 @@ struct CommandLine {
     CompletionOptions completion;
 };
 
-// What completes the command line in `shell`, made of the options themselves.
+// Prints a completion script for `shell`, generated from the options.
 int completion_command(const CompletionOptions& options, const CLI::App& app);
 
-// The manual page, in the macros of man(7).
+// Prints the manual page, in the macros of man(7).
 int manual_command(const CLI::App& app);
 
-// The words that an option or an argument may be; empty if there is no list of them.
+// The allowed values of an option or argument; empty if there is no fixed list.
 std::vector<std::string> choices_of(const CLI::Option& option);
 
 } // namespace cairn::cli

@@ -1,5 +1,5 @@
-// The commands of the program. Each returns the program's exit code, and throws std::exception for what went
-// wrong at run time, which `main` prints in one line.
+// The commands of the program. Each returns the program's exit code, and throws std::exception for errors at run time,
+// which `main` prints in one line.
 #pragma once
 
 #include "cli/trajectory_writer.h"
@@ -16,10 +16,10 @@
 
 namespace cairn::cli {
 
-// Of files that are read: robots above all.
+// Options for reading input files, mainly robot models.
 struct ReadOptions {
     bool fixed_base = false, floor = false, decompose = false;
-    // `listener`: is told of all that makes the world.
+    // `listener`: receives all commands that build the world.
     scene::Scene load(const std::filesystem::path& path, std::shared_ptr<CommandListener> listener = nullptr) const;
 };
 
@@ -29,21 +29,22 @@ struct RunOptions {
     std::optional<double> seconds;   // simulated; at most one of seconds and frames
     std::optional<int> frames;       // steps
     std::optional<double> time_step; // s; the scene's own otherwise
-    std::optional<int> substeps;     // the scene's own otherwise
+    std::optional<int> substeps;     // default: the scene's own
     std::optional<Integrator> integrator;
-    std::optional<int> threads;                           // all otherwise
-    std::filesystem::path csv, png, video, save, animate; // empty: do not write
+    std::optional<int> threads;                           // default: all
+    std::filesystem::path csv, png, video, save, animate; // empty: not written
     int width = 1280, height = 720;                       // of pictures, pixels
-    std::vector<Quantity> columns = default_quantities;   // of the csv
-    int every = 1;                                        // steps, of csv and animation
-    double from = 0.0;                                    // s; csv, animation and video begin there
-    std::optional<double> until;                          // s; and end there
-    std::filesystem::path targets;                        // of joints; empty: none
-    std::optional<double> servo_frequency;    // Hz, of motors that follow them; else of those without a stiffness: 10
-    std::filesystem::path checkpoint, resume; // folders; empty: no checkpoints, from the beginning
-    std::optional<int> checkpoint_every;      // steps; at most one of this and the next
-    std::optional<double> checkpoint_seconds; // s of the clock; 600 otherwise
-    int keep = 2;                             // checkpoints
+    std::vector<Quantity> columns = default_quantities;   // of the table
+    int every = 1;                                        // steps between rows of table and animation
+    double from = 0.0;                                    // s; start of table, animation and video
+    std::optional<double> until;                          // s; end of these outputs
+    std::filesystem::path targets;                        // joint targets; empty: none
+    // Hz, for all motors that follow targets; default: 10, for those without stiffness only
+    std::optional<double> servo_frequency;
+    std::filesystem::path checkpoint, resume; // folders; empty: no checkpoints; start from the beginning
+    std::optional<int> checkpoint_every;      // steps; excludes checkpoint_seconds
+    std::optional<double> checkpoint_seconds; // s of wall-clock time; default 600
+    int keep = 2;                             // number of checkpoints to keep
     bool json = false;
 };
 
@@ -69,9 +70,9 @@ struct CompletionOptions {
 struct ConvertOptions {
     ReadOptions read;
     std::filesystem::path input, output; // a scene, a model or a mesh; .gltf or .glb
-    std::optional<bool> as_hull;         // of meshes; a hull otherwise
-    std::optional<double> scale;         // m of one unit of a mesh; 1 otherwise
-    std::optional<double> density;       // kg/m^3; 1000 otherwise
+    std::optional<bool> as_hull;         // for meshes; default: a hull
+    std::optional<double> scale;         // m per unit of a mesh; default 1
+    std::optional<double> density;       // kg/m^3; default 1000
 };
 
 int convert_command(const ConvertOptions& options);
@@ -88,19 +89,19 @@ int view_command(const ViewOptions& options);
 
 struct SweepOptions {
     std::filesystem::path plan;
-    std::filesystem::path out;           // a folder; empty: named after the plan
-    std::optional<int> threads;          // all otherwise; one for each process under mpirun
-    std::uint64_t shard = 0, shards = 0; // 0 of 0: all of it; else the part of that number, from 1
-    std::optional<std::uint64_t> row;    // that row alone
+    std::filesystem::path out;           // folder; empty: named after the plan
+    std::optional<int> threads;          // default: all; under mpirun one per process
+    std::uint64_t shard = 0, shards = 0; // 1-based part number and number of parts; 0 of 0: all rows
+    std::optional<std::uint64_t> row;    // run this row only
     bool resume = false, check = false, json = false;
 };
 
-// 1 if it is not complete at the end.
+// Returns 1 if the sweep is incomplete at the end.
 int sweep_command(const SweepOptions& options);
 
 struct FitOptions {
     std::filesystem::path plan, data;
-    std::optional<int> threads; // all otherwise
+    std::optional<int> threads; // default: all
     std::optional<std::uint64_t> evaluations;
     bool json = false;
 };
@@ -109,7 +110,7 @@ int fit_command(const FitOptions& options);
 
 struct ValidateOptions {
     std::vector<std::string> cases; // names or numbers; empty: all
-    std::filesystem::path report;   // a folder; empty: do not write
+    std::filesystem::path report;   // folder; empty: not written
     bool json = false;
 };
 
@@ -120,24 +121,24 @@ struct RecordOptions {
     std::optional<double> seconds;   // simulated; at most one of seconds and frames
     std::optional<int> frames;       // steps
     std::optional<double> time_step; // s; the scene's own otherwise
-    std::optional<int> threads;      // all otherwise
-    double keyframes = 128.0;        // MB, for all of them
+    std::optional<int> threads;      // default: all
+    double keyframes = 128.0;        // MB for all keyframes
     bool compress = true;
     std::vector<std::string> readings;   // poses, contacts, joints, statistics, events, all
-    std::optional<double> readings_rate; // Hz; each step otherwise
+    std::optional<double> readings_rate; // Hz; default: after each step
 };
 
 int record_command(const RecordOptions& options);
 
 struct ReplayOptions {
-    std::filesystem::path recording, save; // save: empty: do not write
+    std::filesystem::path recording, save; // empty `save`: not written
     bool verify = false, json = false;
-    std::optional<int> threads; // all otherwise
+    std::optional<int> threads; // default: all
     std::optional<double> at;   // s
     std::vector<std::string> what_if;
 };
 
-// 1 if it led elsewhere than recorded.
+// Returns 1 if the replay diverges from the recording.
 int replay_command(const ReplayOptions& options);
 
 struct InfoOptions {
@@ -149,13 +150,13 @@ int info_command(const InfoOptions& options);
 
 struct DiffOptions {
     std::filesystem::path first, second;
-    std::optional<int> threads; // all otherwise
+    std::optional<int> threads; // default: all
 };
 
-// 1 if they differ.
+// Returns 1 if the recordings differ.
 int diff_command(const DiffOptions& options);
 
-// 1 if any row fails.
+// Returns 1 if any row fails.
 int validate_command(const ValidateOptions& options);
 
 } // namespace cairn::cli

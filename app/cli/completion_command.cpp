@@ -1,4 +1,4 @@
-// What completes the command line in a shell. All of it is made of the options themselves, so that it cannot go stale.
+// Shell completion scripts, generated from the options themselves, so that they cannot become outdated.
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 
@@ -48,7 +48,7 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app) {
     return app.get_options([](const CLI::Option* option) { return !option->get_lnames().empty(); });
 }
 
-// Its first argument; null if it has none.
+// The first positional argument; null if there is none.
 const CLI::Option* argument_of(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_lnames().empty(); }))
         return option;
@@ -60,7 +60,7 @@ bool takes_scenes(const CLI::App& app) {
     return argument != nullptr && (argument->get_name() == "scene" || argument->get_name() == "in");
 }
 
-// With each of `special` after a backslash.
+// Puts a backslash before each character of `special`.
 std::string with_backslashes(const std::string& text, std::string_view special) {
     std::string result;
     for (const char c : text) {
@@ -70,7 +70,7 @@ std::string with_backslashes(const std::string& text, std::string_view special) 
     return result;
 }
 
-// In single quotes, of bash and zsh.
+// Quotes a text in single quotes, for bash and zsh.
 std::string in_quotes(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -84,7 +84,7 @@ std::string bash_options(const CLI::App& app) {
     return words;
 }
 
-// What stands after an option. Nothing said: files, by readline itself.
+// Completion of option values. For options without an entry, readline completes file names.
 std::string bash_values(const CLI::App& app) {
     std::string numbers, choices;
     for (const CLI::App* command : commands_of(app)) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_named = 8;
 
-// The bodies in which two worlds differ, or that only one of them has; empty if they are the same.
+// The bodies that differ between two worlds, or that only one of them has; empty if there are none.
 std::string differing_bodies(const World& a, const World& b) {
     const auto row = [](const World& world, BodyId id) {
         const Body body = world.body(id);

@@ -18,7 +18,7 @@ namespace cairn::cli {
 
 namespace {
 
-// What a line of the shell prints; empty if it fails.
+// The output of a shell command; empty if it fails.
 std::string output_of(const char* line) {
     std::FILE* pipe = popen(line, "r");
     if (pipe == nullptr) return {};
@@ -43,9 +43,9 @@ std::string variable(const char* name) {
 }
 
 struct Finding {
-    const char* name; // in JSON
+    const char* name; // key in JSON
     std::string text;
-    bool is_lacking = false; // something cannot be done without it
+    bool is_lacking = false; // some function is unavailable without it
 };
 
 Finding kernels() {

@@ -54,7 +54,7 @@ int fit_command(const FitOptions& options) {
     const InterruptGuard interrupt;
     sweep::FitOptions how;
     how.threads = options.threads.value_or(hardware_threads());
-    const std::size_t fitted = plan.design.parameters().size() - measured.inputs.size(); // 0 is refused below
+    const std::size_t fitted = plan.design.parameters().size() - measured.inputs.size(); // 0 is rejected below
     how.evaluations = options.evaluations.value_or(300 * std::max<std::size_t>(1, fitted));
     sweep::Fit fit;
     {

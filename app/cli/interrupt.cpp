@@ -8,8 +8,8 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// The third ends the program at once. (Not the second: `timeout` and some shells send two, to the process and to its
-// group, and what there is would be lost.)
+// The third signal ends the program at once. Not the second, because `timeout` and some shells send two, to the process
+// and to its group, which would lose the results.
 extern "C" void note_interrupt(int signal) {
     interrupted = interrupted + 1;
     if (interrupted >= 2) std::signal(signal, SIG_DFL);
@@ -19,7 +19,7 @@ extern "C" void note_interrupt(int signal) {
 
 InterruptGuard::InterruptGuard() {
     interrupted = 0;
-    // Without SA_RESTART: a FIFO without a reader is waited for no longer.
+    // Without SA_RESTART, so that waiting for the reader of a FIFO is interrupted.
     struct sigaction action {};
     action.sa_handler = note_interrupt;
     sigemptyset(&action.sa_mask);

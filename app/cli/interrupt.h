@@ -1,9 +1,9 @@
-// Ctrl-C as a flag: a long run stops after its present step and closes its files.
+// Handling of Ctrl-C: a long run stops after its present step and closes its files.
 #pragma once
 
 namespace cairn::cli {
 
-// While one of these lives, the first SIGINT or SIGTERM sets a flag; the third ends the program at once.
+// During its lifetime, the first SIGINT or SIGTERM sets a flag; the third ends the program at once.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -16,10 +16,10 @@ namespace cairn::cli {
 
 namespace {
 
-constexpr double greatest_target = 1e6;  // rad or m
-constexpr double usual_frequency = 10.0; // Hz, of servos
+constexpr double greatest_target = 1e6;  // rad or m, greatest magnitude in a table
+constexpr double usual_frequency = 10.0; // Hz, default of servos
 
-// What acts along or about the axes of a joint that can follow a table, in the order of their positions.
+// The controls of a joint that can follow a table, in the order of its positions.
 std::vector<JointControl*> controls_of(Joint& joint) {
     if (auto* hinge = std::get_if<HingeJoint>(&joint)) return {&hinge->angle};
     if (auto* slider = std::get_if<SliderJoint>(&joint)) return {&slider->translation};
@@ -27,7 +27,7 @@ std::vector<JointControl*> controls_of(Joint& joint) {
     return {};
 }
 
-// The names of its columns.
+// The column names of a joint.
 std::vector<std::string> axis_names(const JointDef& def) {
     Joint joint = def.joint;
     const std::size_t count = controls_of(joint).size();
@@ -53,8 +53,8 @@ std::optional<JointAxis> find_axis(const World& world, const std::string& column
     return std::nullopt;
 }
 
-// The mass, or about an axis the moment of inertia, of the bodies that hang on one side of a joint; infinite if one of
-// them does not move freely.
+// The mass, or the moment of inertia about an axis, of the bodies attached to each side of a joint; infinite if one of
+// them is not dynamic.
 class Burden {
   public:
     Burden(const World& world, JointAxis axis) : world_(world), joint_(axis.joint) {
@@ -71,7 +71,7 @@ class Burden {
         turns_ = !std::holds_alternative<SliderJoint>(def.joint);
     }
 
-    // What a motor feels that pushes both sides apart.
+    // The reduced mass or inertia of both sides, which a motor between them accelerates.
     double reduced() const {
         const JointDef& def = world_.joint_def(joint_);
         return 1.0 / (1.0 / side(def.body_a, def.body_b) + 1.0 / side(def.body_b, def.body_a));
@@ -86,7 +86,7 @@ class Burden {
             const BodyId id = open.back();
             open.pop_back();
             if (id.is_null() || world_.body(id).type() != BodyType::dynamic) return infinite;
-            if (id == other) continue; // round a loop
+            if (id == other) continue; // a kinematic loop
             if (!seen.insert(id.bits).second) continue;
             sum += of_body(world_.body(id));
             for (const JointId next : world_.joints(id)) {
@@ -191,7 +191,7 @@ JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scen
         if (frequency || !motor.spring || !(motor.spring->stiffness > 0.0f)) {
             const double omega = 2.0 * 3.14159265358979324 * frequency.value_or(usual_frequency),
                          burden = Burden(scene.world, *axis).reduced();
-            double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // of the file
+            double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // from the file
             if (motor.spring && motor.spring->is_acceleration) damping *= burden;
             motor.spring = JointSpring{static_cast<float>(burden * omega * omega),
                                        static_cast<float>(2.0 * burden * omega + damping), false};
@@ -244,7 +244,7 @@ void JointTargets::apply(World& world, float time_step) {
         const double change = std::clamp(target(follower.column, time) - follower.position, -most, most);
         const double velocity = change / step;
         if (change == 0.0 && velocity == follower.velocity) {
-            wake(world, follower.joint); // asleep it would show the forces of some moment before it came to rest
+            wake(world, follower.joint); // a sleeping body would report outdated joint forces
             continue;
         }
         follower.position += change;

@@ -1,4 +1,4 @@
-// Joints that follow a table: `cairn run robot.urdf --targets poses.csv`.
+// Joint targets from a table: `cairn run robot.urdf --targets poses.csv`.
 #pragma once
 
 #include "scene/scene.h"
@@ -15,41 +15,41 @@ namespace cairn::cli {
 
 // A table of numbers as comma-separated values (RFC 4180).
 struct TargetTable {
-    std::vector<std::string> names; // of the columns after the first
-    std::vector<double> times;      // s, each later than the one before
-    std::vector<double> values;     // row after row
+    std::vector<std::string> names; // of the columns after the time
+    std::vector<double> times;      // s, strictly increasing
+    std::vector<double> values;     // row-major
     double value(std::size_t row, std::size_t column) const { return values[row * names.size() + column]; }
 };
 
-// Its first line names the columns: `time`, and joints. `file` stands for it in messages, which name line and column.
-// Throws Error (invalid_file).
+// Parses a table. The first line names the columns: `time`, and joints. `file` is its name in messages, which state
+// line and column. Throws Error (invalid_file).
 TargetTable read_targets(std::string_view text, const std::string& file);
 
-// Turns the motors of hinges, sliders and universal joints into servos, and moves what they aim at.
+// Turns the motors of hinges, sliders and universal joints into servos, and moves their targets.
 class JointTargets {
   public:
-    // Motors get a critically damped spring of that frequency (Hz), reckoned with all that hangs on the joint as it
-    // stands; without a frequency those alone that have no stiffness, of 10 Hz. Throws Error (invalid_file, io), also
-    // for names of joints that are not there.
+    // Motors get a critically damped spring of that frequency (Hz), computed from the effective mass of all bodies
+    // attached to the joint in the initial pose; without a frequency, only motors without stiffness get one, of 10 Hz.
+    // Throws Error (invalid_file, io), also for unknown joint names.
     JointTargets(const std::filesystem::path& path, scene::Scene& scene, std::optional<double> frequency);
 
-    // Before each step: aims at where the table is at its end, on a straight line between the rows, and before the
-    // first and after the last of them at these; no faster than the joint's limit of speed. What follows does not
-    // sleep.
+    // To be called before each step: sets the targets to the table's values at the end of the step, interpolated
+    // linearly between rows and constant before the first and after the last one, no faster than the joint's speed
+    // limit. Joints with targets are kept awake.
     void apply(World& world, float time_step);
 
-    // Where they have come to, to be restored into targets of the same table and scene. `place` stands for the bytes
-    // in messages. Throws Error (invalid_file).
+    // The present targets, to be restored with the same table and scene. `place` names the bytes in messages. Throws
+    // Error (invalid_file).
     std::vector<std::byte> save() const;
     void restore(std::span<const std::byte> bytes, const std::string& place);
 
   private:
     struct Follower {
         JointId joint;
-        std::size_t axis = 0; // of the joint
+        std::size_t axis = 0; // index of the joint's axis
         std::size_t column = 0;
-        double speed = 0.0;    // rad/s or m/s; infinite: no limit
-        double position = 0.0; // that it aims at now
+        double speed = 0.0;    // speed limit, rad/s or m/s; infinite: none
+        double position = 0.0; // present target
         double velocity = 0.0;
     };
     double target(std::size_t column, double time) const;

@@ -1,5 +1,5 @@
-// The `cairn` command: reads the command line and hands over. A wrong call ends with one line on stderr and exit
-// code 2, an error at run time with one line and exit code 1.
+// The `cairn` command: parses the command line and runs the command. A usage error ends with one line on stderr and
+// exit code 2, an error at run time with one line and exit code 1.
 #include "cli/activity.h"
 #include "cli/command_line.h"
 #include "cli/outputs.h"
@@ -22,14 +22,14 @@ int fail(const std::string& text, int code) {
     return code;
 }
 
-// As every program ends that writes to a pipe whose reader has gone: quietly, by that signal. Its files are closed.
+// Ends quietly by SIGPIPE, as usual for programs that write to a pipe without a reader. All files are closed.
 int end_without_reader() {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
-    return 128 + SIGPIPE; // if it is blocked
+    return 128 + SIGPIPE; // if the signal is blocked
 }
 
-// Also --version.
+// Prints the help, or the version for --version.
 int print_help(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream text;
     app.exit(error, text, text);
@@ -55,8 +55,8 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // writing says it, too
-    std::signal(SIGXFSZ, SIG_IGN); // so does this, where the size of files is limited
+    std::signal(SIGPIPE, SIG_IGN); // write errors report it instead
+    std::signal(SIGXFSZ, SIG_IGN); // likewise, where the file size is limited
     cairn::cli::prepare_for_out_of_memory();
     try {
         return run(argc, argv);

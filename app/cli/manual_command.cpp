@@ -1,4 +1,4 @@
-// The manual page. Commands and options are described by themselves; what surrounds them is written here.
+// The manual page. Descriptions of commands and options come from the options themselves; the rest is written here.
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 
@@ -13,7 +13,7 @@ namespace cairn::cli {
 
 namespace {
 
-// As roff takes it for plain text.
+// Escapes plain text for roff.
 std::string roff(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -30,7 +30,7 @@ std::string roff(std::string_view text) {
     return result;
 }
 
-// "--seconds" and what stands after it.
+// The title of an option: "--seconds" and a placeholder of its value.
 std::string title_of(const CLI::Option& option) {
     std::string title = "\\fB" + roff(option.get_name()) + "\\fR";
     if (option.get_lnames().empty()) title = "\\fI" + roff(option.get_name()) + "\\fR";

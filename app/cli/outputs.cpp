@@ -27,9 +27,10 @@ void check_outputs(std::span<const Output> outputs) {
         const files::Destination to = files::destination_of(output.path);
         const bool is_standard_output = files::is_standard_output(output.path);
         if (is_standard_output) standard_output_is_taken = true;
-        if (to.kind == files::Destination::Kind::stream && !is_standard_output) continue; // /dev/null takes all
+        // Several outputs may share /dev/null.
+        if (to.kind == files::Destination::Kind::stream && !is_standard_output) continue;
         std::filesystem::path key = fmt::format("/dev/fd/{}", is_standard_output ? 1 : to.descriptor);
-        std::error_code ignored; // the name as it is will do
+        std::error_code ignored; // on failure the name is used as it is
         if (to.kind == files::Destination::Kind::file)
             key = std::filesystem::weakly_canonical(std::filesystem::absolute(to.path, ignored), ignored);
         const auto [other, is_new] = taken.emplace(std::move(key), output.option);
@@ -44,7 +45,7 @@ bool has_format(const std::filesystem::path& path, std::span<const std::string_v
     if (std::find(extensions.begin(), extensions.end(), files::extension_of(path)) != extensions.end()) return true;
     try {
         return files::destination_of(path).kind != files::Destination::Kind::file;
-    } catch (const Error&) { // of a file, and said better elsewhere
+    } catch (const Error&) { // the error of a file is reported elsewhere
         return false;
     }
 }
@@ -61,7 +62,8 @@ bool output_is_on_terminal() { return standard_output_is_taken && isatty(STDOUT_
 
 namespace {
 
-// The ends of what is long, cut between characters: a file may have names of a million letters.
+// Shortens a long text to its beginning and end, cut between UTF-8 characters: a command line may have names of a
+// million letters.
 std::string shortened(std::string_view text) {
     constexpr std::size_t max_length = 1200;
     if (text.size() <= max_length) return std::string(text);
@@ -79,7 +81,7 @@ void complain(std::string_view text) {
     for (const char c : shortened(text)) line += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
     while (line.back() == ' ') line.pop_back();
     line += '\n';
-    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr)); // there is nobody to tell
+    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr)); // a failure cannot be reported
 }
 
 void print_warnings(std::span<const std::string> warnings) {

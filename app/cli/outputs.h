@@ -1,4 +1,4 @@
-// Names of output files on the command line, and what is printed beside them.
+// Output files given on the command line, and printed messages.
 #pragma once
 
 #include <filesystem>
@@ -10,27 +10,27 @@ namespace cairn::cli {
 
 struct Output {
     std::string_view option;    // "--csv"
-    std::filesystem::path path; // empty: not asked for
+    std::filesystem::path path; // empty: not requested
 };
 
-// Before anything runs: whether each can be written, no two are one file, and at most one is standard output. Where one
-// is, `print` writes to standard error from now on. Throws Error (io, invalid_value).
+// Checks before the run that each output can be written, that no two are the same file, and that at most one is
+// standard output; if one is, `print` writes to standard error from then on. Throws Error (io, invalid_value).
 void check_outputs(std::span<const Output> outputs);
 
-// Whether the format of a file of that name is known: by its extension, or because it is no regular file (a pipe, a
-// device, standard output), which gets the first of them.
+// Whether the format of a file is known: by its extension, or because it is not a regular file (a pipe, a device,
+// standard output), which gets the first format.
 bool has_format(const std::filesystem::path& path, std::span<const std::string_view> extensions);
 
-// Prints to stdout, or see `check_outputs`. Throws Error (io) if that fails, for example because the disk is full.
+// Prints to stdout, or to stderr (see `check_outputs`). Throws Error (io) on failure, for example if the disk is full.
 void print(const std::string& text);
 
-// Whether an output file is standard output, and that is a terminal.
+// Whether an output file is standard output, connected to a terminal.
 bool output_is_on_terminal();
 
-// Prints a line of its own to stderr, after "cairn: "; what is not printable in it becomes a blank. Never fails.
+// Prints one line to stderr, after "cairn: ", with spaces in place of control characters. Never fails.
 void complain(std::string_view text);
 
-// Prints those of a scene, as `complain` does.
+// Prints the warnings of a scene by `complain`.
 void print_warnings(std::span<const std::string> warnings);
 
 } // namespace cairn::cli

@@ -9,7 +9,7 @@ namespace cairn::cli {
 namespace {
 
 constexpr double frames_per_second = 60.0;
-// Times are sums of steps: a frame that is due a rounding error later is due now.
+// Times are sums of steps: a frame due within this tolerance is rendered now.
 constexpr double tolerance = 1e-6;
 
 } // namespace
@@ -40,7 +40,7 @@ void PictureRecorder::add(const World& world) {
 
 void PictureRecorder::finish(const World& world) {
     if (!png_.empty()) {
-        // Nobody has seen the beginning: the picture shows where things have come to.
+        // Without a video, the beginning is not seen, so the default camera is fitted to the final state.
         if (!has_camera_ && !video_) camera_ = viewer::fit_camera(world, visuals_);
         draw(world);
         renderer_.save_picture(png_);

@@ -1,4 +1,4 @@
-// Pictures and a video of a run, drawn without a window.
+// Pictures and a video of a run, rendered without a window.
 #pragma once
 
 #include "scene/scene.h"
@@ -11,17 +11,17 @@
 
 namespace cairn::cli {
 
-// Files are finished by `finish`; a video that was not is removed.
+// Records pictures and a video. Files are completed by `finish`; an unfinished video is removed.
 class PictureRecorder {
   public:
     // Either path may be empty. Throws Error: `unsupported` without EGL or ffmpeg, `io`, `invalid_value`.
     PictureRecorder(const scene::Scene& scene, std::filesystem::path png, const std::filesystem::path& video, int width,
                     int height);
 
-    // To be called at the first moment to be shown, and after each step from there: draws as often as a video of 60
-    // frames a second needs, however long the steps are.
+    // To be called at the first recorded moment, and after each later step: renders frames as needed for a video of 60
+    // frames per second, for any step length.
     void add(const World& world);
-    // Draws the picture of the end, and closes the files.
+    // Renders the final picture, and closes the files.
     void finish(const World& world);
 
   private:
@@ -32,12 +32,12 @@ class PictureRecorder {
     std::vector<viewer::JointAppearance> strings_;
     viewer::CameraPose camera_;
     viewer::FrameOptions options_;
-    bool has_camera_; // of the scene's own
+    bool has_camera_; // the scene defines a camera
     std::vector<viewer::Appearance> appearances_;
     viewer::MeshCache meshes_;
     viewer::HeadlessRenderer renderer_;
     std::unique_ptr<viewer::VideoWriter> video_;
-    std::optional<double> start_; // of the first picture
+    std::optional<double> start_; // time of the first frame
     long long frames_ = 0;
 };
 

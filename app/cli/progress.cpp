@@ -14,7 +14,7 @@ namespace cairn::cli {
 
 namespace {
 
-// "12 s", "3 min 05 s", "2 h 07 min"
+// A duration as "12 s", "3 min 05 s", "2 h 07 min".
 std::string duration_text(double seconds) {
     if (!(seconds < 360000.0)) return "over 100 h";
     const int whole = static_cast<int>(std::ceil(seconds));
@@ -30,7 +30,7 @@ std::size_t terminal_width() {
 }
 
 void draw(const std::string& text) {
-    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr)); // it matters to nobody else
+    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr)); // a failure is harmless
     std::fflush(stderr);
 }
 
@@ -60,7 +60,7 @@ std::string ProgressLine::line(std::uint64_t done, double seconds, const std::st
     }
     text += note;
     const std::size_t width = terminal_width();
-    if (text.size() + 12 < width) { // room for a bar
+    if (text.size() + 12 < width) { // space for a bar
         const std::size_t bar = std::min<std::size_t>(30, width - text.size() - 4);
         const auto filled = static_cast<std::size_t>(share * static_cast<double>(bar));
         text = "[" + std::string(filled, '#') + std::string(bar - filled, ' ') + "]" + text;

@@ -1,4 +1,4 @@
-// A line on the terminal that shows how far a run has come.
+// A progress line on the terminal.
 #pragma once
 
 #include <chrono>
@@ -7,16 +7,16 @@
 
 namespace cairn::cli {
 
-// Draws on stderr, at most ten times a second, and only if that is a terminal on which no output file is shown. How
-// much is done, how fast it goes, how long it will still take. The line is cleared in the end.
+// Shows the completed share, the rate and the remaining time on stderr, at most ten times a second, and only if stderr
+// is a terminal and no output file goes to the terminal. The line is cleared at the end.
 class ProgressLine {
   public:
-    // `unit` is what it counts; `simulated`, if not 0, how many seconds of the scene one of them is.
+    // `unit`: name of the counted items; `simulated`: simulated seconds per item, or 0.
     explicit ProgressLine(std::uint64_t total, const char* unit, double simulated = 0.0);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    void show(std::uint64_t done, const std::string& note = {}); // which ends the line
+    void show(std::uint64_t done, const std::string& note = {}); // `note` is appended to the line
 
   private:
     std::string line(std::uint64_t done, double seconds, const std::string& note) const;

@@ -21,7 +21,7 @@ namespace cairn::cli {
 
 namespace {
 
-// Whether Open MPI or another starter of MPI has started this process.
+// Whether Open MPI or another MPI launcher has started this process.
 bool was_started_by_mpi() {
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
         if (std::getenv(name) != nullptr) return true;
@@ -47,7 +47,7 @@ Ranks::Ranks(const char* otherwise) {
     for (const char* place : {"cairn_ranks.so", "../lib/cairn/cairn_ranks.so"}) {
         const std::filesystem::path path = folder / place;
         if (!std::filesystem::exists(path, ignored)) continue;
-        library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); // Open MPI's parts find it by that
+        library = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL); // RTLD_GLOBAL: the plugins of Open MPI need its symbols
         if (library != nullptr) break;
         why = dlerror();
     }
@@ -111,7 +111,7 @@ int Ranks::run(const std::function<int()>& command) {
 
 namespace {
 
-// Adds the time until its end.
+// Adds its lifetime to the traffic's times.
 class Watch {
   public:
     explicit Watch(Traffic& traffic) : traffic_(traffic) {}
@@ -140,7 +140,7 @@ void CountingCommunicator::exchange(std::span<const Outgoing> out, std::span<con
     const Watch watch(traffic_);
     messages_.clear();
     for (const Outgoing& message : out) {
-        // MPI takes what it sends by a pointer to const, and this list has both.
+        // MPI takes sent data by pointer to const; this list holds sent and received data.
         messages_.push_back({message.rank, const_cast<std::byte*>(message.bytes.data()), message.bytes.size()});
         traffic_.bytes += message.bytes.size();
     }

@@ -1,4 +1,4 @@
-// The processes that mpirun has started beside this one.
+// The MPI ranks that mpirun has started.
 #pragma once
 
 #include "sweep/run.h"
@@ -17,29 +17,29 @@ namespace cairn::cli {
 
 class CountingCommunicator;
 
-// One process on its own is rank 0 of 1, and nothing of MPI is touched. While one of these lives, all others are there;
-// its end waits for theirs.
+// The set of ranks. A process started without mpirun is rank 0 of 1 and does not use MPI. The constructor and
+// destructor are collective: the destructor waits for the other ranks.
 class Ranks : public sweep::Source {
   public:
-    // Throws Error (unsupported) if mpirun has started this program and it was built without MPI; `otherwise`: what
-    // else can be done then.
+    // Throws Error (unsupported) if mpirun has started this program and it was built without MPI; `otherwise`: the
+    // suggested alternative.
     explicit Ranks(const char* otherwise);
     ~Ranks() override;
 
     int rank() const { return rank_; }
     int size() const { return size_; }
 
-    // Chunks are handed out by a counter that all ranks share.
+    // Hands out chunks by a counter that all ranks share.
     std::uint64_t next() override;
     void attend() override;
-    std::uint64_t taken() const { return taken_; } // of all ranks, when last attended to
+    std::uint64_t taken() const { return taken_; } // by all ranks, as of the last `attend`
 
-    // By which a world is stepped by all ranks, as long as this lives; null if there is one.
+    // The communicator by which all ranks step one world; valid during this object's lifetime; null for a single rank.
     std::shared_ptr<CountingCommunicator> communicator() const;
 
-    void meet(); // waits until all ranks have come here
-    // Calls `command`, a part of the program that returns its exit code. What it throws is told and ends all ranks;
-    // where there are no others, it is thrown on.
+    void meet(); // barrier over all ranks
+    // Calls `command`, which returns an exit code. An exception is reported and ends all ranks; with a single rank it
+    // propagates.
     int run(const std::function<int()>& command);
 
     struct Message {
@@ -63,20 +63,20 @@ class Ranks : public sweep::Source {
     Functions mpi_{};
     bool has_mpi_ = false;
     int rank_ = 0, size_ = 1;
-    std::mutex mutex_; // MPI is called by one thread at a time
+    std::mutex mutex_; // serializes MPI calls
     std::uint64_t taken_ = 0;
     sweep::LocalSource alone_;
 };
 
-// What a rank has told the others, and how long that and waiting for them took.
+// Number of messages of a rank, and the time spent on sending and waiting.
 struct Traffic {
-    std::uint64_t messages = 0, bytes = 0; // that went out, those of broadcasts once
+    std::uint64_t messages = 0, bytes = 0; // sent; a broadcast counts once
     double seconds = 0, processor_seconds = 0;
 };
 
-double processor_seconds(); // of this thread
+double processor_seconds(); // CPU time of this thread
 
-// The ranks as a communicator that counts.
+// A communicator over the ranks that counts its traffic.
 class CountingCommunicator final : public Communicator {
   public:
     CountingCommunicator(const Ranks::Functions& mpi, int rank, int size) : mpi_(mpi), rank_(rank), size_(size) {}

@@ -38,7 +38,8 @@ recording::Readings readings_of(const std::vector<std::string>& names) {
 int record_command(const RecordOptions& options) {
     check_outputs(std::vector<Output>{{"--output", options.output}});
     const std::filesystem::path path = scene::find_scene(options.scene);
-    // Read once before: a recording that is there shall not be lost to a scene that cannot be read.
+    // Loads the scene before the recording is opened, so that an unreadable scene does not destroy an existing
+    // recording.
     print_warnings(options.read.load(path).warnings);
     recording::RecorderOptions how;
     how.compress = options.compress;
@@ -46,7 +47,7 @@ int record_command(const RecordOptions& options) {
     how.readings = readings_of(options.readings);
     if (options.readings_rate) how.readings_interval = 1.0 / *options.readings_rate;
     how.source = path.filename().generic_string();
-    const InterruptGuard interrupt; // until all is written
+    const InterruptGuard interrupt; // until all files are written
     recording::Recorder recorder(options.output, how);
     scene::Scene scene = options.read.load(path, recorder.listener());
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);

@@ -13,14 +13,14 @@ namespace cairn::cli {
 
 namespace {
 
-// Which moments are written, as a table that is gone on with must have them, too.
+// The range of written moments; a resumed table must have the same.
 std::string moments_of(const RunOptions& options) {
     return fmt::format("--every {} --from {} --until {}", options.every, options.from,
                        options.until ? fmt::format("{}", *options.until) : "the end");
 }
 
 std::string whole_path(const std::filesystem::path& path) {
-    std::error_code ignored; // the name as it is will do
+    std::error_code ignored; // on failure the name is used as it is
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored).generic_string();
 }
 
@@ -73,7 +73,7 @@ void Recorders::add(const World& world, std::uint64_t step, float time_step) {
     if (!is_in_window(options_, world.time(), static_cast<double>(time_step))) return;
     if (pictures_) pictures_->add(world);
     if (step % static_cast<std::uint64_t>(options_.every) != 0) return;
-    const bool is_there = is_table_resumed_ && step == resumed_->step; // since before the checkpoint
+    const bool is_there = is_table_resumed_ && step == resumed_->step; // written before the checkpoint
     if (csv_ && !is_there) csv_->add(world);
     if (animation_) animation_->add(world);
 }

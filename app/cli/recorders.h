@@ -1,4 +1,4 @@
-// All that `cairn run` writes while it runs.
+// All files that `cairn run` writes during a run.
 #pragma once
 
 #include "cli/commands.h"
@@ -16,18 +16,18 @@
 
 namespace cairn::cli {
 
-// Whether a moment is told to be written, of those at the start and after each step. Times are sums of steps.
+// Whether a moment, at the start or after a step, is within the range to be written. Times are sums of steps.
 bool is_in_window(const RunOptions& options, double time, double time_step);
 
 class Recorders {
   public:
-    // `scene`: as it begins. `resumed`: where a checkpoint is gone on from; the table is gone on with then, and what
-    // cannot be is told to begin there. Throws Error (`TableWriter`).
+    // `scene`: in its initial state. `resumed`: the checkpoint to resume from, if any; the table is then continued, and
+    // a warning says that outputs that cannot be continued begin there. Throws Error (`TableWriter`).
     Recorders(const RunOptions& options, const scene::Scene& scene, const checkpoint::Moment* resumed);
 
-    // Before the first step of this program, and after each.
+    // To be called before the first step of this process, and after each step.
     void add(const World& world, std::uint64_t step, float time_step);
-    // How far the table is written; none if nobody can go on with it. Throws Error (io).
+    // The written extent of the table; empty if the table cannot be resumed. Throws Error (io).
     std::optional<checkpoint::TableProgress> table_progress();
 
     void finish(const scene::Scene& scene);

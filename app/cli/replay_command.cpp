@@ -21,11 +21,11 @@ namespace cairn::cli {
 namespace {
 
 struct Apart {
-    double distance = 0.0; // m, the greatest
+    double distance = 0.0; // greatest distance, m
     BodyId body;
 };
 
-// How far bodies are from where they were in the recorded run.
+// The greatest distance of a body from its position in the recorded run.
 Apart greatest_distance(const World& world, const World& recorded) {
     Apart apart;
     const std::vector<BodyId> bodies = world.bodies();
@@ -46,7 +46,7 @@ std::string body_text(const World& world, BodyId id) {
 
 struct Verdict {
     std::optional<recording::Divergence> divergence;
-    std::string refusal; // of a command that could not be executed
+    std::string refusal; // error of a command that could not be executed
     double seconds = 0.0;
     bool interrupted = false;
 };
@@ -107,7 +107,7 @@ void print_json(const std::string& name, const recording::Replay& replay, const 
     print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-// The world as it is, without what only the scene's file had: colors, the camera.
+// Saves the present world, without data that only the scene file had: colors, the camera.
 void save_world(World&& world, const std::string& title, float time_step, const std::filesystem::path& path) {
     set_activity("writing", path.generic_string());
     scene::Scene scene{std::move(world), {}, {}, {}, {}};
@@ -116,7 +116,7 @@ void save_world(World&& world, const std::string& title, float time_step, const 
     scene::save(scene, path);
 }
 
-// Goes on from there in two worlds, one as it was recorded.
+// Continues two replays from the same step, one of them as recorded, and prints how they differ.
 void compare_branch(recording::Replay& branch, recording::Replay& recorded, std::uint64_t end,
                     const InterruptGuard& interrupt) {
     ProgressLine progress(end, "steps");

@@ -34,7 +34,7 @@ struct StepTimes {
     double mean = 0.0, median = 0.0, p99 = 0.0;
 };
 
-// Takes as little memory for a billion steps as for a million: quantiles are then those of every other step, of every
+// Statistics of step times in bounded memory: for long runs, quantiles are computed from every second step, every
 // fourth, and so on.
 class StepClock {
   public:
@@ -74,10 +74,10 @@ struct Outcome {
     bool interrupted = false;
     StageTimes stages; // summed over all steps
     std::vector<RankReport> ranks;
-    std::uint64_t first_step = 0; // that it was resumed from, or 0
+    std::uint64_t first_step = 0; // step number of the checkpoint it resumed from, or 0
     std::string resumed_from;     // the folder of that checkpoint
     CheckpointCount checkpoints;
-    std::uint64_t steps() const { return first_step + clock.steps(); } // also those before it was resumed
+    std::uint64_t steps() const { return first_step + clock.steps(); } // including steps before resuming
 };
 
 void add(StageTimes& sum, const StageTimes& times) {
@@ -92,7 +92,7 @@ std::uint64_t count_steps(const RunOptions& options, double time_step) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
 }
 
-// Most videos store color for two by two pixels.
+// Most video formats store color for blocks of 2x2 pixels.
 void check_size(const RunOptions& options) {
     if (options.video.empty() || viewer::takes_odd_sizes(options.video)) return;
     for (const auto& [option, size] : {std::pair("--width", options.width), std::pair("--height", options.height)}) {
@@ -115,21 +115,21 @@ void check_window(const RunOptions& options) {
     }
 }
 
-// Refuses what would leave files empty.
+// Rejects ranges that would leave files empty.
 void check_moments(const RunOptions& options, float time_step, std::uint64_t steps) {
     const double step = static_cast<double>(time_step), end = static_cast<double>(steps) * step;
     if (options.from > end + 1e-3 * step) {
         throw Error(ErrorCode::invalid_value, "--from", fmt::format("{}", options.from),
                     fmt::format("must not be after the end of the run, {:.6g} s", end));
     }
-    const double every = static_cast<double>(options.every); // a video has all of them, and so at least these
+    const double every = static_cast<double>(options.every); // a video has all moments in the range, so at least these
     const double first = every * std::ceil((options.from / step - 1e-3) / every);
     if (first > static_cast<double>(steps) || !is_in_window(options, first * step, step)) {
         throw Error(ErrorCode::invalid_value, "--every, --from and --until", {}, "have no step in common");
     }
 }
 
-// Refuses to be shorter than what has been run.
+// Rejects a run that ends before the step of its checkpoint.
 void require_steps_left(const RunOptions& options, std::uint64_t steps, std::uint64_t first) {
     if (first <= steps) return;
     throw Error(ErrorCode::invalid_value, options.frames ? "--frames" : "--seconds", fmt::format("{} steps", steps),
@@ -146,7 +146,7 @@ void apply_options(const RunOptions& options, scene::Scene& scene, int ranks) {
     scene.world.set_threads(options.threads.value_or(ranks > 1 ? 1 : hardware_threads()));
 }
 
-// From where it is resumed to its end, or until it is interrupted.
+// Simulates from the first or resumed step to the end, or until interrupted.
 Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
                  std::uint64_t steps, const InterruptGuard& interrupt, const Ranks& ranks) {
     set_activity("preparing what is written", options.scene);
@@ -189,7 +189,7 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<J
             if (shared.is_first()) progress.show(i + 1);
         }
         shared.compare(scene.world);
-        if (checkpoints.is_written()) write_checkpoint(); // of the end, to go on from
+        if (checkpoints.is_written()) write_checkpoint(); // the final state, to resume from
         outcome.checkpoints = checkpoints.count();
         outcome.ranks = shared.reports();
     }
@@ -247,7 +247,7 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     }
     json["interrupted"] = outcome.interrupted;
     json["warnings"] = scene.warnings;
-    // Names of files are any bytes.
+    // File names may contain invalid UTF-8, which is replaced.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -275,7 +275,7 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
     return text;
 }
 
-// Of what was cut while it ran; what the file asks for is said when it is loaded.
+// Warns of speeds clamped during the run; clamping of the scene file's own velocities is reported when it is loaded.
 void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
     if (count == 0) return;
     const WorldDef& settings = scene.world.settings();
@@ -301,7 +301,7 @@ scene::Scene ReadOptions::load(const std::filesystem::path& path, std::shared_pt
 
 namespace {
 
-// Those of a rank that writes nothing, as the first one does it.
+// Options of a rank that writes nothing, because rank 0 does.
 RunOptions without_outputs(RunOptions options) {
     options.csv.clear(), options.png.clear(), options.video.clear(), options.save.clear(), options.animate.clear();
     return options;
@@ -323,7 +323,7 @@ int run_on(const RunOptions& given, const Ranks& ranks) {
     apply_options(options, scene, ranks.size());
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
     check_moments(options, scene.info.time_step, steps);
-    const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
+    const InterruptGuard interrupt; // until all files are written: a second signal must not lose them
     std::optional<JointTargets> targets;
     if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);
     const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;

@@ -32,7 +32,7 @@ int scenes_command(const ScenesOptions& options) {
             if (!entry.error.empty()) item["error"] = entry.error;
             list.push_back(std::move(item));
         }
-        // Names of files are any bytes.
+        // File names may contain invalid UTF-8, which is replaced.
         print(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
         return 0;
     }

@@ -28,7 +28,7 @@ double allocated() {
     const struct mallinfo2 now = mallinfo2();
     return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 #else
-    return peak(); // no other C library tells
+    return peak(); // other C libraries do not report it
 #endif
 }
 
@@ -41,7 +41,7 @@ SharedRun::SharedRun(const Ranks& ranks, World& world)
 
 SharedRun::Requests SharedRun::agree(Requests here) const {
     if (!communicator_) return here;
-    constexpr std::uint64_t checkpoint = std::uint64_t{1} << 32; // above the number of ranks
+    constexpr std::uint64_t checkpoint = std::uint64_t{1} << 32; // exceeds any number of ranks
     const std::uint64_t sum = communicator_->sum((here.end ? 1 : 0) + (is_first() && here.checkpoint ? checkpoint : 0));
     return {sum % checkpoint != 0, sum >= checkpoint};
 }

@@ -20,19 +20,19 @@ using validation::Plot;
 constexpr double width = 480, plot_height = 300;               // without the legend
 constexpr double left = 78, right = 18, top = 36, bottom = 50; // margins of the axes
 constexpr double legend_line = 18, character = 6.1;            // of text at 11 pixels
-// Of the slope between two points to that before, with ever shorter steps; below it rounding rules.
+// Ratio of the slopes of adjacent segments, toward shorter steps, below which rounding errors dominate.
 constexpr double min_slope_change = 0.7;
-constexpr double min_slope_fit = 0.98; // squared correlation for a slope to mean something
+constexpr double min_slope_fit = 0.98; // squared correlation above which a slope is meaningful
 constexpr const char* ink = "#33383f";
 constexpr const char* expected_color = "#a9b0ba";
 constexpr std::array<const char*, 6> colors = {"#1f6fb2", "#d1495b", "#2f8f6b", "#8657a8", "#d98a1f", "#4a4f57"};
 
-// What is compared with: known by its name.
+// Whether a curve is a reference, recognized by its label.
 bool is_expected(const Curve& curve) {
     return curve.label.find("expected") != std::string::npos || curve.label.find("closed form") != std::string::npos;
 }
 
-// One axis: from values to pixels.
+// One axis: maps values to pixels.
 struct Axis {
     bool log = false;
     double low = 0, high = 1;       // of the value, or of its logarithm
@@ -44,7 +44,7 @@ struct Axis {
 
 struct Tick {
     double value = 0;
-    std::string label; // SVG text; empty: a line without one
+    std::string label; // SVG text; empty: a grid line without label
 };
 
 bool can_show(const Plot& plot, double x, double y) {
@@ -62,15 +62,15 @@ Axis fit_axis(const Plot& plot, bool along_x) {
             low = std::min(low, value), high = std::max(high, value);
         }
     if (low > high) low = 0, high = 1;
-    if (high - low < 1e-9 * std::max(1.0, std::fabs(high))) { // a constant
+    if (high - low < 1e-9 * std::max(1.0, std::fabs(high))) { // a constant curve
         const double around = axis.log ? 0.5 : std::max(1e-9, 0.1 * std::fabs(high));
         low -= around, high += around;
     }
-    if (along_x && !axis.log && low > 0 && low < 0.1 * high) low = 0; // time begins there
+    if (along_x && !axis.log && low > 0 && low < 0.1 * high) low = 0; // extends a time axis to 0
     const double room = along_x ? (axis.log ? 0.04 : 0.0) : 0.06;
     axis.low = low - room * (high - low);
     axis.high = high + room * (high - low);
-    // An axis from 0 stays there.
+    // An axis that starts at 0 is not extended below.
     if (!axis.log && low >= 0 && axis.low < 0) axis.low = 0;
     return axis;
 }
@@ -94,7 +94,7 @@ std::vector<Tick> linear_ticks(const Axis& axis, double wanted) {
             step = factor * decade;
             break;
         }
-    // As many decimals as tell two ticks apart; powers of ten where that makes no readable number.
+    // As many decimals as distinguish two ticks; powers of ten where that gives unreadable numbers.
     const double size = std::max(std::fabs(axis.low), std::fabs(axis.high));
     const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
     const auto label = [&](double value) {
@@ -120,15 +120,15 @@ std::vector<Tick> log_ticks(const Axis& axis) {
             const double value = factor * std::pow(10, k), at = std::log10(value);
             if (at < axis.low || at > axis.high || (factor > 1 && decades > 2.5)) continue;
             const bool named = factor > 1 || k % every == 0;
-            // Between whole powers: 0.002, or 2 x 10^-5 spelled out.
+            // Between whole powers: 0.002, or 2 x 10^-5.
             const std::string label = factor == 1 ? power_of_ten(k) : plain(value);
             ticks.push_back({value, named ? label : std::string()});
         }
     return ticks;
 }
 
-// Of a straight line through the logarithms, by least squares: from the right, as far as the error shrinks. Beyond that
-// rounding rules. Nothing where the points are on no line.
+// Slope of a least-squares line through the logarithms, from the right end as far as the error decreases; rounding
+// errors dominate beyond that. Empty if the points do not fit a line.
 std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
     if (!plot.log_x || !plot.log_y) return std::nullopt;
     std::vector<std::pair<double, double>> points;
@@ -149,8 +149,8 @@ std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
     return xy / xx;
 }
 
-// Of a curve's marks and of the lines between them. Curves that lie on each other are all seen: those drawn first are
-// wider. `later`: how many with marks are drawn after it.
+// Sizes of a curve's marks and of the lines between them. Curves drawn first are larger, so that coinciding curves are
+// all visible. `later`: number of curves with marks drawn on top.
 double mark_radius(std::size_t later) { return 3 + 1.3 * double(later); }
 double join_width(std::size_t later) { return 1.2 + 1.1 * double(later); }
 
@@ -158,11 +158,11 @@ struct LegendEntry {
     std::string text;
     const char *color, *dashes; // dashes: an attribute, or empty
     bool as_points, is_expected;
-    std::size_t later; // curves with marks that come after it
+    std::size_t later; // curves with marks drawn on top
     double x = 0, y = 0;
 };
 
-// Entries one after the other, in as many lines as they need; returns the height.
+// Places the entries one after the other, in as many lines as needed; returns the height.
 double lay_out(std::vector<LegendEntry>& entries) {
     double x = left, y = plot_height + 4;
     for (LegendEntry& entry : entries) {
@@ -282,7 +282,7 @@ std::string svg_plot(const Plot& plot) {
                                   "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>",
                                   width, height, ink, escaped(plot.title));
     draw_axes(out, plot, x, y);
-    // Wide lines of what is expected lie below, points above.
+    // The wide lines of reference curves are drawn first, points last.
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         if (legend[i].is_expected) draw_line(out, plot, plot.curves[i], x, y, legend[i].color, 4, "");
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {

@@ -1,4 +1,4 @@
-// Plots as SVG pictures, for pages and on their own.
+// Plots as SVG pictures, embedded or stand-alone.
 #pragma once
 
 #include "validation/validation.h"
@@ -8,11 +8,11 @@
 
 namespace cairn::cli {
 
-// A complete <svg> element with a white ground. Where both axes are logarithmic, each curve's legend has the slope that
-// fits it, if a straight line does.
+// A complete <svg> element with a white background. In doubly logarithmic plots, the legend of each curve states its
+// fitted slope, if a straight line fits.
 std::string svg_plot(const validation::Plot& plot);
 
-// With &, <, > and quotes replaced as XML and HTML ask for.
+// Escapes &, <, > and quotes for XML and HTML.
 std::string escaped(std::string_view text);
 
 } // namespace cairn::cli

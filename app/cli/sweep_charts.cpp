@@ -20,14 +20,14 @@ constexpr double chart_width = 420.0, chart_height = 260.0, chart_left = 62.0, c
 constexpr double legend_width = 70.0;
 constexpr std::size_t most_cells = 24, most_bars = 40;
 
-// A range of numbers on a length of the picture.
+// A linear map from a range of values to a range of pixels.
 struct Scale {
     double low = 0.0, high = 1.0, from = 0.0, to = 1.0;
     double operator()(double v) const { return from + (to - from) * (v - low) / (high - low); }
 };
 
 Scale scale_of(double low, double high, double from, double to) {
-    if (!(high > low)) { // a single value stands in the middle
+    if (!(high > low)) { // a single value is centered
         const double half = low == 0.0 ? 0.5 : 0.05 * std::fabs(low);
         low -= half, high += half;
     }
@@ -70,7 +70,7 @@ std::string picture(double width, const std::string& inside) {
                        width, chart_height, inside);
 }
 
-// Groups of rows by a column: one for each different value if there are few, else equal ranges.
+// Groups of rows by the values of a column: one for each distinct value if there are few, else ranges of equal width.
 class Groups {
   public:
     Groups(std::span<const double> values, std::size_t most) {
@@ -93,7 +93,7 @@ class Groups {
         }
         return static_cast<std::size_t>(std::lower_bound(centers_.begin(), centers_.end(), v) - centers_.begin());
     }
-    // Where the cell of a group begins; one more: where the last ends.
+    // Lower border of a group's cell; for the number of groups, the upper border of the last cell.
     double border(std::size_t i) const {
         const std::vector<double>& c = centers_;
         if (c.size() == 1) return c[0] + (i == 0 ? -0.5 : 0.5);
@@ -107,7 +107,7 @@ class Groups {
     double low_ = 0.0, width_ = 0.0;
 };
 
-// From dark blue over green to yellow, as light as it is high.
+// From dark blue over green to yellow, with lightness increasing with the value.
 std::string color_of(double share) {
     constexpr std::array<std::array<double, 3>, 5> stops{
         {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
@@ -174,7 +174,7 @@ std::string effect_plot(const Series& x_series, const Series& values) {
 }
 
 std::string heat_map(const Series& x_series, const Series& y_series, const Series& values) {
-    // So many cells that most of them have a few rows.
+    // The number of cells is chosen so that most have several rows.
     const double each = 0.5 * std::sqrt(static_cast<double>(values.values.size()));
     const std::size_t most = std::clamp(static_cast<std::size_t>(each), std::size_t{4}, most_cells);
     const Groups columns(x_series.values, most), rows(y_series.values, most);
@@ -187,7 +187,7 @@ std::string heat_map(const Series& x_series, const Series& y_series, const Serie
         sums[cell] += values.values[i];
         counts[cell] += 1.0;
     }
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i]; // not a number where there are none
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i]; // NaN in empty cells
     const auto [low, high] = range_of(sums);
     if (!(low <= high)) return {};
     const Scale x = scale_of(columns.border(0), columns.border(width), chart_left, chart_width - chart_right);

@@ -1,4 +1,4 @@
-// Charts of many rows, as SVG elements for a page.
+// Charts of many rows, as SVG elements.
 #pragma once
 
 #include <span>
@@ -6,19 +6,19 @@
 
 namespace cairn::cli {
 
-// Numbers of a column and what it is called.
+// A column of numbers and its name.
 struct Series {
     std::string name;
-    std::span<const double> values; // what is no finite number is left out
+    std::span<const double> values; // values that are not finite are ignored
 };
 
-// How often values fall into which of some equal ranges. Empty if there are no values.
+// A histogram with bins of equal width. Empty if there are no values.
 std::string histogram(const Series& series);
 
 // The mean of `values` against `x`, with the range from the 5 % to the 95 % quantile of each group of rows.
 std::string effect_plot(const Series& x, const Series& values);
 
-// The mean of `values` in the cells of a grid of `x` and `y`, by color. Cells without rows are left white.
+// The mean of `values` in the cells of a grid of `x` and `y`, as color. Cells without rows are white.
 std::string heat_map(const Series& x, const Series& y, const Series& values);
 
 } // namespace cairn::cli

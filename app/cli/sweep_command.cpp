@@ -27,7 +27,7 @@ std::filesystem::path results_folder(const SweepOptions& options) {
     return name += ".results";
 }
 
-// A row of its own, a column a line.
+// Runs and prints a single row, one column per line.
 int print_row(const sweep::Plan& plan, const sweep::Start& start, std::uint64_t row) {
     if (row >= plan.design.rows()) {
         throw Error(ErrorCode::invalid_value, "--row", std::to_string(row),
@@ -46,7 +46,8 @@ int print_row(const sweep::Plan& plan, const sweep::Start& start, std::uint64_t 
     return 1;
 }
 
-// Says what would be done, and how long a row takes: the second, as the first makes room.
+// Prints a description of the sweep, and the time of a row: that of the second run, because the first one allocates
+// memory.
 int check_plan(const sweep::Plan& plan, const sweep::Start& start) {
     sweep::Runner runner(plan, start);
     std::vector<double> numbers(plan.numbers());
@@ -66,7 +67,7 @@ int check_plan(const sweep::Plan& plan, const sweep::Start& start) {
     return 1;
 }
 
-// Those of this part: every so many-th chunk, so that all parts take about as long.
+// The missing chunks of this shard: every N-th chunk, so that all shards take about the same time.
 std::vector<std::uint64_t> chunks_to_do(const SweepOptions& options, const sweep::Store& store) {
     std::vector<std::uint64_t> chunks = store.missing();
     if (options.shards == 0) return chunks;
@@ -85,11 +86,11 @@ void put_together(const SweepOptions& options, const sweep::Plan& plan, const sw
     print(options.json ? json : sweep_text(plan, summary, failures, folder));
 }
 
-// All that is missing, by all ranks. Returns false if it was interrupted.
+// Runs all missing rows, on all ranks. Returns false if interrupted.
 bool run_missing(const SweepOptions& options, const sweep::Plan& plan, const sweep::Start& start, sweep::Store& store,
                  Ranks& ranks) {
     const std::vector<std::uint64_t> chunks = chunks_to_do(options, store);
-    ranks.meet(); // before anything is written: all have seen the same chunks
+    ranks.meet(); // before anything is written, so that all ranks see the same missing chunks
     const InterruptGuard interrupt;
     std::uint64_t rows = 0;
     for (const std::uint64_t chunk : chunks) rows += store.chunks().rows_in(chunk);
@@ -109,7 +110,7 @@ bool run_missing(const SweepOptions& options, const sweep::Plan& plan, const swe
     return !interrupt.requested();
 }
 
-// Tells what is still missing, which is as it should be for one part of several.
+// Reports the number of rows in the folder. Missing rows are no error for one shard of several.
 int tell_missing(const SweepOptions& options, const sweep::Plan& plan, const sweep::Store& store, bool was_whole,
                  const std::filesystem::path& folder) {
     std::uint64_t left = 0;

@@ -57,7 +57,7 @@ std::string sensitivity_table(const sweep::Plan& plan, const sweep::Summary& sum
     return html + "</table>\n";
 }
 
-// Parameters, the one with the greatest influence first.
+// Parameters in order of decreasing influence.
 std::vector<std::size_t> by_influence(const sweep::Plan& plan, const sweep::Summary& summary, std::size_t measure) {
     const std::size_t count = plan.design.parameters().size();
     std::vector<double> share(count);
@@ -71,7 +71,7 @@ std::vector<std::size_t> by_influence(const sweep::Plan& plan, const sweep::Summ
     return order;
 }
 
-// When it was taken.
+// The time at which a measure is taken.
 std::string moment_of(const sweep::Measure& measure) {
     if (measure.take == sweep::Measure::Take::at) return fmt::format("at {:g} s", measure.time);
     return std::string(sweep::name_of(measure.take));

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
-// RFC 4180: in quotes, with quotes inside doubled.
+// Quotes a text as in RFC 4180, with inner quotes doubled.
 std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -30,7 +30,7 @@ std::string quoted(const std::string& text) {
 
 bool is_plain(const std::string& text) { return text.find_first_of(",\"\r\n ") == std::string::npos; }
 
-// A text as Python writes it. Bytes beyond ASCII stand for themselves in Latin-1.
+// A text as a Python string literal. Non-ASCII bytes become their Latin-1 characters.
 std::string python_text(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
@@ -56,12 +56,13 @@ template <class T> void append_bytes(std::string& bytes, T value) {
     bytes.append(raw, sizeof value);
 }
 
-// Whether a file begins with so many bytes of a table.
+// Whether a file starts with the part of the table that `from` describes.
 bool begins(const fs::path& path, const std::string& head, bool is_array, const TableExtent& from) {
     std::ifstream file(path, std::ios::binary);
     std::string piece(head.size(), '\0');
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    if (!file || (!is_array && piece != head)) return false; // the header of an array says how many rows there are
+    // The header of an array contains the number of rows, which differs.
+    if (!file || (!is_array && piece != head)) return false;
     std::uint32_t crc = 0;
     piece.resize(std::size_t{1} << 20);
     for (std::uint64_t left = from.bytes - head.size(); left > 0;) {
@@ -73,8 +74,8 @@ bool begins(const fs::path& path, const std::string& head, bool is_array, const 
     return crc == from.rows_crc;
 }
 
-// Sees to it that what a table goes on with lies where `files::OutputFile` goes on: it may have its name already, if
-// the run came to an end.
+// Ensures that the written part of a resumed table is in the file that `files::OutputFile` continues; if the earlier
+// run was completed, it has already been renamed.
 void require_beginning(const fs::path& path, const std::string& head, bool is_array, const TableExtent& from,
                        std::uint32_t columns) {
     const std::string name = path.generic_string();
@@ -113,11 +114,11 @@ TableWriter::TableWriter(const std::filesystem::path& path, std::vector<Column> 
         return;
     }
     waiting_ = head;
-    flush(); // readers of a pipe see it at once
+    flush(); // makes the header visible to the reader of a pipe at once
     sent_.rows_crc = 0;
 }
 
-// Of an array: always of the same length, whatever the number of rows. numpy.lib.format describes it.
+// The header. That of an array has the same length for any number of rows (format: numpy.lib.format).
 std::string TableWriter::header(std::size_t rows) const {
     std::string names;
     for (const Column& column : columns_) {
@@ -131,7 +132,7 @@ std::string TableWriter::header(std::size_t rows) const {
     std::string text = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", names, rows);
     constexpr std::size_t alignment = 64, longest_count = 20;
     const std::size_t digits = std::to_string(rows).size(), longest = text.size() + longest_count - digits;
-    const std::size_t before = longest + 11 < 65536 ? 10 : 12; // magic, version and the length, of 2 or 4 bytes
+    const std::size_t before = longest + 11 < 65536 ? 10 : 12; // magic, version and header length of 2 or 4 bytes
     const std::size_t whole = (before + longest + 1 + alignment - 1) / alignment * alignment;
     text.append(whole - before - 1 - text.size(), ' ');
     text += '\n';
@@ -171,7 +172,7 @@ void TableWriter::end_row() {
 }
 
 void TableWriter::flush() {
-    if (is_array_ && file_->is_stream()) return; // its first bytes say how many rows there are
+    if (is_array_ && file_->is_stream()) return; // the header contains the number of rows, which is not known yet
     file_->write(waiting_);
     sent_.bytes += waiting_.size();
     sent_.rows_crc = files::crc32(waiting_, sent_.rows_crc);

@@ -1,4 +1,4 @@
-// Tables of numbers, as comma-separated values or as an array of NumPy.
+// Tables of numbers, as comma-separated values or as a NumPy array.
 #pragma once
 
 #include "checkpoint/index.h"
@@ -19,36 +19,37 @@ struct Column {
     Kind kind = Kind::real64;
 };
 
-// Extensions of the tables that are known, with their dots.
+// Extensions of the supported table formats, with their dots.
 std::vector<std::string_view> table_extensions();
 
 using checkpoint::TableExtent;
 
-// How a table begins.
+// How a table is started or resumed.
 struct TableStart {
-    bool is_resumable = false;       // what is written stays if the program ends: files::Appearance::resumable
-    std::optional<TableExtent> from; // goes on with what a program before has written
+    bool is_resumable = false;       // written data persists if the program ends: files::Appearance::resumable
+    std::optional<TableExtent> from; // continues a table that an earlier process has written
 };
 
-// A name that ends in `.npy` is written in the format of NumPy (version 1, 2 or 3 of its header), as a structured array
-// of one dimension whose fields are the columns but those of text; anything else as comma-separated values (RFC 4180),
-// whose first line names the columns, with as many digits as are needed to read back the same number.
+// Writes a table. A name that ends in `.npy` gets the NumPy format (header version 1, 2 or 3), as a one-dimensional
+// structured array whose fields are the columns except those of text; any other name gets comma-separated values (RFC
+// 4180), with column names in the first line and enough digits to read back the same numbers.
 class TableWriter {
   public:
-    // Throws Error: io; wrong_state, if what it is to go on with is not there, or has other columns.
+    // Throws Error: io; wrong_state, if the table to be resumed does not exist or has other columns.
     TableWriter(const std::filesystem::path& path, std::vector<Column> columns, const TableStart& start = {});
 
-    // The fields of a row, one after the other, each of its column's kind; then the end of the row.
+    // Adds the fields of a row in order, each of its column's kind; then `end_row`.
     void add(std::int64_t value);
     void add(float value);
     void add(double value);
     void add(const std::string& text);
     void end_row();
 
-    void flush(); // to be called now and then; throws Error (io)
-    // What another program can go on with, from now on. Of what is resumable, and is no stream. Throws Error (io).
+    void flush(); // to be called regularly; throws Error (io)
+    // The extent from which another process can resume. Only for a resumable table that is not a stream. Throws Error
+    // (io).
     TableExtent extent();
-    void close(); // throws Error (io); a file that is not closed is not written
+    void close(); // throws Error (io); without it, the file does not appear under its name
 
   private:
     std::string header(std::size_t rows) const;
@@ -58,7 +59,7 @@ class TableWriter {
     bool is_array_;
     std::size_t rows_ = 0;
     std::string waiting_;
-    TableExtent sent_; // but for its number of rows
+    TableExtent sent_; // written extent, except its number of rows
 };
 
 } // namespace cairn::cli

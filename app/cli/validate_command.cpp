@@ -31,7 +31,7 @@ std::vector<Measured> chosen_cases(const std::vector<std::string>& names) {
     return chosen;
 }
 
-// Brings the rows of each quantity together, in the order in which the quantities appear.
+// Makes the rows of each quantity adjacent, in the order in which the quantities first appear.
 void group_by_quantity(std::vector<Row>& rows) {
     std::map<std::string, std::size_t> first;
     for (std::size_t i = 0; i < rows.size(); ++i) first.emplace(rows[i].quantity, i);
@@ -39,12 +39,12 @@ void group_by_quantity(std::vector<Row>& rows) {
                      [&](const Row& a, const Row& b) { return first.at(a.quantity) < first.at(b.quantity); });
 }
 
-// On as many threads as the machine runs at a time. Each takes the last case that is left, because the last ones
-// take the longest; what a case measures does not depend on the others.
+// Measures the cases on as many threads as the machine has. Each thread takes the last remaining case, because the last
+// cases take longest; results of a case do not depend on the others.
 void measure_all(std::vector<Measured>& cases) {
     ProgressLine progress(cases.size(), "cases");
     std::atomic<std::size_t> taken{0};
-    std::mutex mutex; // of what follows
+    std::mutex mutex; // guards the next two variables
     std::size_t done = 0;
     std::exception_ptr error;
     const auto work = [&] {
@@ -67,7 +67,7 @@ void measure_all(std::vector<Measured>& cases) {
     const std::size_t threads = std::min(static_cast<std::size_t>(hardware_threads()), cases.size());
     for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
     work();
-    helpers.clear(); // joins them
+    helpers.clear(); // joins the threads
     if (error) std::rethrow_exception(error);
 }
 
@@ -75,7 +75,7 @@ void measure_all(std::vector<Measured>& cases) {
 
 int validate_command(const ValidateOptions& options) {
     std::vector<Measured> cases = chosen_cases(options.cases);
-    if (!options.report.empty()) check_report_folder(options.report); // before minutes of work
+    if (!options.report.empty()) check_report_folder(options.report); // before minutes of computation
     set_activity("measuring");
     measure_all(cases);
     set_activity("writing the report", options.report.generic_string());

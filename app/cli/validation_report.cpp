@@ -62,7 +62,7 @@ summary { cursor: pointer; color: #1f5f99; font-size: 13px; padding: 4px 0; }
 @media print { body { background: white; } section { break-inside: avoid; border: none; padding: 0; } }
 )";
 
-// How much of its bar a row uses: 1 is the most that passes.
+// Error of a row as a share of its bar: a row passes up to 1.
 double share_of_bar(const Row& row) {
     const double off = std::fabs(row.measured - row.expected);
     double share = 0;
@@ -81,10 +81,10 @@ double share_of_bar(const Row& row) {
         break;
     }
     if (std::isfinite(share)) return share;
-    return row.passes() ? 0 : std::numeric_limits<double>::infinity(); // a bar of zero, or not a number
+    return row.passes() ? 0 : std::numeric_limits<double>::infinity(); // zero bar, or NaN
 }
 
-// Escaped, with x^2 as a superscript and -+ as one sign.
+// Escapes a formula, with x^2 as a superscript and -+ as one sign.
 std::string formula(std::string_view law) {
     const std::string text = escaped(law);
     std::string out;
@@ -158,7 +158,7 @@ void add_case(std::string& out, const Measured& measured) {
         for (const validation::Plot& plot : measured.result.plots) out += svg_plot(plot) + "\n";
         out += "</div>\n";
     }
-    // Long tables fold away if nothing in them fails.
+    // Long tables are collapsed if all rows pass.
     const bool folds = count.rows > 6 && count.passed == count.rows && !measured.result.plots.empty();
     if (folds) out += fmt::format("<details><summary>{} rows, all pass</summary>\n", count.rows);
     add_rows(out, measured.result.rows);
@@ -196,7 +196,7 @@ std::string page(const std::vector<Measured>& cases) {
 } // namespace
 
 void check_report_folder(const std::filesystem::path& folder) {
-    // Writing and removing an empty file says more than the folder's rights do.
+    // Writing and removing an empty file is more reliable than checking permissions.
     const std::filesystem::path trial = files::temporary_beside(folder / "index.html");
     try {
         files::make_parent_folder(trial);

@@ -85,7 +85,7 @@ std::string json_report(const std::vector<Measured>& cases) {
                             {"quantity", row.quantity},
                             {"dt", row.time_step},
                             {"expected", row.expected},
-                            {"measured", row.measured}, // null where it is not a number
+                            {"measured", row.measured}, // NaN becomes null
                             {"bar", row.bar},
                             {"bar_kind", kinds[static_cast<std::size_t>(row.kind)]},
                             {"pass", row.passes()},
@@ -107,7 +107,7 @@ std::string json_report(const std::vector<Measured>& cases) {
 }
 
 std::string markdown_report(const std::vector<Measured>& cases) {
-    const auto cell = [](const std::string& text) { // a bar would end the cell
+    const auto cell = [](const std::string& text) { // a `|` would end the cell
         std::string result;
         for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
         return result;

@@ -15,23 +15,23 @@ namespace cairn::cli {
 int view_command(const ViewOptions& options) {
     check_outputs(std::vector<Output>{{"--report", options.report}});
     viewer::ViewerOptions window;
-    // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
+    // Resolved here, so that a wrong name gives an error message on the terminal rather than an empty window.
     window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();
     for (const scene::SceneEntry& entry : scene::list_scenes(scene::scenes_directory())) {
         if (!entry.error.empty()) continue;
         window.scenes.push_back({entry.path.string(), entry.title});
-        // However its path was written: the list shows by its path which scene is open.
+        // Normalizes the path, because the list recognizes the open scene by its path.
         std::error_code ignored;
         if (std::filesystem::equivalent(entry.path, window.scene, ignored)) window.scene = entry.path.string();
     }
-    // The options are for the first scene; others come from the list, or are dropped on the window.
+    // The options apply only to the first scene, not to others from the list or dropped on the window.
     window.loader = [&](const std::string& path) {
         return load_for_viewer(path, path == window.scene ? options.read : ReadOptions{});
     };
     window.savers = {save_recording, save_scene};
     window.svg_of_chart = svg_of_chart;
     window.file_types = viewer_file_types();
-    window.docs = scene::scenes_directory().parent_path() / "docs"; // installed beside the scenes, as in the source
+    window.docs = scene::scenes_directory().parent_path() / "docs"; // both in the installation and in the source tree
     window.width = options.width;
     window.height = options.height;
     window.exit_after = options.exit_after;

@@ -34,7 +34,7 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene) {
 
 namespace {
 
-// The pictures of a scene, each read once. One that cannot be read is a line of warning.
+// Reads the textures of a scene, each once. An unreadable texture gives a warning.
 class TextureReader {
   public:
     std::shared_ptr<const viewer::TexturePicture> operator()(const std::shared_ptr<const scene::Texture>& texture) {
@@ -67,7 +67,7 @@ class TextureReader {
     std::unordered_map<const scene::Finish*, std::shared_ptr<const viewer::Finish>> finishes_;
 };
 
-// One for each vertex of `visual_triangles`, which gives flat triangles corners of their own.
+// Weights for each vertex of `visual_triangles`, which duplicates vertices for flat-shaded triangles.
 std::vector<viewer::BoneWeights> weights_of(const scene::Surface& surface) {
     std::vector<viewer::BoneWeights> weights;
     const auto add = [&](std::size_t vertex) {
@@ -110,7 +110,7 @@ std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
 
 namespace {
 
-// The other way round, for a scene that is saved: as surfaces and textures that are shared as the meshes are.
+// The reverse conversion, for saving a scene: surfaces and textures are shared as the meshes are.
 class SurfaceMaker {
   public:
     scene::VisualMesh operator()(const viewer::Visual& visual) {
@@ -195,7 +195,7 @@ std::vector<std::string> viewer_file_types() {
 
 namespace {
 
-// A mesh alone becomes ground to drop bodies on: it is shown as it is, and stays where it is.
+// A single mesh becomes a static body with its exact triangles, to drop bodies on.
 scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& options) {
     if (!scene::is_mesh_file(path)) return options.load(path);
     if (options.fixed_base) {
@@ -211,14 +211,14 @@ scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& opti
     return scene;
 }
 
-// The file and what reads it, as long as somebody has their source.
+// An open recording and its reader, kept alive by the command source.
 struct OpenRecording {
     explicit OpenRecording(const std::filesystem::path& path) : recording(path), calls(recording) {}
     recording::Recording recording;
     recording::CallReader calls;
 };
 
-// Up to the first that makes no sense.
+// Reads lights up to the first malformed one.
 void read_lights(std::istringstream words, std::vector<viewer::Light>& lights) {
     viewer::Light light;
     Vec3 &color = light.color, &towards = light.towards;
@@ -233,7 +233,7 @@ void read_lights(std::istringstream words, std::vector<viewer::Light>& lights) {
     }
 }
 
-// As `note_of` wrote it. What is missing or makes no sense stays as it is.
+// Parses a note of `note_of`. Missing or malformed entries leave the defaults.
 void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::string>& note) {
     const auto words = [&](const char* name) {
         const auto found = note.find(name);
@@ -247,7 +247,7 @@ void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::st
         eye != target && camera.vertical_fov > 0.0f && camera.vertical_fov < 3.1f)
         loaded.camera = camera;
     read_lights(words("lights"), loaded.lights);
-    Vec3 sun(0.0f); // all that earlier versions wrote of lights
+    Vec3 sun(0.0f); // older recordings have a sun direction only
     auto of_sun = words("light");
     if (loaded.lights.empty() && of_sun >> sun.x >> sun.y >> sun.z && sun != Vec3(0.0f))
         loaded.lights.push_back({.color = {1.0f, 0.93f, 0.82f}, .towards = sun});
@@ -262,7 +262,7 @@ void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::st
             loaded.appearances.push_back({found->second, glm::clamp(color, 0.0f, 1.0f)});
 }
 
-// The world of its beginning, and all that follows. What comes before the first step makes the scene.
+// Loads a recording: the world at its beginning, built by the commands before the first step, and all later commands.
 viewer::LoadedScene load_recording(const std::filesystem::path& path) {
     const auto open = std::make_shared<OpenRecording>(path);
     viewer::LoadedScene loaded;
@@ -275,7 +275,7 @@ viewer::LoadedScene load_recording(const std::filesystem::path& path) {
     steps.emplace_back();
     recording::RecordedCall call;
     while (open->calls.next(call)) {
-        if (call.command.empty()) continue; // a digest of a state that a keyframe has
+        if (call.command.empty()) continue; // only the digest of a keyframe's state
         if (call.is_step) {
             steps.back().step = call.command;
             steps.back().digest = call.digest;
@@ -364,7 +364,7 @@ std::string svg_of_chart(const viewer::Chart& chart) {
     for (const viewer::Curve& curve : chart.curves) {
         validation::Curve drawn{curve.is_reference ? "expected: " + curve.label : curve.label, curve.x, curve.y,
                                 curve.as_points};
-        if (chart.top) // what is above leaves the chart
+        if (chart.top) // values above the top leave a gap
             for (double& y : drawn.y)
                 if (y > *chart.top) y = std::numeric_limits<double>::quiet_NaN();
         plot.curves.push_back(std::move(drawn));

@@ -1,4 +1,4 @@
-// From the scene library's types to the viewer's: neither knows of the other.
+// Converts the scene library's types to the viewer's: the two libraries are independent.
 #pragma once
 
 #include "cli/commands.h"
@@ -17,14 +17,14 @@ namespace cairn::cli {
 
 std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene);
 
-// The scene's meshes, those that share their triangles with one mesh.
+// The visual meshes of the scene; those with the same triangles share one mesh.
 std::vector<viewer::Visual> visuals_of(const scene::Scene& scene);
 
 std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene);
 
 std::vector<viewer::Light> lights_of(const scene::Scene& scene);
 
-// The scene's own view, or one that shows all of it.
+// The scene's own camera, or one that shows the whole scene.
 viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals);
 
 // Extensions of the files that `load_for_viewer` reads.
@@ -34,7 +34,7 @@ std::vector<std::string> viewer_file_types();
 void save_recording(const std::filesystem::path& path, const viewer::RecordingLooks& looks, World& world,
                     const std::function<void()>& run);
 
-// How a recording that begins with this scene looks, for `Recorder::note`, under the name `looks_note`.
+// Name of the note in recordings that stores the scene's appearance (`Recorder::note`).
 inline constexpr const char* looks_note = "cairn.looks";
 std::map<std::string, std::string> note_of(const viewer::RecordingLooks& looks, const World& world);
 

@@ -30,7 +30,7 @@ std::vector<float> numbers_of(const std::string& text, std::string_view list, st
     return numbers;
 }
 
-// Of all materials of the world.
+// Changes all materials of the world.
 WhatIf change_of_materials(std::function<void(Material&)> change) {
     return {[change = std::move(change)](World& world) {
         for (const BodyId body : world.bodies())

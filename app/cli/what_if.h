@@ -1,4 +1,4 @@
-// Changes of a world that are spelled out on the command line.
+// Changes of a world given on the command line.
 #pragma once
 
 #include <cairn/world.h>
@@ -14,7 +14,7 @@ struct WhatIf {
     std::function<void(World&)> apply;
 };
 
-// Of "gravity=0,-3.7,0" and the like. Throws Error(invalid_value) for what is none.
+// Parses "gravity=0,-3.7,0" and the like. Throws Error(invalid_value) for malformed texts.
 std::vector<WhatIf> parse_what_if(std::span<const std::string> texts);
 
 } // namespace cairn::cli

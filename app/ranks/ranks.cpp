@@ -1,5 +1,5 @@
-// The part of the program that talks to MPI, as functions of C which the program looks up by their names
-// (cli/ranks.cpp). None is called by two threads at a time.
+// The MPI part of the program: C functions that the program looks up by name (cli/ranks.cpp). They are never called
+// concurrently.
 #include <mpi.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace {
 
-MPI_Win window = MPI_WIN_NULL; // of the counter, which lies with rank 0
+MPI_Win window = MPI_WIN_NULL; // of the counter in the memory of rank 0
 
 std::int64_t count_on(MPI_Op operation) {
     const std::int64_t one = 1;
@@ -20,7 +20,7 @@ std::int64_t count_on(MPI_Op operation) {
     return before;
 }
 
-// MPI counts in int: what is larger goes in pieces. Calls piece(bytes, count) for each of them.
+// Splits a message into pieces, because MPI counts in int. Calls piece(bytes, count) for each piece.
 template <class Byte, class F> void in_pieces(Byte* bytes, std::size_t count, const F& piece) {
     constexpr std::size_t most = std::size_t{1} << 30;
     do {
@@ -47,13 +47,13 @@ CAIRN_RANKS void cairn_ranks_begin(int* rank, int* size) {
     MPI_Win_lock_all(MPI_MODE_NOCHECK, window);
 }
 
-// Takes the next number of the counter that all ranks share.
+// Increments the counter shared by all ranks, and returns its previous value.
 CAIRN_RANKS std::int64_t cairn_ranks_next() { return count_on(MPI_SUM); }
 
-// How many have been taken. Lets others reach the counter in the meantime.
+// Present value of the counter. The call also lets MPI progress, so that other ranks can access the counter.
 CAIRN_RANKS std::int64_t cairn_ranks_taken() { return count_on(MPI_NO_OP); }
 
-// Waits for all ranks, asleep most of the time: others may want the processor.
+// A barrier that mostly sleeps, because other ranks may need the processor.
 CAIRN_RANKS void cairn_ranks_meet() {
     MPI_Request request;
     MPI_Ibarrier(MPI_COMM_WORLD, &request);
@@ -74,7 +74,7 @@ struct cairn_ranks_message {
 CAIRN_RANKS void cairn_ranks_exchange(const cairn_ranks_message* messages, int sent, int count) {
     static std::vector<MPI_Request> requests;
     requests.clear();
-    for (int i = count - 1; i >= 0; --i) { // those that come in first: they have their place then
+    for (int i = count - 1; i >= 0; --i) { // receives are posted first, so that incoming data has a buffer
         const cairn_ranks_message& m = messages[i];
         in_pieces(m.bytes, m.size, [&](std::byte* bytes, int size) {
             MPI_Request& request = requests.emplace_back();

@@ -16,7 +16,7 @@ TriangleMesh bent(const TriangleMesh& mesh, std::span<const BoneWeights> weights
         }
         MeshVertex& vertex = result.vertices[i];
         vertex.corner = linear * vertex.corner + translation;
-        // Normals turn by the cofactors, as surfaces do.
+        // Normals transform by the cofactor matrix, like surface elements.
         const Vec3 turned = glm::mat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                       glm::cross(linear[0], linear[1])) *
                             vertex.normal;

@@ -1,5 +1,5 @@
 /// \file body_shaders.h
-/// The shaders of bodies, for desktop and web as those in shaders.h, which has the lighting that they use.
+/// The shaders of bodies, for desktop and web. They use the lighting functions in shaders.h.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace cairn::viewer::shaders {
 
-/// Which mesh the body shaders draw.
+/// The kind of mesh that the body shaders draw.
 enum class BodyKind : int {
     sphere,
     box,
@@ -23,7 +23,7 @@ enum class BodyKind : int {
 };
 inline constexpr std::size_t body_kind_count = 11;
 
-/// Goes before a body shader. It is a constant, as software renderers go through both sides of an "if".
+/// Prefix of a body shader. The kind is a constant, because software renderers execute both branches of an "if".
 inline std::string body_kind(BodyKind kind) { return "const int c_kind = " + std::to_string(int(kind)) + ";\n"; }
 
 inline constexpr const char* body_vertex = R"(

@@ -15,23 +15,23 @@ constexpr float max_pitch = 1.55f;       // radians, just short of the pole
 constexpr float min_distance = 0.05f;    // meters
 constexpr float max_distance = 20000.0f; // meters
 constexpr float zoom_per_notch = 0.9f;
-constexpr double origin_lattice = 100.0; // meters; a multiple of the ground grid's 10 m lines
+constexpr double origin_lattice = 100.0; // meters; a multiple of the 10 m spacing of the ground grid
 constexpr float near_per_distance = 0.02f;
 constexpr float least_fov = 0.01f; // radians
-// With parallel rays, how far before and behind the target things are seen: meters, and in distances of the camera. The
-// steps of the depth buffer are a ten thousandth of a distance, a tenth of a pixel.
+// Depth range of an orthographic projection before and behind the target: meters, and multiples of the camera's
+// distance. The resolution of the depth buffer is then a ten-thousandth of the distance, a tenth of a pixel.
 constexpr float least_reach = 200.0f, reach_per_distance = 500.0f;
 constexpr float least_scale = 0.01f;            // meters
-constexpr double clearance_per_distance = 0.03; // of the eye above a ground, with a usual lens
+constexpr double clearance_per_distance = 0.03; // height of the eye above a ground plane, per distance and `lens_of`
 constexpr double min_clearance = 0.01;          // meters
-constexpr double rounding = 0.1;                // of the clearance: so little is no reason to lift the target
+constexpr double rounding = 0.1;                // share of the clearance; a smaller deficit does not lift the target
 constexpr float far_per_near = 2.0e5f;
-constexpr float widest_aspect = 16.0f / 9.0f; // of a picture; narrower ones show as much to the sides
+constexpr float widest_aspect = 16.0f / 9.0f; // of a view; narrower ones keep this horizontal field of view
 
 } // namespace
 
 float lens_of(const CameraPose& camera) {
-    constexpr float usual_slope = 0.4142136f; // of 45 degrees
+    constexpr float usual_slope = 0.4142136f; // for a field of view of 45 degrees
     return std::min(std::tan(0.5f * camera.vertical_fov) / usual_slope, 1.0f);
 }
 
@@ -39,7 +39,7 @@ void OrbitCamera::set_pose(const CameraPose& pose) {
     const glm::dvec3 offset = pose.position - pose.target;
     const double length = glm::length(offset);
     target_ = pose.target;
-    distance_ = std::clamp(float(length), min_distance, 100.0f * max_distance); // through a long lens
+    distance_ = std::clamp(float(length), min_distance, 100.0f * max_distance); // allows the distance of a long lens
     if (length > 0.0) {
         yaw_ = float(std::atan2(offset.x, offset.z));
         pitch_ = std::clamp(float(std::asin(offset.y / length)), -max_pitch, max_pitch);
@@ -83,7 +83,7 @@ void OrbitCamera::set_parallel(bool on) {
     stay_above();
 }
 
-// Of the eye above a ground: more than the near plane reaches down.
+// Minimum height of the eye above a ground plane, so that the near plane does not cut it.
 double OrbitCamera::clearance() const {
     return std::max(min_clearance, clearance_per_distance * double(distance_) * double(lens_of(pose())));
 }
@@ -99,22 +99,23 @@ double OrbitCamera::height(const Ground& ground, const Position& point) const {
 }
 
 void OrbitCamera::stay_above() {
-    for (const Ground& ground : grounds_) { // the target first: what lies under a ground is not seen from above
+    // The target is raised first, because points under a ground plane cannot be seen from above.
+    for (const Ground& ground : grounds_) {
         const double depth = -height(ground, target_);
         if (depth > 0.0) target_.y += depth / double(ground.normal.y);
     }
     for (const Ground& ground : grounds_) turn_above(ground);
     if (is_parallel_) return;
-    // Where turning about the target is not enough, as in a narrow valley, both rise.
+    // Where orbiting about the target is not enough, as in a narrow valley, the target is raised too.
     for (const Ground& ground : grounds_) {
         const double missing = clearance() - height(ground, position());
         if (missing > rounding * clearance()) target_.y += missing / double(ground.normal.y);
     }
 }
 
-// Lifts the eye by the pitch. Its height above the plane is that of the target and, with the distance as the factor,
-// A cos(pitch) + B sin(pitch) = R cos(pitch - steepest). Parallel rays may be level with a ground, but do not come from
-// below.
+// Raises the eye by increasing the pitch. Its height above the plane, minus that of the target and divided by the
+// distance, is A cos(pitch) + B sin(pitch) = R cos(pitch - steepest). An orthographic camera may look along a ground
+// plane, but not from below it.
 void OrbitCamera::turn_above(const Ground& ground) {
     if (!is_parallel_ && height(ground, position()) >= clearance()) return;
     const double a =

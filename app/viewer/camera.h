@@ -1,6 +1,6 @@
 /// \file camera.h
-/// The orbit camera: it looks at a target from a distance. Positions are double, so that it works far from the
-/// world's origin; what goes to the graphics card is relative to an origin near the target.
+/// The orbit camera: it looks at a target from a distance. Positions are double, for accuracy far from the world
+/// origin; graphics data is relative to an origin near the target.
 #pragma once
 
 #include <cairn/math.h>
@@ -14,18 +14,19 @@
 
 namespace cairn::viewer {
 
-/// Where a camera stands and what it looks at.
+/// The position of a camera and the point that it looks at.
 struct CameraPose {
     Position position{9.0, 6.0, 12.0}; ///< Meters.
     Position target{0.0, 1.0, 0.0};    ///< Meters.
-    float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi, of a picture of 16:9 or wider.
-    /// Its rays are parallel (an orthographic projection): everything is as large as it would be at the distance of the
-    /// target, and what is behind the camera is seen as well.
+    /// Vertical field of view in radians, between 0 and pi, of a picture of 16:9 or wider.
+    float vertical_fov = 0.785398f;
+    /// Orthographic projection: everything appears as large as at the distance of the target, and objects behind the
+    /// camera are visible too.
     bool is_parallel = false;
 };
 
-/// How much nearer a usual lens would be to show as much: 1, or less for a longer one. Sizes that go with the distance
-/// of the camera go with its product with this.
+/// The factor by which a camera with a 45-degree field of view would be nearer to show as much: 1 at 45 degrees or
+/// more, less for a longer lens. Sizes that scale with the camera's distance scale with its product with this factor.
 float lens_of(const CameraPose& camera);
 
 /// A half-line through the world. `direction` has unit length.
@@ -34,40 +35,39 @@ struct Ray {
     Vec3 direction{0.0f, 0.0f, -1.0f};
 };
 
-/// A plane that the eye stays above.
+/// A plane that the camera stays above.
 struct Ground {
-    Position point{0.0, 0.0, 0.0}; ///< Of the plane.
-    Vec3 normal{0.0f, 1.0f, 0.0f}; ///< Unit length, upwards (y > 0).
+    Position point{0.0, 0.0, 0.0}; ///< A point of the plane.
+    Vec3 normal{0.0f, 1.0f, 0.0f}; ///< Unit normal, pointing up (y > 0).
 };
 
 class OrbitCamera {
   public:
     explicit OrbitCamera(const CameraPose& pose = {}) { set_pose(pose); }
 
-    /// Takes over a pose. A position equal to the target is moved back to the least distance.
+    /// Adopts a pose. A position equal to the target is moved back to the minimum distance.
     void set_pose(const CameraPose& pose);
     CameraPose pose() const;
 
-    /// From now on movements end above these planes: the eye slides along them, a little above, and the target stays
-    /// out of them. `set_pose` is taken as it is.
+    /// Limits later movements by these planes: the eye slides along them, slightly above, and the target stays out of
+    /// them. `set_pose` ignores them.
     void set_grounds(std::vector<Ground> grounds) { grounds_ = std::move(grounds); }
 
-    /// Turns about the target, radians: positive `yaw` moves the camera to its right, positive `pitch` upwards.
-    /// The camera stops short of the poles.
+    /// Orbits about the target, radians: positive `yaw` moves the camera to its right, positive `pitch` upward. The
+    /// camera stops short of the poles.
     void orbit(float yaw, float pitch);
     /// Moves closer (positive) or away; one notch changes the distance by a tenth.
     void zoom(float notches);
-    /// Shifts the target sideways and upwards, in units of the height of the picture; `aspect` is its width over
-    /// height.
+    /// Shifts the target sideways and up, in units of the view height; `aspect` is width over height.
     void pan(float right, float up, float aspect);
-    /// Looks along a direction, of which the angles are those of `orbit`.
+    /// Sets the view direction, by the same angles as `orbit`.
     void look(float yaw, float pitch);
-    /// Moves with what is looked at.
+    /// Moves the target, and the camera with it.
     void follow(const Position& target);
-    /// See `CameraPose::is_parallel`. What is at the distance of the target keeps its size.
+    /// See `CameraPose::is_parallel`. Objects at the distance of the target keep their size.
     void set_parallel(bool on);
     bool is_parallel() const noexcept { return is_parallel_; }
-    /// Looks at a ball from the present direction, so that it fills about half of the picture.
+    /// Frames a sphere from the present direction, so that it fills about half of the view.
     void frame(const Position& center, float radius);
 
     Vec3 forward() const;
@@ -78,27 +78,27 @@ class OrbitCamera {
     float distance() const noexcept { return distance_; }
     float vertical_fov() const noexcept { return vertical_fov_; }
 
-    /// A point near the target on a coarse lattice of whole meters, from which drawing measures.
+    /// A point near the target on a coarse lattice of whole meters, used as origin for drawing.
     Position render_origin() const;
     /// From positions relative to `origin` to the camera's frame (right, up, backwards).
     glm::mat4 view(const Position& origin) const;
-    /// Half the height of the picture at a distance of 1. `aspect`, here and below, is width over height: pictures
-    /// narrower than 16:9 show as much to the sides as one of 16:9 does, and more above and below.
+    /// Half the height of the view at a distance of 1. `aspect`, here and below, is width over height: views narrower
+    /// than 16:9 show as much horizontally as one of 16:9 does, and more vertically.
     float half_height(float aspect) const;
-    /// The distance that the size of a point's surroundings in the picture goes with: its depth, or where rays are
-    /// parallel that of the target. At least a centimeter.
+    /// The distance that determines the apparent size of objects at a point: the point's depth, or with an orthographic
+    /// projection the distance of the target. At least a centimeter.
     float scale_at(const Position& point) const;
     /// Perspective or orthographic.
     glm::mat4 projection(float aspect) const;
 
-    /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive), from the eye,
-    /// or where rays are parallel from the plane of the eye.
+    /// The ray through a point of the view in normalized device coordinates (-1..1, up is positive), from the eye, or
+    /// with an orthographic projection from the plane of the eye.
     Ray cursor_ray(const glm::vec2& device, float aspect) const;
-    /// The same, so far back that it meets all that is seen there.
+    /// The cursor ray, started so far back that it meets everything visible there.
     Ray pick_ray(const glm::vec2& device, float aspect) const;
-    /// How far behind the eye something is still seen, meters.
+    /// How far behind the eye objects are still visible, meters.
     double reach_behind() const;
-    /// Where a point appears, in normalized device coordinates; nothing if it is behind the eye of a perspective.
+    /// Projects a point to normalized device coordinates; empty if it is behind the eye of a perspective camera.
     std::optional<glm::vec2> project(const Position& point, float aspect) const;
 
   private:
@@ -109,7 +109,7 @@ class OrbitCamera {
 
     std::vector<Ground> grounds_;
     Position target_{0.0, 0.0, 0.0};
-    float yaw_ = 0.0f;   // about +Y, 0 looks along -Z
+    float yaw_ = 0.0f;   // about +Y; 0 looks along -Z
     float pitch_ = 0.0f; // above the horizon
     float distance_ = 10.0f;
     float vertical_fov_ = 0.785398f;

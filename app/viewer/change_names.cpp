@@ -14,7 +14,7 @@ struct Names {
     std::optional<NamedChange> operator()(const command::RemoveLast&) const { return NamedChange{"remove a body"}; }
     std::optional<NamedChange> operator()(const command::RemoveSelected&) const { return NamedChange{"remove a body"}; }
     std::optional<NamedChange> operator()(const command::SetForce& force) const {
-        // Letting go ends the change that began with the key.
+        // Releasing the key ends the change that began when it was pressed.
         return NamedChange{"push", force.acceleration == Vec3(0.0f) ? Merge::always : Merge::soon};
     }
     std::optional<NamedChange> operator()(const command::SetPull& pull) const {

@@ -1,5 +1,5 @@
 /// \file change_names.h
-/// What the changes of a world are called, for undoing them by name.
+/// Names of the changes of a world, for undo and redo.
 #pragma once
 
 #include "viewer/commands.h"
@@ -14,7 +14,7 @@ struct NamedChange {
     std::string name;
     Timeline::Merge merge = Timeline::Merge::never;
 };
-/// None for what does not change the world, but where it stands in time or what is shown of it.
+/// Empty for commands that do not change the world, but only the displayed step or the display.
 std::optional<NamedChange> change_of(const Command& command);
 
 } // namespace cairn::viewer

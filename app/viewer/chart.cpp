@@ -30,7 +30,7 @@ ChartAxis fit(const Chart& chart, bool along_x) {
     }
     if (!along_x && chart.top) high = std::min(high, *chart.top);
     if (!(low <= high)) low = 0.0, high = 1.0;
-    if (high - low < 1e-9 * std::max(1.0, std::abs(high))) { // a constant
+    if (high - low < 1e-9 * std::max(1.0, std::abs(high))) { // a constant curve
         const double around = axis.is_log ? 0.5 : std::max(0.5, 0.1 * std::abs(high));
         low -= around, high += around;
     }
@@ -41,7 +41,7 @@ ChartAxis fit(const Chart& chart, bool along_x) {
     return axis;
 }
 
-// Powers of ten without signs and zeros that say nothing: 1e6, 1e-9.
+// Omits the plus sign and leading zeros of exponents: 1e6, 1e-9.
 std::string tick_label(double value, int digits) {
     std::string text = number(value, digits);
     const std::size_t e = text.find('e');
@@ -72,7 +72,7 @@ std::vector<ChartTick> ticks_of(const ChartAxis& axis, int wanted) {
             ticks.push_back({value, power % every == 0 ? tick_label(value, 3) : std::string()});
         }
         if (ticks.size() >= 2) return ticks;
-        ticks.clear(); // less than a decade: at round values, as on any axis
+        ticks.clear(); // less than a decade: round values as on a linear axis
         for (const double share : {0.1, 0.5, 0.9}) {
             const double value = axis.value(share);
             const double unit = std::pow(10.0, std::floor(std::log10(value)));

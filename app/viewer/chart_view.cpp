@@ -12,7 +12,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// Where a chart's axes are on the screen.
+// The axes of a chart with their place on the screen.
 struct Frame {
     ChartAxis x, y;
     ImVec2 low, high; // lower left and upper right corner
@@ -81,7 +81,7 @@ void draw_curve(const Curve& curve, const Frame& frame, const Chart& chart) {
             continue;
         }
         const ImVec2 point = frame.at(curve.x[i], curve.y[i]);
-        // No more points than pixels; the last one counts.
+        // Points less than half a pixel apart are skipped, except the last one.
         const bool is_near = !stroke.empty() && std::abs(point.x - stroke.back().x) < 0.5f &&
                              std::abs(point.y - stroke.back().y) < 0.5f && i + 1 < curve.x.size();
         if (!is_near) stroke.push_back(point);
@@ -123,7 +123,7 @@ unsigned int chart_ink(std::uint32_t rgb, int alpha) {
 unsigned int word_ink(std::uint32_t rgb) {
     const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const auto mixed = [](std::uint32_t part, float word) {
-        constexpr float share = 0.6f; // of the color
+        constexpr float share = 0.6f; // share of the given color
         return share * float(part & 255) / 255.0f + (1.0f - share) * word;
     };
     return ImGui::ColorConvertFloat4ToU32(

@@ -14,7 +14,7 @@ struct ActionName {
     const char* name;
 };
 
-// What lasts as long as a key is held, and moves of the camera that a key repeats, are left to their keys.
+// Without actions that last as long as a key is held, and camera movements that repeat with a key.
 constexpr ActionName names[] = {
     {Action::toggle_pause, "pause or go on"},
     {Action::single_step, "one step"},
@@ -79,7 +79,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// The lower the better; nothing where it does not match.
+// Match quality, lower is better; empty if there is no match.
 std::optional<std::size_t> rank(const std::string& name, const std::string& query) {
     const std::size_t found = name.find(query);
     if (found != std::string::npos) return found == 0 || name[found - 1] == ' ' ? found : 100 + found;

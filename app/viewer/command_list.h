@@ -1,5 +1,5 @@
 /// \file command_list.h
-/// All that one can do, by name: what the list behind Ctrl+P searches.
+/// All user commands by name: the entries of the command palette (Ctrl+P).
 #pragma once
 
 #include "viewer/controller.h"
@@ -14,15 +14,15 @@ namespace cairn::viewer {
 
 struct NamedCommand {
     std::string name;
-    std::string keys; ///< That do the same; may be empty.
+    std::string keys; ///< Keys that perform the same command; may be empty.
     std::function<void(Controller&)> run;
 };
 
-/// Commands of keys, scenes, colors, windows, and what can be shown.
+/// Commands for keys, scenes, colors, windows, and display options.
 std::vector<NamedCommand> all_commands(const Controller& controller);
 
-/// Indices of the commands whose names have the letters of `query` in their order, whatever lies between and however
-/// they are written; the best first: those that have it in one piece, at the start of a word.
+/// Indices of the commands whose names contain the letters of `query` in order, in any case and with any characters
+/// between; best match first: contiguous matches, at the start of a word.
 std::vector<std::size_t> matching(std::span<const NamedCommand> commands, std::string_view query);
 
 } // namespace cairn::viewer

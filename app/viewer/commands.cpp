@@ -20,7 +20,7 @@ std::vector<Command> CommandQueue::take() {
 }
 
 void CommandQueue::wait(double seconds) {
-    constexpr double longest_wait = 3600.0; // condition variables do not take infinity
+    constexpr double longest_wait = 3600.0; // s; condition variables do not accept infinity
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, std::chrono::duration<double>(std::clamp(seconds, 0.0, longest_wait)),
                       [this] { return !commands_.empty() || closed_; });

@@ -1,6 +1,6 @@
 /// \file commands.h
-/// Everything that a person can do to the simulation, as data. Commands are queued by the window and carried out by
-/// the physics thread between two steps, in the order in which they were given.
+/// Every action of the user on the simulation, as data. The window queues commands; the physics thread executes them
+/// between two steps, in order.
 #pragma once
 
 #include "viewer/drag.h"
@@ -19,34 +19,35 @@
 
 namespace cairn::viewer::command {
 
-/// Loads a scene; on failure the present one stays, and a message says why.
+/// Loads a scene; on failure the present scene stays, and a message gives the reason.
 struct LoadScene {
     std::string path;
 };
-/// Loads the present scene again.
+/// Reloads the present scene.
 struct ResetScene {};
-/// Adds a body above the middle of the view, or wherever there is room above that.
+/// Adds a body above the middle of the view, at the lowest free place there.
 struct Spawn {
     SpawnSettings settings;
     Position position{0.0, 3.0, 0.0};
 };
-/// Adds a body in front of the camera that flies to where the ray meets something; else along the ray.
+/// Adds a body in front of the camera with a velocity that takes it to the ray's first hit, or along the ray if there
+/// is none.
 struct Shoot {
     SpawnSettings settings;
     Ray ray;
 };
-/// Removes the dynamic body that was added last, the scene's own after those added by hand.
+/// Removes the dynamic body that was added last; bodies of the scene itself only after all bodies added by hand.
 struct RemoveLast {};
 struct RemoveSelected {};
-/// A uniform acceleration on every dynamic body, m/s^2; zero ends it.
+/// A uniform acceleration of every dynamic body, m/s^2; zero ends it.
 struct SetForce {
     Vec3 acceleration{0.0f, 0.0f, 0.0f};
 };
-/// Pulls every dynamic body to the origin of the world while on.
+/// While on, pulls every dynamic body toward the world origin.
 struct SetPull {
     bool on = false;
 };
-/// Holds every body still while on: all velocities are zero before every step.
+/// While on, keeps every body still: all velocities are zeroed before every step.
 struct SetFreeze {
     bool on = false;
 };
@@ -55,40 +56,41 @@ struct SetPaused {
 };
 struct TogglePause {};
 struct SingleStep {};
-/// Doubles or halves the speed that many times.
+/// Doubles (positive) or halves (negative) the speed that many times.
 struct ChangeSpeed {
     int doublings = 0;
 };
 struct SetSpeed {
     double speed = 1.0;
 };
-/// Goes to the moment after so many steps, within what is known; pauses.
+/// Goes to the state after `step` steps, within the known part of the run; pauses.
 struct SeekTo {
     std::uint64_t step = 0;
 };
 struct StepBack {};
-/// Lets time run backwards; a second one stops it.
+/// Plays time backwards; a second command stops it.
 struct PlayBackwards {};
 struct Undo {};
 struct Redo {};
-/// Branches off: what is known stays as another run beside this one, which goes on from now by itself. A run that there
-/// is already beside it ends.
+/// Branches off: the known future becomes a second run beside this one, which continues from the present step
+/// independently. An existing second run ends.
 struct BranchOff {};
-/// The run beside it becomes the one that commands change, and this one that beside it.
+/// Swaps the runs: commands then change the second run, and the present run is shown beside it.
 struct ExchangeRuns {};
 struct EndOtherRun {};
-/// The same scene with these settings beside the run, at most three; those that there are and stay go on. The others go
-/// on from the moment at which the first of all began.
+/// Shows up to three panes beside the run: the same scene with other settings. Existing panes whose settings stay the
+/// same continue; new panes start from the moment at which the first pane began.
 struct SetPanes {
     std::vector<PaneSettings> panes;
 };
-/// Of a body, the last impact before now with another; a null `partner`: with whatever it was. Null: none.
+/// Explains the last impact of `body` before the present step with `partner`; null `partner`: with any body. Null
+/// `body`: none.
 struct ExplainImpact {
     BodyId body, partner;
 };
-/// Shows that impact in slow motion, and pauses after it.
+/// Replays the explained impact in slow motion, and pauses after it.
 struct WatchImpact {};
-/// Saves the last seconds as a recording, looked at from there.
+/// Saves the last `seconds` of the run as a recording, with `camera` as its view.
 struct SaveRecording {
     std::string path;
     double seconds = 30.0;
@@ -97,7 +99,7 @@ struct SaveRecording {
 struct SetSettings {
     WorldDef settings;
 };
-/// Force fields of the scene, not those that are held keys.
+/// Force fields of the scene, not those that exist while a key is held.
 struct AddField {
     ForceField field;
 };
@@ -108,38 +110,38 @@ struct SetField {
 struct RemoveField {
     ForceFieldId id;
 };
-/// Selects the dynamic body that the ray meets first and grabs it there. The answer appears in `Grab` with the same
-/// `serial`.
+/// Selects the first dynamic body that the ray meets and grabs it at the hit point. The answer appears in `Grab` with
+/// the same `serial`.
 struct GrabBody {
     Ray ray;
     std::uint64_t serial = 0;
 };
-/// Where the grabbed point should go.
+/// Sets the world position that the grabbed point is pulled toward.
 struct MoveGrab {
     Position target{0.0, 0.0, 0.0};
 };
-/// `click`: the cursor did not move since the grab; a click beside all bodies selects nothing, unless it was on what
-/// belongs to a group. `adds`: a click adds the body that the ray met to those selected before, with its group, or
-/// takes it away from them. `framed`: bodies in the frame that the cursor spanned, if it did; they are added to those
-/// selected, with their groups, unless the ray met a body that was pulled.
+/// Ends a grab. `click`: the cursor did not move since the grab; a click beside all dynamic bodies selects a finite
+/// body that does not move, or else clears the selection. `adds`: the click toggles the body that the ray met, with its
+/// group, in the previous selection. `framed`: bodies in the rectangle that the cursor spanned, if it spanned one; they
+/// and their groups are added to the selection, unless the ray met a body that was dragged.
 struct ReleaseGrab {
     bool click = false, adds = false;
     std::optional<std::vector<BodyId>> framed{};
 };
 struct SelectNothing {};
-/// What `MakeJoint` makes.
+/// The kind of joint that `MakeJoint` creates.
 enum class JoinKind { ball, hinge, fixed };
-/// Joins the body that the ray meets first to the selected one, at the point that it meets; a hinge turns about the
-/// surface's normal there. Without another selected body the joint is with the world.
+/// Joins the first body that the ray meets to the selected body, at the hit point; the axis of a hinge is the surface
+/// normal there. Without another selected body, the joint attaches to the world.
 struct MakeJoint {
     Ray ray;
     JoinKind kind = JoinKind::ball;
 };
-/// Null: none.
+/// Selects a joint; null: none.
 struct SelectJoint {
     JointId joint;
 };
-/// Changes limits, motors, springs ... of a joint.
+/// Changes limits, motors, springs and other parameters of a joint.
 struct SetJoint {
     JointId joint;
     Joint values;
@@ -159,19 +161,19 @@ struct SetJointSolver {
 struct RemoveJoint {
     JointId joint;
 };
-/// Shows a line to the person at the screen.
+/// Shows a line of text to the user.
 struct Say {
     std::string text;
 };
-/// Islands cost time to find, so they are found only while they are shown.
+/// Finding islands costs time, so it is done only while islands are shown.
 struct ShowIslands {
     bool on = false;
 };
-/// What the solver sees costs time, too.
+/// Copying the solver's data costs time, so it is done only while some of it is shown.
 struct ShowSolver {
     SolverShown shown;
 };
-/// Null: none.
+/// Selects a body; null: none.
 struct SelectBody {
     BodyId body;
 };
@@ -179,24 +181,25 @@ struct EditBody {
     BodyId body;
     BodyEdit edit;
 };
-/// Of several bodies, in that order; it is undone as one. Where one cannot be changed, none is, and a message says why.
+/// Edits several bodies in order, as one undoable change. If one edit fails, none is made, and a message gives the
+/// reason.
 struct EditBodies {
     std::vector<std::pair<BodyId, BodyEdit>> edits;
 };
-/// From now on a click on one of the selected bodies selects them all.
+/// Groups the selected bodies: a click on one of them selects all.
 struct GroupSelected {};
-/// Ends the groups of the selected bodies.
+/// Dissolves the groups of the selected bodies.
 struct UngroupSelected {};
-/// The next change is not one with the last, though it be of the same kind.
+/// Ends the current undoable change, so that a following edit of the same kind is not merged with it.
 struct EndChange {};
-/// Copies beside the selected bodies, which become the selected ones, joined as they are among each other.
+/// Copies the selected bodies and the joints between them, beside the originals; the copies become the selection.
 struct DuplicateSelected {};
-/// Saves the world as it stands as a scene, looked at from there.
+/// Saves the present state of the world as a scene, with `camera` as its view.
 struct SaveScene {
     std::string path;
     CameraPose camera;
 };
-/// Samples for plots cost time, too.
+/// Taking samples for plots costs time, so it is done only while on.
 struct TakeSamples {
     bool on = false;
 };
@@ -219,15 +222,15 @@ using Command =
                  command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
                  command::SetJointEnabled, command::SetJointSolver, command::RemoveJoint>;
 
-/// A queue that many threads may fill and one empties.
+/// A queue with many producers and one consumer.
 class CommandQueue {
   public:
     void push(Command command);
-    /// Takes all that is queued, first come first; does not wait.
+    /// Takes all queued commands in order, without waiting.
     std::vector<Command> take();
-    /// Waits until something is queued, `close` was called, or that many seconds have passed.
+    /// Waits until a command is queued, `close` is called, or that many seconds have passed.
     void wait(double seconds);
-    /// Wakes the waiting thread for good: later waits return at once.
+    /// Wakes the waiting thread permanently: later waits return at once.
     void close();
     bool closed() const;
 

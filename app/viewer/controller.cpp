@@ -14,9 +14,9 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
-constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
-constexpr float joint_slack = 0.02f;      // likewise: this near an anchor a click is on the joint
+constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the view
+constexpr float click_slack = 0.01f;      // share of the view's height; a shorter movement is a click
+constexpr float joint_slack = 0.02f;      // share of the view's height; a click this near an anchor hits the joint
 constexpr float spawn_height = 0.3f;      // above the target, in camera distances
 
 } // namespace
@@ -110,7 +110,8 @@ void Controller::perform_on_body(Action action) {
         post_(command::Spawn{preset_of(SpawnSettings::Kind::cone), above});
         break;
     case Action::add_polyhedron:
-        polyhedra_ = polyhedra_ * 1664525u + 1013904223u; // Numerical Recipes' generator; its upper bits are good
+        // Linear congruential generator of Numerical Recipes; only its upper bits are good.
+        polyhedra_ = polyhedra_ * 1664525u + 1013904223u;
         post_(command::Spawn{preset_of(polyhedron_kinds[(polyhedra_ >> 16) % std::size(polyhedron_kinds)]), above});
         break;
     case Action::shoot:
@@ -162,8 +163,8 @@ bool Controller::perform_on_joint(Action action) {
     }
 }
 
-// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints it is not
-// shown.
+// The shown joint with the anchor nearest to the cursor, within `joint_slack`; null if there is none, or if the picture
+// shows no joints.
 JointId Controller::joint_under_cursor() const {
     JointId nearest;
     if (!state_.current || !state_.current->joints) return nearest;
@@ -309,7 +310,7 @@ void Controller::perform(const Binding& binding) {
 }
 
 void Controller::move_cursor(const glm::vec2& device, float aspect) {
-    const glm::vec2 moved = (device - cursor_) * 0.5f; // in pictures
+    const glm::vec2 moved = (device - cursor_) * 0.5f; // in view sizes
     cursor_ = device;
     aspect_ = aspect;
     if (drag_ == Drag::orbit) camera.orbit(-moved.x * aspect * orbit_per_picture, -moved.y * orbit_per_picture);
@@ -344,7 +345,7 @@ void Controller::button_up(MouseButton button) {
     }
     if (button != MouseButton::left) return;
     command::ReleaseGrab release{is_click(), constraint_ == DragConstraint::vertical}; // Shift
-    // Where the answer to the grab is not there yet, the stage knows whether a body was pulled.
+    // While the answer to the grab is still pending, only the stage knows whether a body is dragged.
     if (!release.click && (was == Drag::frame || (was == Drag::asked && spans_frame_)))
         release.framed = framed_bodies();
     post_(release);
@@ -374,7 +375,8 @@ void Controller::drop_files(std::span<const std::string> paths) {
             if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
         return std::find(file_types_.begin(), file_types_.end(), type) != file_types_.end();
     };
-    const auto found = std::find_if(paths.begin(), paths.end(), is_scene); // textures and buffers may come along
+    // A dropped set may include textures and buffers.
+    const auto found = std::find_if(paths.begin(), paths.end(), is_scene);
     if (found != paths.end()) return post_(command::LoadScene{*found});
     std::string types;
     for (const std::string& type : file_types_) types += (types.empty() ? "" : ", ") + type;
@@ -391,7 +393,7 @@ void Controller::update(const StageState& state) {
         find_grounds(state);
         framed_path_ = state.path;
         scene_serial_ = state.scene_serial;
-        force_ = Vec3(0.0f); // the new world has none of the held effects yet
+        force_ = Vec3(0.0f); // the new world has none of the held forces yet
         pulling_ = freezing_ = false;
         update_held();
     }
@@ -402,7 +404,7 @@ void Controller::update(const StageState& state) {
         drag_start_ = state.grab.start;
     }
     if (drag_ != Drag::body) return;
-    if (!state.grab.holding) { // the body is gone
+    if (!state.grab.holding) { // the body was removed
         drag_ = Drag::none;
         return;
     }
@@ -426,7 +428,7 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     std::sort(options.selection.begin(), options.selection.end());
     options.joints = joints;
     options.selected_joint = state.selected_joint;
-    // To where the cursor is now: the stage may still have its place of some steps ago.
+    // The drag line ends at the present cursor target, because the stage's target may be several steps old.
     if (drag_ == Drag::body && state.grab.holding)
         options.drag = DragLine{state.grab.body, state.grab.local_point, drag_target_};
     return options;

@@ -1,4 +1,4 @@
-// What the controller does with the camera, and with the handles of what is selected.
+// Camera actions of the controller, and its handling of the gizmo.
 #include "viewer/controller.h"
 
 #include <glm/geometric.hpp>
@@ -10,7 +10,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float orbit_per_key = 0.06f;     // radians
-constexpr float least_ground_slope = 0.3f; // of its normal's height: a steeper plane is a wall
+constexpr float least_ground_slope = 0.3f; // vertical component of the unit normal; a steeper plane is a wall
 
 } // namespace
 
@@ -70,7 +70,7 @@ bool Controller::perform_on_camera(Action action) {
     }
 }
 
-// Parallel rays that the user chose stay from scene to scene; those of a scene end with it.
+// An orthographic projection that the user chose persists across scenes; one from a scene ends with it.
 void Controller::take_scene_view(const StageState& state) {
     CameraPose pose = state.scene_camera;
     pose.is_parallel = pose.is_parallel || wants_parallel_;
@@ -85,8 +85,8 @@ void Controller::follow_selected(const StageState& state) {
     if (body != bodies.end()) camera.follow(state.current->transforms[std::size_t(body - bodies.begin())].position);
 }
 
-// The infinite planes that one could stand on. Walls are none of them, and neither is what the scene itself looks at
-// from below.
+// Collects the infinite static planes that limit the camera. Walls are left out, and so are planes that the scene's own
+// camera views from below.
 void Controller::find_grounds(const StageState& state) {
     std::vector<Ground> grounds;
     for (const ShapeLayout& shape : state.layout->shapes) {
@@ -96,7 +96,7 @@ void Controller::find_grounds(const StageState& state) {
         const Ground ground{body.position + Position(body.rotation * shape.position),
                             body.rotation * shape.rotation * Vec3(0.0f, 1.0f, 0.0f)};
         const CameraPose& view = state.scene_camera;
-        // Where on its axis a camera with parallel rays stands says nothing.
+        // The position of an orthographic camera along its axis is arbitrary, so its viewing direction decides.
         const double above = view.is_parallel ? glm::dot(view.position - view.target, Position(ground.normal))
                                               : glm::dot(view.position - ground.point, Position(ground.normal));
         if (ground.normal.y < least_ground_slope || above <= 0.0) continue;
@@ -120,7 +120,7 @@ bool Controller::take_handle() {
     return true;
 }
 
-// Every frame, so that the body stays there while it is held.
+// Called every frame, so that the body stays at the handle's position while it is held.
 void Controller::drag_handle() {
     const auto edit = gizmo.drag(camera, cursor_, aspect_);
     if (!edit || held_bodies_.empty()) return;

@@ -1,5 +1,5 @@
 /// \file culling.h
-/// Which parts of a large mesh a picture can show.
+/// Frustum culling of the parts of a large mesh.
 #pragma once
 
 #include "viewer/render_frame.h"
@@ -14,8 +14,8 @@
 
 namespace cairn::viewer {
 
-/// The four planes through the sides of a picture: x, y and z of a plane point inwards, with unit length. What lies
-/// behind the eye lies outside of one of them too.
+/// The four side planes of the view frustum: x, y and z of a plane are its inward unit normal. Points behind the eye
+/// lie outside at least one of them.
 using SidePlanes = std::array<glm::vec4, 4>;
 SidePlanes side_planes(const glm::mat4& clip_from_world);
 
@@ -24,8 +24,8 @@ struct IndexRange {
     std::size_t first = 0, count = 0;
 };
 
-/// The parts of a mesh that may be seen of any of its instances, in order, neighbors joined. A few that are not seen
-/// may be among them.
+/// The parts of a mesh that may be visible in any of its instances, in order, with adjacent ranges merged.
+/// Conservative: a few invisible parts may be included.
 std::vector<IndexRange> visible_ranges(const ShapeMesh& mesh, std::span<const Instance> instances,
                                        const SidePlanes& planes);
 

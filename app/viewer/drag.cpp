@@ -15,9 +15,9 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
                      double max_distance) {
     Vec3 normal = forward;
     if (constraint == DragConstraint::ground) normal = {0.0f, 1.0f, 0.0f};
-    if (constraint == DragConstraint::vertical) { // the upright plane that faces the camera best
+    if (constraint == DragConstraint::vertical) { // the vertical plane most nearly perpendicular to the view direction
         normal = {forward.x, 0.0f, forward.z};
-        if (glm::dot(normal, normal) < 1e-8f) return grabbed; // looking straight down shows no height
+        if (glm::dot(normal, normal) < 1e-8f) return grabbed; // looking straight down, the cursor determines no height
         normal = glm::normalize(normal);
     }
     const double approach = glm::dot(glm::dvec3(cursor.direction), glm::dvec3(normal));
@@ -32,9 +32,9 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
 
 namespace {
 
-constexpr float max_load = 100.0f; // of the body's own mass: a lever must not be torn off the machine it belongs to
+constexpr float max_load = 100.0f; // times the body's own mass; keeps a lever from being torn off its machine
 
-// The mass of the dynamic bodies that are joined to a body, directly or through others, without its own.
+// Total mass of the dynamic bodies that are connected to a body by joints, directly or indirectly, without its own.
 float mass_joined_to(const World& world, BodyId body) {
     std::vector<BodyId> found{body};
     std::unordered_set<BodyId> known{body};
@@ -61,16 +61,16 @@ JointDef drag_joint(const World& world, BodyId body_id, const Vec3& local_point,
     def.body_b = body_id;
     def.frame_a.position = pose.position + Position(pose.rotation * local_point);
     def.frame_b.position = Position(local_point);
-    def.enable_collision = true; // with what belongs to the world: nothing is let through
+    def.enable_collision = true; // the dragged body still collides with static geometry
     ServoJoint servo;
     servo.linear = JointSpring::from_frequency(spring.frequency, 1.0f);
-    if (std::isfinite(mass) && std::isfinite(load)) { // the engine scales by the mass of the body alone
+    if (std::isfinite(mass) && std::isfinite(load)) { // the engine scales springs only by the mass of the body itself
         servo.linear.stiffness *= 1.0f + load / mass;
         servo.linear.damping *= 1.0f + load / mass;
     }
     servo.max_force = spring.max_acceleration * mass + spring.max_lift * load;
-    // The body turns about the grabbed point, so the inertia about it counts (Steiner's theorem); the joint scales by
-    // that about the center of mass.
+    // The body rotates about the grabbed point, so its inertia about that point is needed (parallel axis theorem),
+    // whereas the joint scales by the inertia about the center of mass.
     const Vec3 arm(def.frame_a.position - body.center_of_mass());
     const Mat3 inertia = body.world_inertia();
     const float trace = inertia[0][0] + inertia[1][1] + inertia[2][2];

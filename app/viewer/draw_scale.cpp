@@ -18,7 +18,8 @@ void DrawScale::count_frame(double seconds) {
     if (mean > wanted && level_ + 1 < levels.size()) {
         change(level_ + 1);
     } else if (level_ > 0) {
-        // At most as many times as long as there are more pixels: it will not have to be taken back.
+        // The cost of a frame grows at most in proportion to its pixels, so the larger scale will not have to be
+        // reverted.
         const double more = static_cast<double>(levels[level_ - 1] / levels[level_]);
         if (mean * more * more < wanted) change(level_ - 1);
     }

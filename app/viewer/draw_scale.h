@@ -1,6 +1,6 @@
 /// \file draw_scale.h
-/// Where the processor draws, a picture of fewer pixels is better than one that jerks: chooses the share of the
-/// window's pixels, each way, that frames are drawn with.
+/// Chooses the fraction of the window's resolution, in each dimension, at which frames are drawn: with software
+/// rendering, a picture of fewer pixels is preferred to a low frame rate.
 #pragma once
 
 #include <array>
@@ -10,16 +10,17 @@ namespace cairn::viewer {
 
 class DrawScale {
   public:
-    /// Longest time of a frame that is good enough, s.
+    /// Longest acceptable frame time, s.
     static constexpr double wanted = 1.0 / 30.0;
 
     float value() const noexcept { return levels[level_]; }
-    /// A frame took so long, s.
+    /// Reports the time of a frame, s.
     void count_frame(double seconds);
 
   private:
     static constexpr std::array<float, 3> levels{1.0f, 0.75f, 0.5f};
-    static constexpr int frames = 10; // that a choice is made from; the first after a change is not among them
+    // Number of frames that a choice is based on; the first frame after a change is skipped.
+    static constexpr int frames = 10;
 
     void change(std::size_t level);
 

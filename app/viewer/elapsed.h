@@ -1,5 +1,5 @@
 /// \file elapsed.h
-/// Real time that has passed.
+/// Elapsed real time.
 #pragma once
 
 #include <chrono>

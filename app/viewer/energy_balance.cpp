@@ -17,7 +17,7 @@ double energy_of(const World& world, const Body& body) {
                                        glm::dot(glm::dvec3(world.settings().gravity), body.center_of_mass());
 }
 
-// Where friction acts: the middle of the points, by how hard each is pressed.
+// The friction center: the mean of the contact points, weighted by normal impulse.
 Position middle_of(const Contact& contact, float& normal_impulse) {
     Position sum(0.0);
     normal_impulse = 0.0f;
@@ -30,9 +30,9 @@ Position middle_of(const Contact& contact, float& normal_impulse) {
 
 } // namespace
 
-// What one body was given in a step, as far as it is known by what.
+// The impulse and work on one body in a step, as far as their causes are known.
 struct EnergyBalance::Work {
-    glm::dvec3 impulse{0.0, 0.0, 0.0};                  // N s, of contacts and joints
+    glm::dvec3 impulse{0.0, 0.0, 0.0};                  // N s, from contacts and joints
     double friction = 0.0, joints = 0.0, scenery = 0.0; // J
     bool touches = false, is_hit = false;
 };
@@ -78,7 +78,7 @@ void EnergyBalance::add_contact(const World& world, const Contact& contact, std:
     for (int i = 0; i < 2; ++i) {
         const Body body = world.body(bodies[i]);
         velocities[i] = mean_velocity(world, bodies[i], middle);
-        if (!can_be_pushed(body)) // the surface of a conveyor moves, its body does not
+        if (!can_be_pushed(body)) // a conveyor's surface moves although its body does not
             velocities[i] += glm::dvec3(
                 body.rotation() * (world.shape_def(shapes[i]).rotation * world.shape_def(shapes[i]).surface_velocity));
     }
@@ -123,7 +123,7 @@ EnergyFlow EnergyBalance::after_step(const World& world, double step_length, dou
     flow.brought_in = energy_ - previous;
     for (const Contact& contact : world.contacts()) add_contact(world, contact, works, flow);
     for (const JointId id : world.joints()) add_joint(world, id, step_length, works, flow);
-    // What was hit may have left again, and then no contact tells of the impulse.
+    // After a collision the bodies may already have separated, and then no contact has the impulse.
     const auto hit = [&](BodyId id) {
         if (known(id)) works[id.index()].touches = works[id.index()].is_hit = true;
     };

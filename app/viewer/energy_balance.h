@@ -1,10 +1,10 @@
 /// \file energy_balance.h
-/// Where the energy of a world goes: to friction, into impacts, and what comes from outside.
+/// The energy balance of a world: losses to friction and in impacts, and energy from outside.
 ///
 /// The work of a force over a step is its impulse times the mean of the velocities before and after, which is exact for
-/// whatever acts evenly. So friction, joints and fields are taken from their own impulses. What else the bodies that
-/// touch something lose in a step is counted as lost in impacts: an impact lies somewhere within its step, so the mean
-/// velocity tells nothing of it.
+/// forces that are constant over the step. The work of friction, joints and force fields is thus computed from their
+/// impulses. The remaining energy loss of touching bodies in a step is attributed to impacts, whose work cannot be
+/// computed this way: an impact occurs at some time within its step, so that the mean velocity says nothing about it.
 #pragma once
 
 #include <cairn/world.h>
@@ -14,19 +14,20 @@
 
 namespace cairn::viewer {
 
-/// J, of one step or summed up over many.
+/// Energies in J, of one step or accumulated over many.
 struct EnergyFlow {
-    double friction = 0.0; ///< Lost where surfaces slide on each other.
-    double impacts = 0.0;  ///< Lost by bodies that touch something, but for friction.
-    double brought_in =
-        0.0; ///< By joints, force fields, damping, moving scenery, and changes between steps; may be < 0.
+    double friction = 0.0; ///< Loss by sliding friction.
+    double impacts = 0.0;  ///< Loss of bodies that touch something, except by friction.
+    /// Work of joints, force fields, damping, moving scenery, and changes between steps; may be < 0.
+    double brought_in = 0.0;
 };
 
 class EnergyBalance {
   public:
-    /// To be called right before each step.
+    /// To be called directly before each step.
     void before_step(const World& world);
-    /// Right after it: its flow. `previous`: the total energy after the step before, J.
+    /// To be called directly after the step: returns its energy flow. `previous`: the total energy after the preceding
+    /// step, J.
     EnergyFlow after_step(const World& world, double step_length, double previous) const;
 
   private:
@@ -43,8 +44,8 @@ class EnergyBalance {
     void add_joint(const World& world, JointId joint, double step_length, std::vector<Work>& works,
                    EnergyFlow& flow) const;
 
-    std::vector<Before> bodies_; // by the index of their slots
-    double energy_ = 0.0;        // J, of all
+    std::vector<Before> bodies_; // by slot index
+    double energy_ = 0.0;        // J, of all bodies
 };
 
 } // namespace cairn::viewer

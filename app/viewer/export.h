@@ -1,5 +1,5 @@
 /// \file export.h
-/// Files that the interface asks the window to write: it knows where to, and tells what came of it.
+/// Files that the interface asks the window to write: the window chooses the folder and reports the result.
 #pragma once
 
 #include "viewer/chart.h"
@@ -9,12 +9,12 @@
 
 namespace cairn::viewer {
 
-/// A chart as the text of an SVG picture.
+/// Converts a chart to the text of an SVG picture.
 using SvgOfChart = std::function<std::string(const Chart&)>;
 
 struct Export {
-    std::string name;      ///< Of the file, without its folder; where there is one already, a number is added.
-    std::string extension; ///< With its point.
+    std::string name;      ///< File name without folder; a number is added if the file exists.
+    std::string extension; ///< With its dot.
     std::string text;
 };
 

@@ -12,7 +12,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// As fields may have them, in that order.
+// The exponents that `ForceField` allows, in the order of their names.
 constexpr std::array exponents{-2.0f, -1.0f, 0.0f, 1.0f};
 constexpr std::array exponent_names{"as 1 / distance^2", "as 1 / distance", "the same anywhere", "as the distance"};
 
@@ -47,7 +47,7 @@ bool draw_fluid(ForceField& field) {
 
 } // namespace
 
-// Whether it was changed.
+// Returns whether the field was changed.
 bool FieldPanel::draw_field(Controller& controller, std::size_t index, bool& is_removed) {
     ForceField& field = fields_[index].second;
     const std::string place = "field." + std::to_string(index);

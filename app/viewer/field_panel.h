@@ -1,5 +1,5 @@
 /// \file field_panel.h
-/// The part of the panel that lists the force fields of a scene, and changes them.
+/// The part of the panel that lists and edits the force fields of a scene.
 #pragma once
 
 #include "viewer/controller.h"
@@ -14,7 +14,7 @@ class FieldPanel {
   private:
     bool draw_field(Controller& controller, std::size_t index, bool& is_removed);
 
-    std::vector<std::pair<ForceFieldId, ForceField>> fields_; // follow the world while none is being edited
+    std::vector<std::pair<ForceFieldId, ForceField>> fields_; // synchronized with the world while no widget is active
 };
 
 } // namespace cairn::viewer

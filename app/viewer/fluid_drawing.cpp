@@ -27,7 +27,7 @@ std::vector<FluidLayout> read_fluids(const World& world) {
 
 void draw_fluids(RenderFrame& frame, const WorldMotion& motion) {
     for (const FluidLayout& fluid : motion.fluids) {
-        if (fluid.up == glm::dvec3(0)) continue; // it has no surface
+        if (fluid.up == glm::dvec3(0)) continue; // without gravity there is no surface
         const glm::dvec3 size = glm::abs(fluid.up);
         const int vertical = size.y >= size.x && size.y >= size.z ? 1 : size.x >= size.z ? 0 : 2;
         const glm::dvec3 center = fluid.center - frame.origin;
@@ -38,7 +38,7 @@ void draw_fluids(RenderFrame& frame, const WorldMotion& motion) {
                 const int axis = (vertical + k) % 3;
                 const double half = double(fluid.half_extents[axis]), side = (i & k) != 0 ? 1 : -1;
                 p[axis] = std::isfinite(half) ? center[axis] + side * half : side * farthest;
-                p[vertical] -= fluid.up[axis] * (p[axis] - center[axis]) / fluid.up[vertical]; // level
+                p[vertical] -= fluid.up[axis] * (p[axis] - center[axis]) / fluid.up[vertical]; // horizontal
             }
             corners[std::size_t(i)] = Vec3(p);
         }

@@ -8,11 +8,12 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float dead_zone = 0.15f;    // of a stick or trigger: worn ones do not come back to the middle
+// Share of the range of a stick or trigger; worn ones do not return exactly to the center.
+constexpr float dead_zone = 0.15f;
 constexpr float orbit_speed = 2.5f;   // rad/s
-constexpr float pan_speed = 0.8f;     // heights of the picture per second
+constexpr float pan_speed = 0.8f;     // view heights per second
 constexpr float zoom_speed = 12.0f;   // notches per second
-constexpr float longest_frame = 0.1f; // s: after a pause the camera does not leap
+constexpr float longest_frame = 0.1f; // s; longer frames are shortened, so that the camera does not jump after a pause
 constexpr float first_repeat = 0.4f, next_repeat = 0.05f; // s
 
 constexpr PadBinding all_pad_bindings[] = {
@@ -32,7 +33,7 @@ constexpr PadBinding all_pad_bindings[] = {
     {PadButton::right, Action::next_scene, "right"},
 };
 
-// From 0 at the edge of the dead zone to 1, and finer near the middle.
+// Response curve: 0 at the edge of the dead zone to 1, with finer control near the center.
 float shaped(float size) {
     const float rest = std::clamp((size - dead_zone) / (1.0f - dead_zone), 0.0f, 1.0f);
     return rest * rest;

@@ -1,5 +1,5 @@
 /// \file gamepad.h
-/// What a gamepad does: sticks and triggers move the camera, buttons are those of the keys for the same things.
+/// Gamepad input: sticks and triggers move the camera; each button performs the action of a key.
 #pragma once
 
 #include "viewer/controller.h"
@@ -31,14 +31,14 @@ enum class PadButton {
     count
 };
 
-/// Of one gamepad, at a moment. Sticks: -1 to 1, right and down are positive; triggers: 0 to 1.
+/// The input of one gamepad. Sticks: -1 to 1, right and down are positive; triggers: 0 to 1.
 struct GamepadState {
     glm::vec2 left_stick{0.0f, 0.0f}, right_stick{0.0f, 0.0f};
     float left_trigger = 0.0f, right_trigger = 0.0f;
     std::array<bool, std::size_t(PadButton::count)> down{};
 };
 
-/// What a button does, and how it is called.
+/// The action and the display name of a button.
 struct PadBinding {
     PadButton button;
     Action action;
@@ -48,15 +48,15 @@ std::span<const PadBinding> pad_bindings();
 
 class Gamepad {
   public:
-    /// To be called every frame, with the time since the last one, s. Nothing: there is no gamepad, or its input is
-    /// another window's; buttons that are held down when it comes back count only once they are pressed anew.
+    /// To be called every frame, with the time since the last one, s. Empty state: there is no gamepad, or another
+    /// window has its input; buttons that are down when it returns count only when pressed again.
     void update(const std::optional<GamepadState>& state, float seconds, float aspect, Controller& controller);
 
   private:
     void press_buttons(const GamepadState& now, float seconds, Controller& controller);
 
     std::optional<GamepadState> last_;
-    std::array<float, std::size_t(PadButton::count)> until_repeat_{}; // s, of a button that is held down
+    std::array<float, std::size_t(PadButton::count)> until_repeat_{}; // s, for buttons that are down
 };
 
 } // namespace cairn::viewer

@@ -11,12 +11,12 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float reach = 0.34f;        // of half the picture's height: how far handles reach from the middle
-constexpr float inner = 0.4f;         // of that: where handles of axes begin
-constexpr float cursor_slack = 0.02f; // of the picture's height
+constexpr float reach = 0.34f;        // of half the view's height: distance of the handles' ends from the center
+constexpr float inner = 0.4f;         // of `reach`: where axis handles begin
+constexpr float cursor_slack = 0.02f; // of the view's height
 constexpr int ring_pieces = 48;
-constexpr float least_factor = 0.02f, greatest_factor = 50.0f; // of one drag
-constexpr float uniform_rate = 3.0f;                           // doublings for a drag over the height of the picture
+constexpr float least_factor = 0.02f, greatest_factor = 50.0f; // scale factors of one drag
+constexpr float uniform_rate = 3.0f; // doublings of the size for a drag over the height of the view
 constexpr std::array axis_colors{Vec3(0.85f, 0.08f, 0.06f), Vec3(0.10f, 0.60f, 0.05f), Vec3(0.05f, 0.20f, 0.90f)};
 constexpr Vec3 uniform_color{0.9f, 0.9f, 0.9f};
 
@@ -24,7 +24,7 @@ float length_of(const Position& center, const OrbitCamera& camera) {
     return reach * camera.scale_at(center) * std::tan(0.5f * camera.vertical_fov());
 }
 
-// Two directions that are perpendicular to an axis and to each other.
+// Two unit vectors perpendicular to an axis and to each other.
 std::array<Vec3, 2> across(const Vec3& axis) {
     const Vec3 other = std::abs(axis.y) < 0.9f ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(1.0f, 0.0f, 0.0f);
     const Vec3 first = glm::normalize(glm::cross(other, axis));
@@ -37,7 +37,7 @@ Position on_ring(const Position& center, const Vec3& axis, float radius, int pie
     return center + Position((a * std::cos(angle) + b * std::sin(angle)) * radius);
 }
 
-// How far along an axis the point is that is nearest to a ray; nothing where they are parallel.
+// Coordinate along an axis of the point nearest to a ray; empty if they are parallel.
 std::optional<double> along_axis(const Position& center, const Vec3& axis, const Ray& ray) {
     const glm::dvec3 d(ray.direction), a(axis), offset = ray.origin - center;
     const double cosine = glm::dot(d, a), sine2 = 1.0 - cosine * cosine;
@@ -45,7 +45,7 @@ std::optional<double> along_axis(const Position& center, const Vec3& axis, const
     return (glm::dot(offset, a) - cosine * glm::dot(offset, d)) / sine2;
 }
 
-// From the center to where a ray meets the plane of a ring.
+// The vector from the center to the intersection of a ray with a ring's plane.
 std::optional<Vec3> arm_on_ring(const Position& center, const Vec3& axis, const Ray& ray) {
     const double slope = glm::dot(glm::dvec3(ray.direction), glm::dvec3(axis));
     if (std::abs(slope) < 0.02) return std::nullopt;
@@ -69,7 +69,7 @@ std::vector<GizmoHandle> Gizmo::handles(const BodyFacts& facts) const {
     return handles;
 }
 
-// Scaling is along the axes of the body.
+// The axis of a handle in the world; for scaling, an axis of the body.
 Vec3 Gizmo::axis(const BodyFacts& facts, GizmoHandle handle) const {
     if (handle == GizmoHandle::all) return {0.0f, 1.0f, 0.0f};
     Vec3 axis(0.0f);
@@ -82,7 +82,7 @@ Position Gizmo::grip(const BodyFacts& facts, const OrbitCamera& camera, GizmoHan
     const float length = length_of(facts.center, camera);
     const Vec3 along = axis(facts, handle);
     if (mode != GizmoMode::turn) return facts.center + Position(along * (0.9f * length));
-    // Halfway between the other rings, on the side of the camera.
+    // Halfway between the other two rings, on the side that faces the camera.
     const auto [first, second] = across(along);
     const float right = glm::dot(first, camera.forward()) < 0.0f ? 1.0f : -1.0f;
     const float left = glm::dot(second, camera.forward()) < 0.0f ? 1.0f : -1.0f;
@@ -146,7 +146,7 @@ void Gizmo::draw(RenderFrame& frame, const BodyFacts& facts, const OrbitCamera& 
                 frame.strokes.push_back({end, end, color, dot_width});
                 continue;
             }
-            for (const Vec3& side : across(along)) // the head of an arrow, from any side
+            for (const Vec3& side : across(along)) // an arrowhead, visible from any side
                 for (const float sign : {-1.0f, 1.0f})
                     frame.strokes.push_back(
                         {end, end - (along + side * (0.5f * sign)) * (0.14f * length), color, line_width});

@@ -1,5 +1,5 @@
 /// \file gizmo.h
-/// Handles about the selected body by which the mouse moves, turns and scales it.
+/// Handles around the selected body for moving, rotating and scaling it with the mouse.
 #pragma once
 
 #include "viewer/camera.h"
@@ -17,18 +17,18 @@ enum class GizmoMode { none, move, turn, scale };
 inline constexpr int gizmo_mode_count = 4;
 const char* name_of(GizmoMode mode);
 
-/// A handle: of one of three axes, or of all.
+/// A handle: for one of the three axes, or for all.
 enum class GizmoHandle { x, y, z, all };
 
 class Gizmo {
   public:
     GizmoMode mode = GizmoMode::none;
 
-    /// The handles that there are for a body.
+    /// The handles that exist for a body.
     std::vector<GizmoHandle> handles(const BodyFacts& facts) const;
-    /// A point of a handle at which it can be taken.
+    /// A point of a handle at which it can be grabbed.
     Position grip(const BodyFacts& facts, const OrbitCamera& camera, GizmoHandle handle) const;
-    /// The one under the cursor, in normalized device coordinates.
+    /// The handle under the cursor, which is in normalized device coordinates.
     std::optional<GizmoHandle> handle_at(const BodyFacts& facts, const OrbitCamera& camera, const glm::vec2& cursor,
                                          float aspect) const;
     void draw(RenderFrame& frame, const BodyFacts& facts, const OrbitCamera& camera) const;
@@ -36,7 +36,7 @@ class Gizmo {
     void begin(const BodyFacts& facts, const OrbitCamera& camera, GizmoHandle handle, const glm::vec2& cursor,
                float aspect);
     bool is_dragged() const { return start_.has_value(); }
-    /// What the body shall be like with the cursor there. Nothing where it shall be as it is.
+    /// The edit of the body for that cursor position; empty if it stays unchanged.
     std::optional<BodyEdit> drag(const OrbitCamera& camera, const glm::vec2& cursor, float aspect);
     void end() { start_.reset(); }
 
@@ -46,10 +46,10 @@ class Gizmo {
         Position center{0.0, 0.0, 0.0};
         Transform pose;
         Vec3 axis{1.0f, 0.0f, 0.0f}; // unit, in the world
-        double along = 0.0;          // m: where on the axis it was taken
-        Vec3 arm{1.0f, 0.0f, 0.0f};  // from the center to where the ring was taken
+        double along = 0.0;          // position on the axis at which the handle was grabbed, m
+        Vec3 arm{1.0f, 0.0f, 0.0f};  // from the center to the point at which the ring was grabbed
         glm::vec2 cursor{0.0f, 0.0f};
-        Vec3 scaled{1.0f, 1.0f, 1.0f}; // by so much it is scaled already
+        Vec3 scaled{1.0f, 1.0f, 1.0f}; // scale factors applied so far
     };
     Vec3 axis(const BodyFacts& facts, GizmoHandle handle) const;
 

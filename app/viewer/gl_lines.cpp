@@ -23,7 +23,7 @@ GlLines::GlLines()
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
                           reinterpret_cast<const void*>(3 * sizeof(float)));
-    // Of boxes all that is on the card is what each one has; its edges are counted there.
+    // The buffer holds one record for each box; the shader generates the edges.
     static_assert(sizeof(LineBox) == 9 * sizeof(float));
     glBindVertexArray(box_array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, box_buffer_.name());
@@ -36,7 +36,7 @@ GlLines::GlLines()
     glBindVertexArray(0);
 }
 
-// What lies behind something is faint, as of strokes.
+// Hidden parts of the edges are drawn faintly, as for strokes.
 void GlLines::draw_boxes(std::vector<LineBox> boxes, const glm::mat4& clip_from_world) {
     for (LineBox& box : boxes) box.color = srgb(box.color);
     constexpr float hidden_alpha = 0.25f;
@@ -76,8 +76,8 @@ void GlLines::upload(const std::vector<Vec3>& vertices) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
 }
 
-// Surfaces of fluids, veils, then strokes with a dark rim that parts them from bodies of their color: first what lies
-// behind something, faintly, then the rest.
+// Draws fluid surfaces, veils, then strokes with a dark rim that separates them from bodies of the same color: hidden
+// parts first, faintly, then the visible ones.
 void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera,
                          int width, int height) {
     if (frame.strokes.empty() && frame.veils.empty() && frame.fluids.empty()) return;
@@ -98,7 +98,7 @@ void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_wo
     const GLsizei fluids_end = add_veils(frame.fluids), veils_end = add_veils(frame.veils);
     const auto add_strokes = [&](float wider, std::optional<Vec3> color) {
         for (const Stroke& stroke : frame.strokes) {
-            Stroke drawn = stroke; // at least a pixel wide
+            Stroke drawn = stroke; // at least one pixel wide
             drawn.width = std::max(drawn.width, stroke_picture_height / float(height)) + wider;
             band.clear();
             add_band(band, drawn, view);

@@ -1,5 +1,5 @@
 /// \file gl_lines.h
-/// Draws what has no lit surface: thin lines and boxes of them, strokes that are as wide on every screen, and veils.
+/// Draws unlit geometry: thin lines and boxes of lines, strokes of constant width in pixels, and veils.
 #pragma once
 
 #include "viewer/camera.h"
@@ -10,13 +10,13 @@
 
 namespace cairn::viewer {
 
-/// Leaves OpenGL's settings as GlRenderer::draw makes them.
+/// Leaves the OpenGL state as `GlRenderer::draw` sets it.
 class GlLines {
   public:
     GlLines();
-    /// The lines and boxes of a frame, a pixel wide.
+    /// Draws the lines and boxes of a frame, one pixel wide.
     void draw(const RenderFrame& frame, const glm::mat4& clip_from_world);
-    /// Its veils and strokes, into a picture of `height` pixels. `camera`: that of the frame.
+    /// Draws the veils and strokes of a frame, into a picture of `height` pixels. `camera`: that of the frame.
     void draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera, int width,
                     int height);
 

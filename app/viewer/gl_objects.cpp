@@ -36,7 +36,8 @@ GlObject compile(unsigned stage, const char* header, const std::string& source) 
 void attribute(unsigned location, int components, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, GLsizei(stride),
-                          reinterpret_cast<const void*>(offset)); // an offset into the buffer, by OpenGL's convention
+                          // An offset into the buffer, passed as a pointer by OpenGL's convention.
+                          reinterpret_cast<const void*>(offset));
 }
 
 void mesh_attributes(const GlObject& array, const GlObject& vertices, const GlObject& indices) {
@@ -128,7 +129,7 @@ GlMesh::GlMesh(const TriangleMesh& mesh)
     mesh_attributes(array_, vertices_, indices_);
     constexpr unsigned tint = 7;
     if (mesh.colors.empty()) {
-        glVertexAttrib3f(tint, 1.0f, 1.0f, 1.0f); // white, for all meshes without such an array
+        glVertexAttrib3f(tint, 1.0f, 1.0f, 1.0f); // white, for all meshes without vertex colors
     } else {
         colors_ = make_buffer();
         glBindBuffer(GL_ARRAY_BUFFER, colors_.name());
@@ -155,7 +156,8 @@ void GlMesh::draw() const { draw(0, std::size_t(index_count_)); }
 void GlMesh::draw(std::size_t first, std::size_t count) const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
-    const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); // by OpenGL's convention
+    // Passed as a pointer by OpenGL's convention.
+    const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t));
     glDrawElementsInstanced(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, offset, instance_count_);
 }
 

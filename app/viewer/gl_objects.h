@@ -1,5 +1,5 @@
 /// \file gl_objects.h
-/// Owners of OpenGL's objects. They need the context that made them to be current when they end.
+/// RAII owners of OpenGL objects. The context that created them must be current when they are destroyed.
 #pragma once
 
 #include "viewer/meshes.h"
@@ -12,7 +12,7 @@
 
 namespace cairn::viewer {
 
-/// Deletes an OpenGL object by the function given.
+/// Deletes an OpenGL object by the given function.
 class GlObject {
   public:
     using Destroy = void (*)(unsigned name);
@@ -45,7 +45,7 @@ GlObject make_texture();
 class GlProgram {
   public:
     GlProgram() = default;
-    /// Prepends `header` to both sources and compiles. Throws `Error` (unsupported) with the compiler's words.
+    /// Prepends `header` to both sources and compiles. Throws `Error` (unsupported) with the compiler's message.
     GlProgram(const char* header, const std::string& vertex, const std::string& fragment);
     void use() const;
     void set(const char* uniform, const glm::mat4& value) const;
@@ -61,17 +61,17 @@ class GlProgram {
     GlObject program_;
 };
 
-/// A mesh on the graphics card, drawn many times by one call.
+/// A mesh in GPU memory, drawn as many instances by one call.
 class GlMesh {
   public:
     explicit GlMesh(const TriangleMesh& mesh);
-    /// Draws one copy for each element of `instances` (64 bytes each, see `Instance`).
+    /// Uploads the instances to draw (64 bytes each, see `Instance`).
     void upload(const void* instances, std::size_t count);
-    /// Draws what was uploaded last.
+    /// Draws the instances that were uploaded last.
     void draw() const;
-    /// Draws only `count` indices of it, from number `first`.
+    /// Draws only `count` indices of the mesh, from index `first`, of all instances.
     void draw(std::size_t first, std::size_t count) const;
-    /// Draws the mesh itself, once.
+    /// Draws the mesh once, without instances.
     void draw_once() const;
 
   private:

@@ -31,25 +31,26 @@ namespace {
 
 constexpr int shadow_size = 2048;       // texels along an edge of the shadow map
 constexpr float fade_distances = 20.0f; // camera distances over which the ground fades
-constexpr float extent_fades = 12.0f;   // the ground ends after that many fading distances
+constexpr float extent_fades = 12.0f;   // in `fade_distances`: distance at which the ground ends
 constexpr float ghost_opacity = 0.55f;
-constexpr int most_unused = 16; // pictures: one frame of the window may have several
+// Number of pictures drawn without a mesh before it is freed; one window frame may have several pictures.
+constexpr int most_unused = 16;
 
-// Meshes of round shapes by how many pixels their radius covers.
+// Level of detail of round shapes, by the radius in pixels on the screen.
 struct Detail {
     float min_pixels;
-    int segments, rings; // of capsules; spheres have a third of the rings, cylinders none
+    int segments, rings; // rings of capsules; spheres use a third of them, cylinders none
 };
 constexpr std::array<Detail, 5> details{
     {{0.0f, 10, 3}, {6.0f, 16, 5}, {14.0f, 24, 6}, {32.0f, 48, 12}, {140.0f, 96, 18}}};
 
-// A round shape in all its details, and the instances of each.
+// A round shape in all levels of detail, and the instances of each level.
 class RoundMeshes {
   public:
     template <class Make> explicit RoundMeshes(Make make) {
         for (const Detail& detail : details) meshes_.emplace_back(make(detail));
     }
-    // `sort` puts instances in the order in which they are drawn; `pixels_of` tells how large one appears.
+    // `sort` puts instances in drawing order; `pixels_of` computes the radius on the screen.
     template <class Sort, class Pixels>
     void upload(const std::vector<Instance>& instances, const Sort& sort, const Pixels& pixels_of) {
         for (std::vector<Instance>& list : lists_) list.clear();
@@ -73,11 +74,11 @@ class RoundMeshes {
     std::array<std::vector<Instance>, details.size()> lists_;
 };
 
-// A mesh of a frame that is on the graphics card.
+// A mesh of a frame in GPU memory.
 struct LoadedMesh {
-    std::shared_ptr<const ShapeMesh> source; // keeps its address its own
+    std::shared_ptr<const ShapeMesh> source; // kept alive so that its address stays unique
     GlMesh mesh;
-    int unused = 0; // pictures since it was in one
+    int unused = 0; // pictures drawn since it was last used
 };
 
 shaders::BodyKind kind_of(const ShapeMesh& mesh) {
@@ -97,7 +98,7 @@ shaders::BodyKind kind_of(const ShapeMesh& mesh) {
 
 std::string with_lighting(const char* fragment) { return std::string(shaders::lighting) + fragment; }
 
-// Which way "up" lies in the light's frame does not matter, as long as it is not along the light.
+// View matrix of the light. The choice of "up" does not matter, as long as it is not parallel to the light.
 glm::mat4 light_view(const Vec3& to_light) {
     const Vec3 up = std::abs(to_light.y) < 0.9f ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(1.0f, 0.0f, 0.0f);
     return glm::lookAt(Vec3(0.0f), -to_light, up);
@@ -109,12 +110,12 @@ bool is_empty(const ShapeInstances& shapes) {
            std::all_of(shapes.meshes.begin(), shapes.meshes.end(), has_none);
 }
 
-// Lines every power of ten meters, so that some ten of the finer ones lie across the picture.
+// Grid spacing as a power of ten, so that about ten of the finer lines cross the view.
 float grid_spacing(float camera_distance) {
     return std::clamp(std::pow(10.0f, std::round(std::log10(camera_distance / 14.0f))), 0.01f, 10.0f);
 }
 
-// A program for each kind of body, compiled when the first of them is drawn.
+// The shader programs of the body kinds, each compiled on first use.
 class BodyPrograms {
   public:
     explicit BodyPrograms(std::string fragment) : fragment_(std::move(fragment)) {}
@@ -144,7 +145,7 @@ struct GlRenderer::Impl {
     GlObject shadow_texture, shadow_framebuffer;
     GlTarget target;
 
-    // What one frame's passes share.
+    // State shared by the passes of one frame.
     glm::mat4 clip_from_world, shadow_from_world, shadow_clip_from_world;
     Vec3 eye{0.0f}, to_light{0.0f, 1.0f, 0.0f};
     float shadow_texel = 0.0f;
@@ -210,7 +211,8 @@ void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
     const ShadowRegion region = shadow_region(frame);
     shadow_texel = 2.0f * region.radius / float(shadow_size);
     const glm::mat4 view = light_view(to_light);
-    // Whole texels measured from the world's origin, in double: the map stays put while the camera moves.
+    // Snaps the center to whole texels relative to the world origin, in double precision: the shadow map is stationary
+    // in the world while the camera moves.
     const glm::dvec3 center(frame.origin + Position(region.center));
     const glm::dvec3 from_light = glm::dmat3(view) * center;
     const double texel = shadow_texel;
@@ -224,7 +226,7 @@ void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
     shadow_from_world = half * shadow_clip_from_world;
 }
 
-// Near ones first: what they hide is not shaded.
+// Front to back, so that hidden fragments fail the depth test before they are shaded.
 void GlRenderer::Impl::sort_by_distance(std::vector<Instance>& instances) const {
     const auto distance = [this](const Instance& instance) {
         const Vec3 offset = instance.position - eye;
@@ -256,7 +258,7 @@ void GlRenderer::Impl::upload_instances(const ShapeInstances& shapes, int height
     upload_meshes(shapes);
 }
 
-// New meshes come to the graphics card.
+// Uploads meshes that are not in GPU memory yet, and the instances of all.
 void GlRenderer::Impl::upload_meshes(const ShapeInstances& shapes) {
     for (const MeshInstances& group : shapes.meshes) {
         if (group.instances.empty()) continue;
@@ -268,7 +270,7 @@ void GlRenderer::Impl::upload_meshes(const ShapeInstances& shapes) {
     }
 }
 
-// `use(kind)` makes the program of a kind the current one, and returns it.
+// `use(kind)` binds the program of a body kind, and returns it.
 template <class Use>
 void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use) {
     const SidePlanes planes = side_planes(clip);
@@ -309,7 +311,7 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     if (!frame.shadows) return;
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
-    glEnable(GL_DEPTH_CLAMP); // what stands between the region and the light throws its shadow too
+    glEnable(GL_DEPTH_CLAMP); // objects between the region and the light cast shadows too
     draw_shapes(frame, shadow_clip_from_world, [this](shaders::BodyKind kind) -> const GlProgram& {
         const GlProgram& program = shadow.of(kind);
         program.use();
@@ -346,7 +348,7 @@ void GlRenderer::Impl::set_lamps(const GlProgram& program, const RenderFrame& fr
         const Light& light = lamps[i].light;
         const bool has_place = light.kind != Light::Kind::directional;
         const Vec3 place = has_place ? Vec3(light.position - frame.origin) : light.towards;
-        float scale = 0.0f, offset = 1.0f; // of the cosine to the axis
+        float scale = 0.0f, offset = 1.0f; // linear map of the cosine of the angle to the spot's axis
         if (light.kind == Light::Kind::spot) {
             const float outer = std::cos(light.outer_cone);
             scale = 1.0f / std::max(std::cos(light.inner_cone) - outer, 1e-3f);
@@ -363,11 +365,12 @@ void GlRenderer::Impl::set_lamps(const GlProgram& program, const RenderFrame& fr
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
-    const float half_height = camera.is_parallel() ? 0.0f : camera.half_height(aspect); // parallel rays see one color
+    // Parallel rays all show one sky color.
+    const float half_height = camera.is_parallel() ? 0.0f : camera.half_height(aspect);
     sky.set("u_ray_forward", camera.forward());
     sky.set("u_ray_right", camera.right() * (half_height * aspect));
     sky.set("u_ray_up", camera.up() * half_height);
-    glDepthFunc(GL_LEQUAL); // it lies exactly at the far end
+    glDepthFunc(GL_LEQUAL); // the sky is drawn exactly at the far plane
     glDisable(GL_CULL_FACE);
     square.draw_once();
     glEnable(GL_CULL_FACE);
@@ -391,8 +394,8 @@ void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     rectangles.draw();
 }
 
-// After all else that hides, as they are mixed with it. First their depth alone, so that of several behind each other
-// only the nearest is seen, and of each only the front.
+// Draws ghosts after everything opaque, because they are blended with it. A depth-only pass comes first, so that only
+// the front faces of the nearest ghost are blended.
 void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float aspect) {
     upload_instances(frame.ghosts, height, aspect);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -404,7 +407,8 @@ void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float a
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
-    glBlendColor(0.0f, 0.0f, 0.0f, ghost_opacity); // alpha itself is the brightness, which smooths edges
+    // A constant, because the alpha channel holds brightness for the edge smoothing.
+    glBlendColor(0.0f, 0.0f, 0.0f, ghost_opacity);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     draw();
     glDisable(GL_BLEND);
@@ -472,7 +476,7 @@ void GlRenderer::draw(const RenderFrame& frame, const PicturePlace& place, Smoot
     glBindTexture(GL_TEXTURE_2D, impl.shadow_texture.name());
     impl.draw_bodies(frame);
     impl.draw_grounds(frame);
-    impl.draw_sky(frame, aspect); // only where nothing else is
+    impl.draw_sky(frame, aspect); // last, where the depth buffer is still empty
     if (!is_empty(frame.ghosts)) impl.draw_ghosts(frame, height, aspect);
     impl.lines.draw(frame, impl.clip_from_world);
     impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);

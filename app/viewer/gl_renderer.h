@@ -1,6 +1,6 @@
 /// \file gl_renderer.h
-/// Draws frames with OpenGL 3.3: instanced meshes, a soft shadow map fixed in the world, sky, fading ground, smooth
-/// edges. One draw call per mesh and pass.
+/// Renders frames with OpenGL 3.3: instanced meshes, a soft shadow map fixed in the world, sky, fading ground,
+/// anti-aliasing. One draw call per mesh and pass.
 #pragma once
 
 #include "viewer/render_frame.h"
@@ -9,13 +9,13 @@
 
 namespace cairn::viewer {
 
-/// How edges become smooth.
+/// The method of anti-aliasing.
 enum class Smoothing {
-    samples, ///< Four samples a pixel: for pictures that are kept.
-    edges,   ///< By a pass over the finished picture: less than half the time where a processor draws it.
+    samples, ///< 4x multisampling: for pictures that are saved.
+    edges,   ///< A post-processing pass over the finished picture: less than half the time with software rendering.
 };
 
-/// A part of a framebuffer (0: the window's), in pixels; width and height > 0.
+/// A rectangle of a framebuffer (0: the window's), in pixels; width and height > 0.
 struct PicturePlace {
     unsigned framebuffer = 0;
     int left = 0, bottom = 0, width = 0, height = 0;
@@ -29,11 +29,11 @@ class GlRenderer {
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
 
-    /// Draws there, and leaves the framebuffer bound. `scale`, at most 1: with that share of the pixels each way,
-    /// spread over the place (not with samples).
+    /// Draws into that rectangle, and leaves the framebuffer bound. `scale`, at most 1: renders at that fraction of the
+    /// resolution in each dimension, and stretches the result (not with multisampling).
     void draw(const RenderFrame& frame, const PicturePlace& place, Smoothing smoothing, float scale = 1.0f);
 
-    /// Whether it is the processor that draws, for want of a graphics card or its driver.
+    /// Whether OpenGL renders in software, for lack of a graphics card or its driver.
     bool is_software() const;
 
   private:

@@ -14,7 +14,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr int wanted_samples = 4; // per pixel
-constexpr int edge_reach = 8;     // pixels that the end of an edge is looked for, each way
+constexpr int edge_reach = 8;     // pixels; search distance for the end of an edge, in each direction
 
 } // namespace
 

@@ -1,5 +1,5 @@
 /// \file gl_target.h
-/// What a picture is drawn on before it gets to the window or file, and how its edges become smooth.
+/// The offscreen render target of a picture, and its anti-aliasing.
 #pragma once
 
 #include "viewer/gl_objects.h"
@@ -12,11 +12,11 @@ namespace cairn::viewer {
 class GlTarget {
   public:
     GlTarget();
-    /// Makes it the framebuffer to draw on, empty, of that size in pixels. Throws `Error` (unsupported) if this
-    /// graphics driver has no picture of that size.
+    /// Binds the render target, cleared, with that size in pixels. Throws `Error` (unsupported) if the graphics driver
+    /// does not support that size.
     void begin(int width, int height, Smoothing smoothing);
-    /// Brings what was drawn there, and leaves the framebuffer bound. A place of another size gets it stretched, which
-    /// smooths edges enough; the samples of a picture have one size.
+    /// Copies the picture to `place`, and leaves its framebuffer bound. A place of another size gets a stretched
+    /// picture, which smooths edges enough; multisampled pictures cannot be stretched.
     void finish(const PicturePlace& place);
 
   private:

@@ -18,7 +18,7 @@ GLint code_of(TextureStyle::Wrap wrap) {
     return GL_REPEAT;
 }
 
-// Colors are mixed as light, which is what OpenGL does with textures of sRGB.
+// Color textures use an sRGB format, so that OpenGL filters them in linear light.
 GlObject load(const TexturePicture& picture) {
     GlObject texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -51,7 +51,7 @@ void GlTextures::use(const ShapeMesh& mesh, const GlProgram& program) {
     glActiveTexture(GL_TEXTURE0);
 }
 
-// A single white texel stands for a picture that is not there.
+// A missing texture is replaced by a single white texel.
 void GlTextures::use(const std::shared_ptr<const TexturePicture>& picture, int unit, const char* sampler,
                      const GlProgram& program) {
     static const auto white =

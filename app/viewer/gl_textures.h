@@ -1,5 +1,5 @@
 /// \file gl_textures.h
-/// The pictures of a scene on the graphics card.
+/// The textures of a scene in GPU memory.
 #pragma once
 
 #include "viewer/gl_objects.h"
@@ -12,17 +12,17 @@ namespace cairn::viewer {
 
 class GlTextures {
   public:
-    /// Makes the pictures of a mesh those of the program, which is the current one. The first time, they come to the
-    /// graphics card. Unit 0 stays as it is: it has the shadow map.
+    /// Binds the textures of a mesh for the program, which must be current, and uploads them on first use. Unit 0 is
+    /// left alone: it holds the shadow map.
     void use(const ShapeMesh& mesh, const GlProgram& program);
-    /// Counts a picture of the window, and gives up what was not used for `most` of them.
+    /// Counts one drawn frame of the window, and frees textures that were not used for `most` frames.
     void give_up_unused(int most);
 
   private:
     void use(const std::shared_ptr<const TexturePicture>& picture, int unit, const char* sampler,
              const GlProgram& program);
     struct Loaded {
-        std::shared_ptr<const TexturePicture> source; // keeps its address its own
+        std::shared_ptr<const TexturePicture> source; // kept alive so that its address stays unique
         GlObject texture;
         int unused = 0;
     };

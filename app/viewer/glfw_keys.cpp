@@ -59,7 +59,7 @@ std::optional<GamepadState> glfw_gamepad() {
         GamepadState pad;
         pad.left_stick = {state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
         pad.right_stick = {state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]};
-        pad.left_trigger = 0.5f * (state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] + 1.0f); // GLFW: -1 where it is let go
+        pad.left_trigger = 0.5f * (state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] + 1.0f); // GLFW: -1 when released
         pad.right_trigger = 0.5f * (state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] + 1.0f);
         for (std::size_t k = 0; k < pad.down.size(); ++k) pad.down[k] = state.buttons[k] == GLFW_PRESS;
         return pad;

@@ -1,5 +1,5 @@
 /// \file glfw_keys.h
-/// The names that the key map uses for GLFW's key codes, and the state of its gamepads.
+/// The key map's names for GLFW's key codes, and the state of GLFW's gamepads.
 #pragma once
 
 #include "viewer/gamepad.h"
@@ -9,12 +9,12 @@
 
 namespace cairn::viewer {
 
-/// `A`, `7`, `KP7`, `F1`, `Left`, `[` ...; empty for keys that the viewer has no use for.
+/// `A`, `7`, `KP7`, `F1`, `Left`, `[` ...; empty for keys that the viewer does not use.
 std::string glfw_key_name(int key);
-/// The modifiers before a key's name in a chord: `Ctrl+Alt+Shift+`, or fewer.
+/// The modifier prefix of a key in a chord: `Ctrl+Alt+Shift+`, or fewer.
 std::string glfw_modifier_names(int modifiers);
-/// Of the first one that is connected and whose layout is known (those of SDL's database and Xbox controllers); nothing
-/// if there is none.
+/// The state of the first connected gamepad with a known layout (from SDL's database, and Xbox controllers); empty if
+/// there is none.
 std::optional<GamepadState> glfw_gamepad();
 
 } // namespace cairn::viewer

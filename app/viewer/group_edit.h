@@ -1,5 +1,5 @@
 /// \file group_edit.h
-/// What a handle does to several bodies at a time: they move, turn and grow about a common center.
+/// Editing several bodies with one handle: they move, rotate and scale about a common center.
 #pragma once
 
 #include "viewer/inspect.h"
@@ -10,18 +10,18 @@
 
 namespace cairn::viewer {
 
-/// A body, and where it was when the handle was taken.
+/// A body, and its pose when the handle was grabbed.
 struct HeldBody {
     BodyId id;
     Transform pose;
 };
 
-/// One body in place of several, for handles: at their common center of mass, or without masses at the mean of their
-/// places, with the axes of the world.
+/// A stand-in for several bodies, for the handles: at their common center of mass, or without masses at the mean of
+/// their positions, with the world's axes.
 BodyFacts facts_of_several(const World& world, std::span<const BodyId> bodies);
 
-/// What each of them shall be like, where the body of `facts_of_several` stood at `center` and shall be changed so.
-/// Scales are by `scaled` in all since the handle was taken.
+/// The edits of the single bodies that correspond to an edit of their stand-in (`facts_of_several`), whose position was
+/// `center` when the handle was grabbed. `scaled`: total scale factor since then.
 std::vector<std::pair<BodyId, BodyEdit>> spread(const BodyEdit& edit, const Position& center, float scaled,
                                                 std::span<const HeldBody> held);
 

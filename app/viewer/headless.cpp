@@ -24,7 +24,7 @@ Error no_egl(const std::string& what) {
 
 } // namespace
 
-/// A context without any surface, current for as long as this lives.
+/// An OpenGL context without a surface, current during its lifetime.
 class EglContext {
   public:
     EglContext() {
@@ -65,7 +65,7 @@ class EglContext {
 
 struct HeadlessRenderer::Impl {
     int width, height;
-    EglContext context; // before everything that needs it
+    EglContext context; // must precede the members that need it
     GlRenderer renderer;
     GlObject color, framebuffer;
     std::vector<std::uint8_t> pixels, bottom_up;
@@ -99,7 +99,7 @@ HeadlessRenderer::HeadlessRenderer(int width, int height) {
 }
 
 HeadlessRenderer::~HeadlessRenderer() {
-    if (impl_) impl_->context.make_current(); // its objects are deleted in it
+    if (impl_) impl_->context.make_current(); // the members are deleted in this context
 }
 
 int HeadlessRenderer::width() const noexcept { return impl_->width; }

@@ -18,15 +18,15 @@
 
 namespace cairn::viewer {
 
-/// Extensions of the pictures that `write_picture` knows, with their dots.
+/// Extensions of the picture formats that `write_picture` supports, with their dots.
 std::vector<std::string_view> picture_extensions();
 
-/// Writes 8-bit RGB pixels, top row first, as the extension says: `.jpg` and `.jpeg` as JPEG, else as PNG. Throws
-/// `Error` (io) if it cannot; `files/output_file.h` says how a file is written.
+/// Writes 8-bit RGB pixels, top row first, in the format of the extension: JPEG for `.jpg` and `.jpeg`, else PNG.
+/// Throws `Error` (io) on failure; `files/output_file.h` says how a file is written.
 void write_picture(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgb);
 
-/// Draws frames into memory, with an OpenGL context of its own. Use it on the thread that made it; there may be
-/// several on one thread.
+/// Renders frames into memory with an OpenGL context of its own. Use it on the thread that created it; one thread may
+/// have several.
 class HeadlessRenderer {
   public:
     /// Width and height in pixels, 16 to 8192. Throws `Error`: `invalid_value` for a size out of range,
@@ -38,7 +38,7 @@ class HeadlessRenderer {
 
     int width() const noexcept;
     int height() const noexcept;
-    /// `scale`: as of `GlRenderer::draw`.
+    /// `scale`: as in `GlRenderer::draw`.
     void draw(const RenderFrame& frame, Smoothing smoothing = Smoothing::samples, float scale = 1.0f);
     /// The last picture drawn: 8-bit RGB, top row first, 3 x width x height bytes.
     const std::vector<std::uint8_t>& pixels() const noexcept;
@@ -50,25 +50,25 @@ class HeadlessRenderer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// What draws pictures without a window on this machine: the renderer and its version, as OpenGL names them. Throws
-/// `Error` (unsupported) with what is missing.
+/// The renderer that this machine uses without a window, and its version, as OpenGL names them. Throws `Error`
+/// (unsupported) with the missing part.
 std::string opengl_renderer();
 
-/// Extensions of the videos that `VideoWriter` knows, with their dots.
+/// Extensions of the video formats that `VideoWriter` supports, with their dots.
 std::vector<std::string_view> video_extensions();
 
 /// Whether width and height of a video of that name may be odd.
 bool takes_odd_sizes(const std::filesystem::path& video);
 
-/// Writes pictures as a video through the program `ffmpeg`, as the extension says: H.264 in `.mp4`, `.mkv` and `.mov`
-/// (and where there is no extension), VP9 in `.webm`, and `.gif` with 25 frames a second. The video is written to a
-/// temporary file, and gets to `path` when `close` succeeds: `files/output_file.h` says how.
+/// Encodes pictures as a video by the program `ffmpeg`, in the format of the extension: H.264 in `.mp4`, `.mkv` and
+/// `.mov` (and without an extension), VP9 in `.webm`, and `.gif` with 25 frames per second. The video is written to a
+/// temporary file, which `close` moves to `path`; `files/output_file.h` says how.
 class VideoWriter {
   public:
-    /// Size in pixels, both even but for `.gif`; `frames_per_second` > 0. Throws `Error`: `invalid_value` for a bad
+    /// Size in pixels, both even except for `.gif`; `frames_per_second` > 0. Throws `Error`: `invalid_value` for a bad
     /// size or an unknown extension, `unsupported` if there is no ffmpeg, `io` if the file cannot be written.
     VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second = 60.0);
-    /// Closes, if that was not done; an error is lost then.
+    /// Calls `close` if that was not done; errors are then ignored.
     ~VideoWriter();
     VideoWriter(const VideoWriter&) = delete;
     VideoWriter& operator=(const VideoWriter&) = delete;

@@ -13,7 +13,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// The width of one line of the key map beside another, in two columns: of the keys, and of what they do.
+// Widths of the two columns of the key map: the keys and their meanings.
 struct HelpWidths {
     float keys = 0.0f, meanings = 0.0f;
 };
@@ -27,7 +27,7 @@ HelpWidths help_widths(std::span<const KeyHelp> lines) {
     return widths;
 }
 
-// Notes the place of its last line under that name.
+// Draws one column, and records the position of its last line under `name`.
 void draw_help_column(Controller& controller, std::span<const KeyHelp> lines, float gap, const char* name) {
     const ImVec4 heading = controller.light_theme ? ImVec4(0.55f, 0.33f, 0.0f, 1.0f) : ImVec4(1.0f, 0.80f, 0.45f, 1.0f);
     const float width = help_widths(lines).keys;
@@ -38,7 +38,7 @@ void draw_help_column(Controller& controller, std::span<const KeyHelp> lines, fl
             continue;
         }
         ImGui::TextUnformatted(line.keys);
-        ImGui::SameLine(width + gap); // from the left edge of the group
+        ImGui::SameLine(width + gap); // measured from the left edge of the group
         ImGui::TextUnformatted(line.meaning);
     }
     note_place(controller, name);
@@ -47,8 +47,8 @@ void draw_help_column(Controller& controller, std::span<const KeyHelp> lines, fl
 
 } // namespace
 
-// All over the picture and the panel, so that no rest of them frames it, in two columns, parted at the heading with
-// which the longer one is shortest, and in smaller letters where the window has no room for them.
+// Covers the whole window including the panel. The text is in two columns, split at the heading that makes the longer
+// one shortest, and is scaled down if the window is too small.
 void draw_help(Controller& controller, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     const std::span<const KeyHelp> lines = key_help();
@@ -68,7 +68,7 @@ void draw_help(Controller& controller, float scale) {
     ImGui::SetWindowFontScale(1.0f);
     const HelpWidths a = help_widths(left), b = help_widths(right);
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float width = a.keys + a.meanings + b.keys + b.meanings; // of letters; the gaps stay as they are
+    const float width = a.keys + a.meanings + b.keys + b.meanings; // widths that scale with the text; the gaps do not
     const float height = float(std::max(left.size(), right.size())) * ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 room(io.DisplaySize.x - 4.0f * style.WindowPadding.x - 2.0f * gap - between,
                       io.DisplaySize.y - 2.0f * style.WindowPadding.y - ImGui::GetFrameHeight());

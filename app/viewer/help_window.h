@@ -1,12 +1,12 @@
 /// \file help_window.h
-/// The key map on the screen.
+/// The help window with the key map.
 #pragma once
 
 #include "viewer/controller.h"
 
 namespace cairn::viewer {
 
-/// All of it is in the window, whatever its size.
+/// Draws the help window, scaled so that all of it fits the window.
 void draw_help(Controller& controller, float scale);
 
 } // namespace cairn::viewer

@@ -15,7 +15,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// r, and what follows from it, as the body stands now.
+// Computes r and the quantities that depend on it, for the present pose of the body.
 void read_arm(ImpactSide& side, const Body& body, const Position& point, const Vec3& normal) {
     side.arm = Vec3(point - body.center_of_mass());
     side.at_point = side.velocity + glm::cross(side.turning, side.arm);
@@ -57,7 +57,7 @@ Impact explain_impact(World& world, const KnownHit& known, float step_length) {
     impact.step = known.step;
     impact.time = double(hit.time);
     impact.point = hit.point;
-    impact.normal = hit.normal; // from A to B: the first body is B
+    impact.normal = hit.normal; // points from body A to B, so the formula's first body is B
     impact.first.body = hit.body_b;
     impact.second.body = hit.body_a;
     if (!can_be_pushed(world.body(hit.body_b))) {
@@ -74,7 +74,7 @@ Impact explain_impact(World& world, const KnownHit& known, float step_length) {
     impact.restitution =
         restitution_between(world.shape_def(hit.shape_a).material, world.shape_def(hit.shape_b).material);
     world.step(step_length);
-    // The point is where they met during the step, so the arms are those after it.
+    // The contact point is where the bodies met during the step, so the arms are taken after the step.
     for (ImpactSide* side : sides) read_arm(*side, world.body(side->body), impact.point, impact.normal);
     impact.relative_speed = double(glm::dot(impact.normal, impact.first.at_point - impact.second.at_point));
     impact.denominator =

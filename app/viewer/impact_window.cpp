@@ -19,13 +19,13 @@ std::string number_text(double value) {
 }
 
 std::string triple_text(const Vec3& vector) {
-    const Vec3 v = vector + 0.0f; // no negative zeros
+    const Vec3 v = vector + 0.0f; // removes negative zeros
     char text[64];
     std::snprintf(text, sizeof text, "(%.3g, %.3g, %.3g)", double(v.x), double(v.y), double(v.z));
     return text;
 }
 
-// "before = numerator / denominator after" with a line between the two.
+// Draws "before = numerator / denominator after" as a fraction.
 void draw_fraction(const char* before, const std::string& numerator, const std::string& denominator,
                    const char* after) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -128,7 +128,7 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
         ask(state, controller);
     }
     const float margin = 12.0f * scale;
-    const float below_other = state.other ? 116.0f * scale : 0.0f; // the window of two runs is above
+    const float below_other = state.other ? 116.0f * scale : 0.0f; // the window of the second run is above
     ImGui::SetNextWindowPos(ImVec2(column + margin, margin + below_other), ImGuiCond_FirstUseEver);
     const bool is_open = ImGui::Begin("Impact (F7)", &controller.impacts, ImGuiWindowFlags_AlwaysAutoResize);
     keep_in_picture(column, bottom);

@@ -15,8 +15,8 @@ class ImpactWindow {
     void draw_partner(const StageState& state, Controller& controller);
 
     bool was_open_ = false;
-    BodyId body_, partner_; // of which the last impact is asked for; a null partner: with whatever it was
-    std::uint64_t now_ = 0; // step when it was asked for
+    BodyId body_, partner_; // the bodies of the requested impact; a null partner: any body
+    std::uint64_t now_ = 0; // step number at the request
 };
 
 } // namespace cairn::viewer

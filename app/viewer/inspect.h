@@ -1,5 +1,5 @@
 /// \file inspect.h
-/// All about one body, copied out of its world, and what can be changed of it.
+/// The data of one body, copied from its world, and the edits that can be made to it.
 #pragma once
 
 #include <cairn/world.h>
@@ -26,13 +26,14 @@ struct BodyFacts {
     std::string name;
     BodyType type = BodyType::dynamic;
     MassProperties mass;
-    Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Of its frame, of its mass.
+    Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Origin of the body's frame; center of mass.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
     bool is_enabled = true;
-    bool is_trigger = false;                                                  ///< All its shapes are.
-    bool can_be_stretched = false;                                            ///< Scaled along one axis alone.
-    Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f};               ///< m/s, rad/s
-    double linear_energy = 0.0, angular_energy = 0.0, potential_energy = 0.0; ///< J; the last above the origin.
+    bool is_trigger = false;                                    ///< All shapes of the body are triggers.
+    bool can_be_stretched = false;                              ///< The body can be scaled along one axis alone.
+    Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f}; ///< Linear and angular velocity, m/s and rad/s.
+    /// J; potential energy relative to the origin.
+    double linear_energy = 0.0, angular_energy = 0.0, potential_energy = 0.0;
     bool is_awake = false;
     std::vector<ShapeFacts> shapes;
     struct Touch {
@@ -41,24 +42,24 @@ struct BodyFacts {
         int points = 0;
         float normal_force = 0.0f, friction_force = 0.0f; ///< N, means over the last step.
     };
-    std::vector<Touch> touches; ///< One for each body that it touches.
+    std::vector<Touch> touches; ///< One entry for each touching body.
 };
 
-/// Nothing if there is no such body.
+/// Empty if there is no such body.
 std::optional<BodyFacts> read_facts(const World& world, BodyId body, double step_length);
 
-/// Whether forces move it: dynamic, of finite mass, and enabled.
+/// Whether forces can accelerate the body: it is dynamic, of finite mass, and enabled.
 bool can_be_pushed(const Body& body);
 
-/// Surfaces of which somebody has measured the friction: that between two bodies that both have it.
+/// Measured friction coefficients between two bodies of the same named material.
 struct MaterialPreset {
     const char* name;
     float static_friction, dynamic_friction;
 };
 std::span<const MaterialPreset> material_presets();
-/// Where their numbers are from.
+/// The source of the presets' numbers.
 const char* material_source();
-/// The material with the friction of a preset; the rest of it stays.
+/// The material with the friction of a preset; other properties stay.
 Material with_preset(Material material, const MaterialPreset& preset);
 
 namespace edit {
@@ -76,7 +77,7 @@ struct Place {
     Position position{0.0, 0.0, 0.0};
 };
 struct Pose {
-    Position position{0.0, 0.0, 0.0}; ///< It comes to rest there.
+    Position position{0.0, 0.0, 0.0}; ///< The body's velocities become zero.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
 };
 struct Scale {
@@ -89,12 +90,12 @@ struct Turning {
     Vec3 turning{0.0f, 0.0f, 0.0f};
 };
 struct Surface {
-    Material material;                 ///< For all its shapes ...
-    bool also_what_it_touches = false; ///< ... and those of the bodies that it touches.
+    Material material;                 ///< For all shapes of the body ...
+    bool also_what_it_touches = false; ///< ... and those of touching bodies.
 };
 
 struct Trigger {
-    bool on = true; ///< All its shapes touch nothing, and report what comes in.
+    bool on = true; ///< All shapes of the body become triggers: they collide with nothing and report overlaps.
 };
 struct Enabled {
     bool on = true;
@@ -104,11 +105,12 @@ struct Enabled {
 
 using BodyEdit = std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Pose, edit::Scale, edit::Velocity,
                               edit::Turning, edit::Surface, edit::Trigger, edit::Enabled>;
-const char* name_of(const BodyEdit& edit); ///< For undoing it.
+const char* name_of(const BodyEdit& edit); ///< Its name in the undo history.
 /// Throws as the calls of `Body` do.
 void carry_out(World& world, BodyId body, const BodyEdit& edit);
 
-/// A copy of a body, `shift` away, with its shapes; their ids are in `copies`, in the order of the original's.
+/// Copies a body with its shapes, displaced by `shift`; `copies` receives the new shape ids in the order of the
+/// originals.
 BodyId duplicate(World& world, BodyId body, const Position& shift, std::vector<ShapeId>& copies);
 
 } // namespace cairn::viewer

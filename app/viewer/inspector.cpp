@@ -23,8 +23,8 @@ void fact(const char* name, const char* format, double value) {
     ImGui::Text(format, value);
 }
 
-// A number for each axis. What would be shown as a negative zero is shown as zero, and stays what it was unless that
-// number is changed.
+// Drag widgets for the components of a vector. A value that would display as negative zero is shown as zero, and stays
+// unchanged unless that component is edited.
 template <class Vector> bool drag_axes(const char* name, Vector& value, float speed) {
     float shown[3], before[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -146,7 +146,7 @@ void Inspector::draw_touches(const BodyFacts& facts, Controller& controller) {
     if (facts.touches.size() > most) ImGui::TextDisabled("   and %zu more", facts.touches.size() - most);
 }
 
-// Of what is selected, one body or several.
+// Buttons for a selection of one or several bodies.
 void Inspector::draw_selection_buttons(Controller& controller) {
     if (ImGui::Button("Duplicate")) controller.post(command::DuplicateSelected{});
     note_place(controller, "inspector.duplicate");
@@ -175,7 +175,7 @@ void Inspector::draw_buttons(Controller& controller) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last one of this body, with the formula of its impulse (F7)");
 }
 
-// What can be done to several bodies at a time.
+// Data and edits of several selected bodies.
 void Inspector::draw_several(const StageState& state, Controller& controller) {
     const std::vector<BodyId>& all = state.selection;
     fact("mass in all", "%.4g kg", double(state.handled->mass.mass));
@@ -215,7 +215,7 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
     explain("Shift+click adds a body or takes one away; Shift+drag beside bodies adds all in a frame.");
 }
 
-// Its fields follow the body, unless one is being edited. Returns the title of its window.
+// Synchronizes the fields with the body, unless a widget is active. Returns the window title.
 std::string Inspector::follow(const StageState& state, Controller& controller) {
     controller.places.erase("inspector.name");
     const BodyFacts& facts = *state.inspected;

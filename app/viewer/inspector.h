@@ -1,5 +1,5 @@
 /// \file inspector.h
-/// All about the selected body, to be read and changed while it runs.
+/// The inspector: data of the selected body, which can be edited while the simulation runs.
 #pragma once
 
 #include "viewer/controller.h"
@@ -11,10 +11,10 @@ namespace cairn::viewer {
 
 class Inspector {
   public:
-    /// To be called between ImGui's NewFrame and Render. `top`: where the picture's title ends; `room`: the picture's
+    /// To be called between ImGui's NewFrame and Render. `top`: lower edge of the view's title; `room`: the view's
     /// width.
     void draw(const StageState& state, Controller& controller, float scale, float top, float bottom, float room);
-    /// The same in the lowest `height` of the panel's column, which has that `width`: beside several pictures, of which
+    /// The same in the lowest `height` of the panel's column, which has that `width`: used with several views, of which
     /// it would cover one.
     void draw_in_column(const StageState& state, Controller& controller, float width, float height);
 
@@ -29,7 +29,7 @@ class Inspector {
     void draw_several(const StageState& state, Controller& controller);
     void draw_touches(const BodyFacts& facts, Controller& controller);
 
-    BodyFacts edited_; // follows the body while nothing is being edited
+    BodyFacts edited_; // synchronized with the body while no widget is active
     std::array<char, 64> name_{};
 };
 

@@ -14,9 +14,10 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double seconds = 10.0;     // that are computed and shown
-constexpr double tail = 1.0;         // s of a path behind a body
-constexpr double picture_half = 1.9; // of the motion, in units of the system's size: what flies farther leaves it
+constexpr double seconds = 10.0; // simulated and shown time span
+constexpr double tail = 1.0;     // s, length of the trail behind a body
+// Half the width of the picture of the motion, in units of the system's size; trajectories beyond it are clipped.
+constexpr double picture_half = 1.9;
 
 } // namespace
 
@@ -53,7 +54,7 @@ void IntegratorWindow::draw_controls(Controller& controller) {
     ImGui::TextDisabled("%s", explanation_of(system_));
 }
 
-// The bodies as disks with the way that they came; the exact one as a ring. A spring lies, a pendulum hangs.
+// The bodies as disks with their trails; the exact solution as a ring. A spring is horizontal, a pendulum hangs.
 void IntegratorWindow::draw_motion(float width, float height) const {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy(ImVec2(width, height));
@@ -64,7 +65,7 @@ void IntegratorWindow::draw_motion(float width, float height) const {
     const float unit = 0.5f * std::min(width, height) / float(picture_half), dot = 0.45f * ImGui::GetFontSize();
     const ImVec2 middle(corner.x + 0.5f * width, corner.y + 0.5f * height);
     const std::size_t lanes = system_ == LabSystem::spring ? lab_integrators.size() : 1;
-    // Springs beside each other, as on one line they would hide each other.
+    // Springs are drawn on separate lines, because on one line they would cover each other.
     const auto on_screen = [&](const LabState& state, std::size_t lane) {
         const auto place = drawn_place(system_, state);
         const float shift = lanes > 1 ? (float(lane) - 1.0f) * 0.24f * height : 0.0f;
@@ -105,7 +106,7 @@ void IntegratorWindow::draw_motion(float width, float height) const {
     ImGui::TextDisabled("%.2f s; ring: the exact solution", time_);
 }
 
-// What is to be seen, in numbers.
+// The observed errors in numbers.
 void IntegratorWindow::draw_verdict() const {
     const double start = energy_of(system_, start_of(system_));
     for (std::size_t i = 0; i < lab_integrators.size(); ++i) {
@@ -138,14 +139,14 @@ void IntegratorWindow::draw(Controller& controller, float scale, float column, f
         const float line = ImGui::GetTextLineHeightWithSpacing(), buttons = ImGui::GetFrameHeightWithSpacing();
         const float half = 0.5f * (left.x - ImGui::GetStyle().ItemSpacing.x);
         ImGui::BeginGroup();
-        draw_motion(half, left.y - 7.6f * line - buttons); // numbers and buttons are below
+        draw_motion(half, left.y - 7.6f * line - buttons); // leaves space for the numbers and buttons below
         draw_verdict();
         const std::string name = std::string("integrators_") + name_of(system_);
         draw_export_buttons(controller, "integrators", {{name + "_energy", &energies_}, {name + "_error", &errors_}});
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
-        const float height = 0.5f * (left.y - 9.0f * line); // titles and legends are above
+        const float height = 0.5f * (left.y - 9.0f * line); // leaves space for titles and legends
         if (const auto clicked = draw_chart("##energy", energies_, half, height, time_))
             time_ = std::clamp(*clicked, 0.0, seconds), is_running_ = false;
         draw_chart("##error", errors_, half, height);

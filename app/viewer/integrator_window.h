@@ -1,5 +1,5 @@
 /// \file integrator_window.h
-/// Integrators side by side, beside the exact solution: how they move, their energy, and their error.
+/// Integrators compared with the exact solution: their motion, energy, and error.
 #pragma once
 
 #include "viewer/controller.h"
@@ -13,8 +13,8 @@ namespace cairn::viewer {
 
 class IntegratorWindow {
   public:
-    /// To be called between ImGui's NewFrame and Render. `column`: where the picture begins, which is `room` wide;
-    /// `bottom`: the height of what is below it.
+    /// To be called between ImGui's NewFrame and Render. `column`: left edge of the view, which is `room` wide;
+    /// `bottom`: height of the bar below it.
     void draw(Controller& controller, float scale, float column, float room, float bottom);
 
   private:
@@ -24,7 +24,7 @@ class IntegratorWindow {
     void draw_verdict() const;
 
     LabSystem system_ = LabSystem::spring;
-    float rate_ = 60.0f; // steps a second
+    float rate_ = 60.0f; // steps per second
     bool is_running_ = true;
     double time_ = 0.0; // s
     std::optional<LabSystem> computed_system_;

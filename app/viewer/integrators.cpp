@@ -10,11 +10,11 @@ namespace cairn::viewer {
 namespace {
 
 constexpr double stiffness =
-    4.0 * std::numbers::pi * std::numbers::pi;                // 1/s^2, of the spring and of the sun: a period of 1 s
+    4.0 * std::numbers::pi * std::numbers::pi;                // 1/s^2, of the spring and of the orbit: a period of 1 s
 constexpr double gravity = 9.81, length = 1.0, release = 2.0; // m/s^2, m, rad
 constexpr double eccentricity = 0.5;
-// Of the top, 1/s: it precesses once a second and nods three times. Their sum is that of spin and moments of inertia,
-// their product that of weight and moment of inertia.
+// Rates of the top, 1/s: one precession and three nutations per second. Their sum is determined by spin and moments of
+// inertia, their product by weight and moment of inertia.
 constexpr double precession = 2.0 * std::numbers::pi, nutation = 6.0 * std::numbers::pi;
 constexpr double gyroscopic = precession + nutation, toppling = precession * nutation;
 
@@ -48,7 +48,7 @@ double quarter_period(double k) {
     return std::numbers::pi / (2.0 * a);
 }
 
-// Jacobi's amplitude of u, by descending Landen transformation (Abramowitz and Stegun 16.4).
+// Jacobi's amplitude of u, by the descending Landen transformation (Abramowitz and Stegun 16.4).
 double amplitude(double u, double k) {
     std::array<double, 12> a{1.0}, c{k};
     double b = std::sqrt(1.0 - k * k);
@@ -64,7 +64,7 @@ double amplitude(double u, double k) {
     return phi;
 }
 
-// sin(angle / 2) = k sn(K + w t): from rest at the release.
+// sin(angle / 2) = k sn(K + w t): released at rest.
 LabState exact_pendulum(double time) {
     const double k = std::sin(0.5 * release), rate = std::sqrt(gravity / length);
     const double phi = amplitude(quarter_period(k) + rate * time, k);
@@ -74,7 +74,7 @@ LabState exact_pendulum(double time) {
     return state;
 }
 
-// Kepler's equation for the eccentric anomaly, by Newton's method.
+// Solves Kepler's equation for the eccentric anomaly by Newton's method.
 LabState exact_orbit(double time) {
     const double mean = 2.0 * std::numbers::pi * (time - std::floor(time));
     double anomaly = mean + eccentricity * std::sin(mean);
@@ -88,7 +88,7 @@ LabState exact_orbit(double time) {
     return state;
 }
 
-// From rest: both motions on circles, so that they cancel at the start.
+// The sum of a precession and a nutation circle whose velocities cancel at the start.
 LabState exact_top(double time) {
     const double slow = nutation / (nutation - precession), fast = -precession / (nutation - precession);
     LabState state;
@@ -241,7 +241,8 @@ LabState step(LabSystem system, Integrator integrator, const LabState& state, do
 
 std::array<double, 2> drawn_place(LabSystem system, const LabState& state) {
     if (system == LabSystem::pendulum) return {std::sin(state.place[0]), -std::cos(state.place[0])};
-    if (system == LabSystem::top) return {0.8 * state.place[0], 0.8 * state.place[1]}; // up to twice its tilt
+    // The tilt reaches about twice its initial value.
+    if (system == LabSystem::top) return {0.8 * state.place[0], 0.8 * state.place[1]};
     return state.place;
 }
 
@@ -303,7 +304,7 @@ Chart error_chart(LabSystem system) {
             curve.y.push_back(greatest_error(system, integrator, 1.0 / rate, period_of(system)));
         }
         char label[64];
-        // By the shortest steps: the order of a method is what it comes to.
+        // Uses the shortest steps, because the order of a method is the limit of the slope.
         const Curve shortest{"", {curve.x.end() - 3, curve.x.end()}, {curve.y.end() - 3, curve.y.end()}};
         std::snprintf(label, sizeof label, "%s, slope %.1f", name_of(integrator), log_slope(shortest).value_or(0.0));
         curve.label = label;

@@ -30,8 +30,8 @@ void draw_export_buttons(Controller& controller, const std::string& prefix,
 }
 
 void keep_in_picture(float column, float bottom) {
-    // Just opened, a window that fits its content has no size yet, and may be placed by another corner than its first:
-    // moved now, it would stay at the wrong one.
+    // A window that has just appeared has no size yet if it fits its content, and may be positioned by a corner other
+    // than its top left; moving it now would fix a wrong position.
     if (ImGui::IsWindowAppearing()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize, place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const ImVec2 kept(std::max(std::min(place.x, display.x - size.x), column),

@@ -18,20 +18,21 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float min_size = 0.008f, greatest_size = 0.08f; // of a drawing, as shares of its distance from the camera
-constexpr float size_of_reach = 0.55f;                    // of a drawing, as a share of the body's reach
-constexpr std::size_t max_strokes = 30000;                // of joints in full
-constexpr float free_linear_error = 0.05f;                // of the reach
-constexpr float free_angular_error = 0.1f;                // rad
+// Size limits of a drawing, as shares of its distance from the camera.
+constexpr float min_size = 0.008f, greatest_size = 0.08f;
+constexpr float size_of_reach = 0.55f;     // size of a drawing, as a share of the body's reach
+constexpr std::size_t max_strokes = 30000; // beyond which joints are drawn as dots
+constexpr float free_linear_error = 0.05f; // tolerated position error, as a share of the reach
+constexpr float free_angular_error = 0.1f; // tolerated angular error, rad
 
-constexpr float heavy_load = 0.5f; // of what breaks a joint
+constexpr float heavy_load = 0.5f; // share of the breaking force or torque
 
 bool fails(const JointLayout& joint, const JointState& state) {
     if (!joint.def.enabled) return false;
     return state.linear_error > free_linear_error * joint.reach || state.angular_error > free_angular_error;
 }
 
-// A frame of a joint, relative to the origin of the picture.
+// A joint frame, relative to the frame's origin.
 struct Axes {
     Vec3 at, x, y, z;
 
@@ -42,7 +43,7 @@ Axes axes_at(const Vec3& at, const Quat& rotation) {
     return {at, rotation * Vec3(1, 0, 0), rotation * Vec3(0, 1, 0), rotation * Vec3(0, 0, 1)};
 }
 
-// Draws one joint. Angles about an axis are counted from its first side vector to its second.
+// Draws the parts of one joint. Angles about an axis are measured from its first side vector to its second.
 class JointPen {
   public:
     JointPen(RenderFrame& frame, const JointFrames& frames, float size, const Vec3& color, float width)
@@ -71,7 +72,7 @@ class JointPen {
     }
     void circle(const Vec3& at, const Vec3& u, const Vec3& v, float radius) { arc(at, u, v, 0.0f, 2.0f * pi, radius); }
 
-    // A sector between the limits, or a circle without them, and the hand.
+    // A sector between the limits, or a circle without limits, and a hand at the present angle.
     void angle(const Vec3& at, const Vec3& u, const Vec3& v, const std::optional<JointRange>& limits,
                const Vec3& hand) {
         const float radius = 0.8f * size_;
@@ -89,7 +90,7 @@ class JointPen {
         fan(at, u, v, limits->lower, limits->upper, radius);
     }
 
-    // The way along an axis from `at` with its stops, and where it stands.
+    // The translation axis from `at` with a stop at each limit, up to the present position.
     void way(const Vec3& at, const Axes& frame, const Vec3& axis, const std::optional<JointRange>& limits, float now) {
         float lower = std::min(-size_, now), upper = std::max(size_, now);
         if (limits && std::isfinite(limits->lower)) lower = limits->lower, stop(at + axis * lower, frame, axis);
@@ -97,7 +98,7 @@ class JointPen {
         line(at + axis * std::min(lower, now), at + axis * std::max(upper, now));
     }
 
-    // The cone of that half angle about an axis.
+    // A cone with that half angle about an axis.
     void cone(const Vec3& at, const Vec3& axis, const Vec3& u, const Vec3& v, float half_angle) {
         constexpr int sides = 24;
         const Vec3 middle = axis * (size_ * std::cos(half_angle));
@@ -113,7 +114,7 @@ class JointPen {
     void cross(const Axes& at) {
         for (int i = 0; i < 3; ++i) line(at.at - at.axis(i) * (0.3f * size_), at.at + at.axis(i) * (0.3f * size_));
     }
-    // A coil from one point to another.
+    // A coil between two points.
     void coil(const Vec3& from, const Vec3& to) {
         constexpr int turns = 10, pieces_per_turn = 10;
         const Vec3 way = to - from;
@@ -127,7 +128,8 @@ class JointPen {
         Vec3 last = from;
         for (int i = 1; i <= pieces; ++i) {
             const float part = float(i) / pieces;
-            const float grown = radius * std::min(1.0f, 8.0f * std::min(part, 1.0f - part)); // ends on its line
+            // The coil's ends lie on its axis.
+            const float grown = radius * std::min(1.0f, 8.0f * std::min(part, 1.0f - part));
             const Vec3 next = from + way * part + around(u, v, 2.0f * pi * turns * part) * grown;
             line(last, next, 0.75f);
             last = next;
@@ -158,7 +160,7 @@ class JointPen {
 
 float along(const Vec3& axis, const JointPen& pen) { return glm::dot(axis, pen.b.at - pen.a.at); }
 
-// A vector brought into the plane across an axis, at length one; zero if it lies along the axis.
+// The normalized projection of a vector onto the plane perpendicular to an axis; zero if it is parallel to the axis.
 Vec3 across(const Vec3& v, const Vec3& axis) {
     const Vec3 flat = v - axis * glm::dot(v, axis);
     const float length = glm::length(flat);
@@ -167,7 +169,7 @@ Vec3 across(const Vec3& v, const Vec3& axis) {
 
 struct JointShape {
     JointPen& pen;
-    const Position& origin; // of the picture
+    const Position& origin; // of the frame
 
     void operator()(const FixedJoint&) const {
         const Axes& a = pen.a;
@@ -188,7 +190,8 @@ struct JointShape {
             for (int i = 0; i < 3; ++i) pen.circle(b.at, a.axis(i), a.axis((i + 1) % 3), 0.3f * pen.size());
         }
         if (!joint.twist) return;
-        // The twist is counted about the x axis of B, from where A's y axis comes when it is swung there the short way.
+        // The twist is the angle about B's x axis, measured from A's y axis after the shortest rotation that takes A's
+        // x axis to B's.
         const Vec3 swing = glm::cross(a.x, b.x);
         const float halfway = std::max(1.0f + glm::dot(a.x, b.x), 1e-6f);
         const Vec3 swung =
@@ -212,7 +215,7 @@ struct JointShape {
         pen.axis_line(a.at, b.y);
         pen.angle(a.at, a.y, a.z, joint.first.limits, across(b.y, a.x));
         if (!joint.second.limits) return;
-        const Vec3 zero = glm::cross(a.x, b.y); // of B's z axis about its y axis
+        const Vec3 zero = glm::cross(a.x, b.y); // zero direction for the rotation of B's z axis about its y axis
         pen.angle(a.at, zero, a.x, joint.second.limits, across(b.z, b.y));
     }
     void operator()(const DistanceJoint& joint) const {
@@ -271,17 +274,17 @@ struct JointShape {
     }
 
   private:
-    // A vector of frame A in the world.
+    // Rotates a vector from frame A to the world.
     Vec3 turned(const Vec3& v) const { return pen.a.x * v.x + pen.a.y * v.y + pen.a.z * v.z; }
 
     void draw_limit(const JointLimit& limit) const {
-        if (limit.min == 0.0f && limit.max == 0.0f) return; // a lock: nothing moves
+        if (limit.min == 0.0f && limit.max == 0.0f) return; // a lock permits no motion, so nothing is drawn
         constexpr float infinity = std::numeric_limits<float>::infinity();
         const Axes &a = pen.a, &b = pen.b;
         const JointRange range{limit.min.value_or(-infinity), limit.max.value_or(infinity), {}};
         const int count = int(limit.axes[0]) + int(limit.axes[1]) + int(limit.axes[2]);
         const bool is_angle = limit.kind == JointAxis::angular;
-        const bool wanted = count != 2; // which entry tells the one axis that counts
+        const bool wanted = count != 2; // flag value that singles out one axis
         const int axis = limit.axes[0] == wanted ? 0 : limit.axes[1] == wanted ? 1 : 2;
         const Vec3 &x = a.axis(axis), &u = a.axis((axis + 1) % 3), &v = a.axis((axis + 2) % 3);
         if (count == 1 && is_angle) {
@@ -337,7 +340,7 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
         const float size = std::clamp(size_of_reach * joint.reach, min_size * distance, greatest_size * distance);
         JointPen pen(frame, frames, size, color, is_selected ? bold : width);
         const bool is_tiny = size_of_reach * joint.reach < min_size * distance || frame.strokes.size() > max_strokes;
-        if (!is_selected && (is_tiny || is_behind)) { // thousands must not cost time
+        if (!is_selected && (is_tiny || is_behind)) { // keeps thousands of joints cheap
             pen.dot(pen.b.at, 1.5f);
             if (std::holds_alternative<DistanceJoint>(joint.def.joint)) pen.line(pen.a.at, pen.b.at, 0.5f);
             continue;
@@ -354,7 +357,7 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
 }
 
 void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const StrokeView& view) {
-    constexpr float nearest = 0.01f; // meters: what is behind the camera must not turn its band over
+    constexpr float nearest = 0.01f; // m, minimum depth; keeps the band of a point behind the camera from flipping
     const auto half_width = [&](const Vec3& at) {
         const float depth = view.parallel_distance.value_or(glm::dot(at - view.eye, view.forward));
         return 0.5f * stroke.width * view.pixel * std::max(depth, nearest);
@@ -363,7 +366,7 @@ void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const StrokeVi
     if (glm::dot(way, way) > 0.0f) {
         const Vec3 side = glm::cross(way, view.parallel_distance ? view.forward : stroke.from - view.eye);
         const float length = glm::length(side);
-        if (!(length > 0.0f)) return; // seen along its way
+        if (!(length > 0.0f)) return; // seen end-on
         const Vec3 at_from = side * (half_width(stroke.from) / length), at_to = side * (half_width(stroke.to) / length);
         const Vec3 a = stroke.from - at_from, b = stroke.from + at_from, c = stroke.to - at_to, d = stroke.to + at_to;
         triangles.insert(triangles.end(), {a, b, c, c, b, d});

@@ -25,12 +25,12 @@ std::string list_of(const std::array<bool, 3>& axes) {
     return text;
 }
 
-// The positions of a general joint, as the engine lays them out: limits first, then drives; a drive shares that of a
-// limit along its own axis.
+// The positions of a general joint in the engine's order: limits first, then drives; a drive shares the position of a
+// limit on its own axis.
 std::vector<JointPosition> general_positions(const GeneralJoint& joint) {
     struct Row {
         JointAxis kind;
-        int axis; // -1: of several
+        int axis; // -1: several axes
         bool has_drive;
     };
     std::vector<JointPosition> positions;
@@ -89,7 +89,7 @@ struct Positions {
         list.push_back({"spin", true, joint.spin.limits});
         return list;
     }
-    List operator()(const ServoJoint&) const { // as seen from the target
+    List operator()(const ServoJoint&) const { // relative to the target
         return {{"along x", false}, {"along y", false}, {"along z", false},
                 {"about x", true},  {"about y", true},  {"about z", true}};
     }

@@ -1,6 +1,5 @@
 /// \file joint_info.h
-/// Joints in words and numbers, for lists, panels and reports: what their kinds and positions are called, and which of
-/// their values can be changed by hand.
+/// Names of joints, of their kinds and positions, and their editable values, for lists, panels and reports.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -21,32 +20,32 @@ inline constexpr int joint_solver_count = 3;
 struct JointPosition {
     std::string name;
     bool is_angle = false;              ///< Radians; else meters.
-    std::optional<JointRange> limits{}; ///< What the joint keeps it in, if anything.
+    std::optional<JointRange> limits{}; ///< Range within which the joint limits it, if any.
 };
 /// The positions of a joint, in the order of `JointState::positions`.
 std::vector<JointPosition> joint_positions(const Joint& joint);
 
-/// A `JointControl` of a joint. The pointer is good as long as the joint is.
+/// A `JointControl` of a joint. The pointer is valid as long as the joint exists.
 struct JointAxisEdit {
     const char* name;
     bool is_angle;
     JointControl* control;
 };
-/// All of them; the kinds without any have none.
+/// All controls of a joint; empty for kinds without any.
 std::vector<JointAxisEdit> joint_axes(Joint& joint);
 
-/// A spring as `JointSpring::from_frequency` takes it.
+/// Parameters of a spring as in `JointSpring::from_frequency`.
 struct Swing {
     float hertz = 0.0f;
     float damping_ratio = 0.0f; ///< 0 without stiffness.
 };
-/// Only of springs per unit of mass.
+/// Only for springs defined per unit of mass.
 Swing swing_of(const JointSpring& spring);
 
-/// The share of what breaks the joint that its force or torque was in the last step; 0 for one that does not break.
+/// Load of the joint in the last step as a share of its breaking force or torque; 0 for an unbreakable joint.
 float joint_load(const JointDef& def, const JointState& state);
 
-/// What a joint is called in lists: its name, or its kind and number.
+/// The display label of a joint: its name, or its kind and number.
 std::string joint_label(JointId id, const JointDef& def);
 
 } // namespace cairn::viewer

@@ -29,7 +29,7 @@ std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layo
         joint.id = id;
         joint.def = world.joint_def(id);
         if (const auto color = colors.find(id); color != colors.end()) joint.color = color->second;
-        float reach = 0.0f; // bodies without shapes tell nothing
+        float reach = 0.0f; // bodies without shapes are ignored
         const auto place_of = [&](BodyId body) -> std::optional<std::size_t> {
             if (!body) return std::nullopt;
             const std::size_t place = places.at(body);

@@ -1,5 +1,5 @@
 /// \file joint_layout.h
-/// What drawing and panels need to know of a world's joints, copied out of it as its bodies are (world_state.h).
+/// The data of a world's joints that drawing and panels need, copied like that of bodies (world_state.h).
 #pragma once
 
 #include <cairn/cairn.h>
@@ -18,15 +18,15 @@ struct JointLayout {
     JointId id;
     JointDef def;
     std::optional<std::size_t> body_a, body_b; ///< Indices into `WorldLayout::bodies`; absent: the world.
-    float reach = 1.0f;        ///< Meters: how far the smaller of its moving bodies reaches; drawings are of that size.
-    std::optional<Vec3> color; ///< Linear, of the string by which the scene shows it; absent: it does not.
+    float reach = 1.0f;        ///< Size of the smaller of its moving bodies, meters; drawings scale with it.
+    std::optional<Vec3> color; ///< Linear color of the string that the scene draws for it; absent: none.
 };
 
-/// All joints of a world but `hidden`. Entries of `strings` for joints that no longer exist are ignored.
+/// All joints of a world except `hidden`. Entries of `strings` for joints that no longer exist are ignored.
 std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layout, JointId hidden = {},
                                      std::span<const JointAppearance> strings = {});
 
-/// The two frames of a joint in the world, given the transforms of the layout's bodies.
+/// The two joint frames in the world, given the transforms of the layout's bodies.
 struct JointFrames {
     Transform a, b;
 };

@@ -22,13 +22,13 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float window_width = 290.0f;
-constexpr float lines_in_list = 4.5f; // half a line shows that there are more
+constexpr float lines_in_list = 4.5f; // the half line shows that the list continues
 constexpr float degree = 0.017453293f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float max_degrees = 360.0f, max_meters = 5.0f; // of the sliders; more can be typed
+constexpr float max_degrees = 360.0f, max_meters = 5.0f; // range of the sliders; larger values can be typed
 constexpr ImGuiSliderFlags at_least_zero = ImGuiSliderFlags_Logarithmic;
 
-// A slider for a length or an angle, shown in meters or degrees. Any value can be typed.
+// A slider for a length or an angle, displayed in meters or degrees. Values beyond its range can be typed.
 bool place_slider(const char* name, float& value, bool is_angle) {
     float shown = is_angle ? value / degree : value;
     const float most = is_angle ? max_degrees : max_meters;
@@ -52,7 +52,7 @@ bool positive_slider(const char* name, float& value, float least, float most, co
     return true;
 }
 
-// A force that may be without bound: a check box, and a slider while it has one.
+// A force limit that may be infinite: a check box, and a slider while it is finite.
 bool cap_slider(const char* check, const char* name, float& cap, bool is_torque) {
     bool is_bounded = std::isfinite(cap);
     bool changed = ImGui::Checkbox(check, &is_bounded);
@@ -71,7 +71,7 @@ bool edit_spring(JointSpring& spring, bool is_angle) {
         return changed;
     }
     Swing swing = swing_of(spring);
-    if (!(spring.stiffness > 0.0f)) { // a pure damper has no frequency
+    if (!(spring.stiffness > 0.0f)) { // a pure damper has no natural frequency
         changed |= positive_slider("damping", spring.damping, 0.001f, 1e3f, "%.4g 1/s");
         return changed;
     }
@@ -82,7 +82,7 @@ bool edit_spring(JointSpring& spring, bool is_angle) {
     return changed || moved;
 }
 
-// A spring that may be absent.
+// A check box for an optional spring, and its parameters.
 bool edit_optional_spring(const char* name, std::optional<JointSpring>& spring, bool is_angle) {
     bool is_on = spring.has_value();
     bool changed = ImGui::Checkbox(name, &is_on);
@@ -100,7 +100,8 @@ bool edit_limits(std::optional<JointRange>& limits, bool is_angle, float now) {
     if (changed) limits = is_on ? std::optional(JointRange{now - room, now + room, {}}) : std::nullopt;
     if (!limits) return changed;
     ImGui::PushID("limits");
-    const float beside = ImGui::GetCursorPosX() + 5.0f * ImGui::GetFontSize(); // of a box with the longer word
+    // Horizontal position right of a check box with the longer label.
+    const float beside = ImGui::GetCursorPosX() + 5.0f * ImGui::GetFontSize();
     for (const auto& [check, name, bound, free] :
          {std::tuple("from", "##from", &limits->lower, -infinity), {"to", "##to", &limits->upper, infinity}}) {
         bool is_bounded = std::isfinite(*bound);
@@ -148,7 +149,7 @@ bool edit_control(JointControl& control, bool is_angle, float now) {
     return changed;
 }
 
-// What the kinds without `JointControl` have.
+// Parameters of the joint kinds without `JointControl`.
 struct OwnValues {
     const JointState& now;
 
@@ -211,7 +212,7 @@ struct OwnValues {
     template <class Other> bool operator()(Other&) const { return false; }
 
   private:
-    // A number that must not be 0.
+    // A slider for a number other than 0.
     static bool factor(const char* name, float& value, float most, const char* format) {
         float shown = value;
         if (!ImGui::SliderFloat(name, &shown, -most, most, format) || shown == 0.0f) return false;
@@ -298,7 +299,7 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
             "blue: bears little; yellow: about to break; red: does not hold; gray: disabled; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);
     ImGui::BeginChild("joint list", ImVec2(0.0f, lines * ImGui::GetTextLineHeightWithSpacing()));
-    ImGuiListClipper clipper; // there may be thousands
+    ImGuiListClipper clipper; // draws only visible lines of a list that may have thousands
     clipper.Begin(int(joints.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {

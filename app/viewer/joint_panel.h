@@ -8,11 +8,11 @@ namespace cairn::viewer {
 
 class JointPanel {
   public:
-    /// The list, inside the panel's window. Nothing for worlds without joints.
+    /// Draws the list inside the panel's window; nothing for worlds without joints.
     void draw(const StageState& state, Controller& controller);
-    /// The window of the selected joint, at the right under `top` and over `bottom`; nothing if none is selected. Where
-    /// it would reach the middle of the picture, which is `room` wide, or where there are several pictures, it lies
-    /// over the lower part of the panel instead.
+    /// Draws the window of the selected joint, at the right between `top` and `bottom`; nothing if none is selected.
+    /// Where it would reach the middle of the view, which is `room` wide, or with several views, it covers the lower
+    /// part of the panel instead.
     void draw_selected(const StageState& state, Controller& controller, float scale, float top, float bottom,
                        float room);
 
@@ -20,8 +20,8 @@ class JointPanel {
     void draw_facts(const StageState& state, const JointLayout& joint, const JointState& now);
     void draw_strength(Controller& controller);
 
-    JointId edited_id_; // of the joint that `edited_` is a copy of
-    JointDef edited_;   // follows the world while nothing is being edited
+    JointId edited_id_; // id of the joint that `edited_` copies
+    JointDef edited_;   // synchronized with the world while no widget is active
 };
 
 } // namespace cairn::viewer

@@ -16,9 +16,10 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double least_between = 0.1; // s of steps: a wait that nobody minds
-// Of the steps' time that saving states and finding their differences may take, most of it on the thread for that. With
-// a lesser one, going to a moment of thousands of bodies would take longer than half a second.
+constexpr double least_between = 0.1; // s; compute time of steps between kept states: an acceptable wait when seeking
+// Greatest share of the steps' compute time that saving states and computing their differences may take, mostly on the
+// helper thread. With a smaller share, seeking in a scene with thousands of bodies would take longer than half a
+// second.
 constexpr double greatest_share = 0.125;
 
 recording::WholeState shared_text(std::string text) {
@@ -28,7 +29,7 @@ recording::WholeState shared_text(std::string text) {
 
 } // namespace
 
-// Finds one difference after the other. What waits when it ends is not begun.
+// The thread that computes differences, one after the other. Pending differences are dropped at its end.
 class KeptStates::Helper {
   public:
     using Work = std::packaged_task<std::string(recording::Patcher&)>;
@@ -73,11 +74,11 @@ class KeptStates::Helper {
         }
     }
 
-    std::mutex mutex_; // guards the next three
+    std::mutex mutex_; // guards the next three members
     std::condition_variable changed_;
     std::deque<Work> waiting_;
     bool is_ending_ = false;
-    std::thread thread_; // last: all else is ready when it starts
+    std::thread thread_; // last: all other members must exist when it starts
 };
 
 KeptStates::KeptStates() : tree_(least_between, greatest_share, std::numeric_limits<std::size_t>::max()) {}

@@ -1,5 +1,5 @@
 /// \file key_map.h
-/// Which key does what. One table serves the keyboard, scripts, and the key map on the screen.
+/// The key bindings. One table serves the keyboard, scripts, and the help window.
 #pragma once
 
 #include <optional>
@@ -91,18 +91,18 @@ struct Binding {
 
 /// All bindings.
 std::span<const Binding> key_bindings();
-/// What a chord does, if anything.
+/// The binding of a chord, if any.
 std::optional<Binding> find_binding(std::string_view chord);
-/// True for actions that last as long as their key is down.
+/// Whether the action lasts as long as its key is down.
 bool is_held(Action action);
-/// True for actions that a key held down should repeat.
+/// Whether the action repeats while its key is held.
 bool repeats(Action action);
 
-/// A line of the key map: keys as people write them, and what they do. An empty `keys` makes a heading.
+/// A line of the help window: the keys in readable form, and their action. An empty `keys` makes a heading.
 struct KeyHelp {
     const char* keys;
     const char* meaning;
-    std::string_view chords = {}; ///< The bindings that the line explains, with a space between; none: the mouse's.
+    std::string_view chords = {}; ///< The explained bindings, separated by spaces; empty: mouse actions.
 };
 std::span<const KeyHelp> key_help();
 

@@ -10,12 +10,12 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float full = 1.85f; // what a light of intensity 1 does
+constexpr float full = 1.85f; // brightness of a light of intensity 1
 constexpr float adaption = 0.15f, dimmest = 0.4f, brightest = 1.6f;
 constexpr double nearest = 0.5; // m
 constexpr float dimmed_sun = 1.0f / 3.0f;
 
-// Lux of a surface in the middle that faces it.
+// Illuminance in lux of a surface at `middle` that faces the light.
 float illuminance(const Light& light, const Position& middle) {
     const float strength = light.intensity * std::max({light.color.x, light.color.y, light.color.z});
     if (light.kind == Light::Kind::directional) return strength;

@@ -9,7 +9,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// Appends two triangles, `around` counterclockwise seen from outside.
+// Appends two triangles; `around`: counterclockwise as seen from outside.
 void add_quad(TriangleMesh& mesh, const std::array<std::uint32_t, 4>& around) {
     mesh.indices.insert(mesh.indices.end(), {around[0], around[1], around[2], around[0], around[2], around[3]});
 }
@@ -55,14 +55,14 @@ TriangleMesh box_mesh() {
 
 namespace {
 
-// The direction from the axis to point `i` of a ring. The upper end's rings are turned by half a segment: the
-// triangles between the ends then lean to neither side, which shows where the upper radius is zero.
+// The direction from the axis to point `i` of a ring. The upper end's rings are rotated by half a segment, so that the
+// triangles between the ends are symmetric; asymmetry would be visible where the upper radius is zero.
 Vec3 ring_direction(int i, int segments, float end) {
     const double angle = 6.283185307179586 * (i + (end > 0.0f ? 0.5 : 0.0)) / segments;
     return {float(std::cos(angle)), 0.0f, float(-std::sin(angle))};
 }
 
-// Appends a ring of vertices, and returns the index of the first.
+// Appends a ring of vertices, and returns the index of the first one.
 std::uint32_t add_ring(TriangleMesh& mesh, int segments, float end, float part, bool faces_end) {
     const auto first = std::uint32_t(mesh.vertices.size());
     for (int i = 0; i < segments; ++i) {
@@ -78,7 +78,7 @@ std::uint32_t add_pole(TriangleMesh& mesh, float end, float part) {
     return std::uint32_t(mesh.vertices.size() - 1);
 }
 
-// The triangles between two rings, of which `upper` lies further along +y.
+// Appends the triangles between two rings; `upper` has the greater y.
 void join_rings(TriangleMesh& mesh, std::uint32_t lower, std::uint32_t upper, int segments) {
     for (int i = 0; i < segments; ++i) {
         const auto here = std::uint32_t(i), next = std::uint32_t((i + 1) % segments);

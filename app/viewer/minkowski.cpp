@@ -15,11 +15,11 @@ namespace cairn::viewer {
 namespace {
 
 constexpr int most_iterations = 64;
-constexpr double tolerance = 1e-9;      // of squared distances: what a step must gain at least
-constexpr std::size_t most_others = 24; // bodies, the nearest ones, that are looked at
-constexpr int rings = 12, sides = 24;   // of the globe whose directions are tried
+constexpr double tolerance = 1e-9;      // relative to the squared distance: least decrease per iteration
+constexpr std::size_t most_others = 24; // number of nearest bodies that are considered
+constexpr int rings = 12, sides = 24;   // of the sphere grid of sampling directions
 
-// In the shape's own frame, along a unit direction.
+// Support point in the shape's own frame, in the unit direction `d`.
 struct Support {
     glm::dvec3 d;
 
@@ -53,8 +53,8 @@ struct Support {
     template <class Other> glm::dvec3 operator()(const Other&) const { return glm::dvec3(0.0); }
 };
 
-// The point of the plane, line or point through some points that is nearest to the origin, if it lies within their
-// hull. By the normal equations of the least squares for the weights of all points but the first.
+// The point nearest to the origin in the affine hull (point, line or plane) of some points, if it lies within their
+// convex hull. Solves the normal equations of least squares for the weights of all points but the first.
 std::optional<glm::dvec3> nearest_within(const std::vector<glm::dvec3>& points) {
     const std::size_t count = points.size();
     glm::dmat3 gram(1.0);
@@ -65,7 +65,8 @@ std::optional<glm::dvec3> nearest_within(const std::vector<glm::dvec3>& points) 
         right[int(i - 1)] = -glm::dot(points[i] - points[0], points[0]);
     }
     const double size = gram[0][0] * gram[1][1] * gram[2][2];
-    if (std::abs(glm::determinant(gram)) <= 1e-12 * size) return std::nullopt; // a smaller set does as well
+    // Degenerate: a smaller subset has the same nearest point.
+    if (std::abs(glm::determinant(gram)) <= 1e-12 * size) return std::nullopt;
     const glm::dvec3 weights = glm::inverse(gram) * right;
     glm::dvec3 nearest = points[0];
     double first = 1.0;
@@ -77,8 +78,8 @@ std::optional<glm::dvec3> nearest_within(const std::vector<glm::dvec3>& points) 
     return first < 0.0 ? std::nullopt : std::optional(nearest);
 }
 
-// Leaves those points of a simplex that are needed for the point of its hull nearest to the origin: of all subsets the
-// one whose own nearest point is the nearest.
+// Reduces a simplex to the vertices that support the point of its convex hull nearest to the origin: the subset, among
+// all subsets, whose own nearest point is nearest.
 glm::dvec3 reduce(std::vector<glm::dvec3>& simplex) {
     std::vector<glm::dvec3> best;
     glm::dvec3 nearest(0.0);
@@ -101,8 +102,9 @@ glm::dvec3 difference_support(const ConvexShape& a, const ConvexShape& b, const 
     return support(a, direction) - support(b, -direction);
 }
 
-// The surface, from the farthest points along many directions: those of a globe that stands aslant, so that none is
-// along an axis, where a whole face of a box is the farthest. Several directions often lead to one point.
+// Samples the surface by support points in many directions: those of a sphere grid that is rotated, so that no
+// direction is along an axis, where the support point of a box is not unique. Several directions often give the same
+// point.
 void add_surface(PairDifference& result, const ConvexShape& a, const ConvexShape& b) {
     const glm::dquat aslant = glm::normalize(glm::dquat(0.9, 0.21, 0.17, 0.11));
     for (int i = 0; i <= rings; ++i)
@@ -151,12 +153,13 @@ GjkResult gjk(const ConvexShape& a, const ConvexShape& b) {
     while (result.iterations < most_iterations) {
         ++result.iterations;
         const double squared = glm::dot(result.nearest, result.nearest);
-        if (squared < 1e-18) break; // the origin is within
+        if (squared < 1e-18) break; // the origin is inside
         const glm::dvec3 next = difference_support(a, b, -result.nearest);
-        if (squared - glm::dot(result.nearest, next) <= tolerance * squared) break; // nothing is nearer
+        // The present point is the nearest one to within tolerance.
+        if (squared - glm::dot(result.nearest, next) <= tolerance * squared) break;
         result.simplex.push_back(next);
         result.nearest = reduce(result.simplex);
-        if (result.simplex.size() == 4) break; // around the origin
+        if (result.simplex.size() == 4) break; // the simplex encloses the origin
     }
     result.distance = glm::length(result.nearest);
     if (result.distance < 1e-9) result.distance = 0.0;

@@ -17,7 +17,7 @@ std::filesystem::path layout_file() {
     const char *folder = std::getenv("XDG_CONFIG_HOME"), *home = std::getenv("HOME");
     std::filesystem::path path;
     if (folder && folder[0] == '/')
-        path = folder; // others shall be ignored (XDG Base Directory Specification)
+        path = folder; // relative paths shall be ignored (XDG Base Directory Specification)
     else if (home && home[0] == '/')
         path = std::filesystem::path(home) / ".config";
     else

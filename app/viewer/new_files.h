@@ -7,14 +7,14 @@
 
 namespace cairn::viewer {
 
-/// By the time of day: `cairn_2026-01-31_12-00-00`.
+/// A name from the date and time: `cairn_2026-01-31_12-00-00`.
 std::string name_of_now();
-/// That name in that folder; where a file has it already, with a number.
+/// A path with that name in that folder; a number is added if the file exists.
 std::filesystem::path unused_path(const std::filesystem::path& folder, const std::string& name,
                                   const std::string& extension);
 
-/// The file in which the places of the viewer's windows are kept: in `$XDG_CONFIG_HOME`, or `~/.config`. Its folder is
-/// made. Empty if this machine has no such place.
+/// The file that stores the positions of the viewer's windows: in `$XDG_CONFIG_HOME`, or `~/.config`. Creates its
+/// folder. Empty if this machine has no such folder.
 std::filesystem::path layout_file();
 
 } // namespace cairn::viewer

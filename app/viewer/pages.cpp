@@ -18,7 +18,7 @@ constexpr const char* opener = "open";
 constexpr const char* opener = "xdg-open";
 #endif
 
-// By a shell that is gone at once, so that nobody has to wait for the program.
+// Uses a shell that exits at once, so that the viewer does not wait for the program.
 bool open_with_desktop(const std::filesystem::path& file) {
     std::string script = R"(command -v "$1" >/dev/null || exit 1; "$1" "$2" >/dev/null 2>&1 </dev/null &)";
     std::string shell = "sh", option = "-c", program = opener, path = file.string();

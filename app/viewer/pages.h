@@ -7,8 +7,8 @@
 
 namespace cairn::viewer {
 
-/// Opens a page of the documentation in `folder` with the program that the desktop has for such files, and returns a
-/// line that says so; where there is no such page or no such program, one that says where the page is.
+/// Opens a documentation page in `folder` with the desktop's program for such files, and returns a message that says
+/// so; without such a page or program, a message that says where the page is.
 std::string open_page(const std::filesystem::path& folder, const std::string& page);
 
 } // namespace cairn::viewer

@@ -17,7 +17,7 @@ float srgb_from_linear(float value) {
     return value <= 0.0031308f ? value * 12.92f : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
 }
 
-// Interpolates between equally spaced stops, in display values, where equal steps look equal.
+// Interpolates between equally spaced stops in sRGB values, where equal steps look equal.
 template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, float fraction) {
     const float place = std::clamp(fraction, 0.0f, 1.0f) * float(N - 1);
     const std::size_t index = std::min(std::size_t(place), N - 2);
@@ -26,12 +26,13 @@ template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, fl
     return {linear_from_srgb(mixed.x), linear_from_srgb(mixed.y), linear_from_srgb(mixed.z)};
 }
 
-// ColorBrewer's RdYlBu, reversed: safe for the color-blind, and readable without color by its lightness.
+// ColorBrewer's RdYlBu, reversed: safe for color-blind viewers, and distinguishable by lightness alone.
 constexpr std::array<std::uint32_t, 5> mass_stops{0x2c5fa8, 0x74add1, 0xf1ead2, 0xf08a54, 0xb81d2c};
-// After Matplotlib's viridis, which is perceptually even; its dark end is lifted, to show shading.
+// After Matplotlib's viridis, which is perceptually uniform; its dark end is lightened, so that shading remains
+// visible.
 constexpr std::array<std::uint32_t, 5> speed_stops{0x58358a, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
 constexpr std::array<std::uint32_t, 3> joint_stops{0x35b6ff, 0xc8f0c0, 0xffd21f};
-// After Okabe and Ito (2008), softened.
+// After Okabe and Ito (2008), desaturated.
 constexpr std::array<std::uint32_t, 7> calm_colors{0xd9853b, 0x4d94b8, 0x5a9a7a, 0xc9b458,
                                                    0x3f6d94, 0xb8604a, 0x9a7ba6};
 
@@ -66,7 +67,8 @@ float mass_fraction(float mass, float least, float greatest) {
 float speed_fraction(float speed) { return std::sqrt(std::clamp(speed / fast_speed, 0.0f, 1.0f)); }
 
 Vec3 category_color(std::uint32_t number) {
-    // Hues by the golden ratio: neighbors lie far apart. Lightness alternates, for those who see few hues.
+    // Hues by the golden ratio: consecutive numbers are far apart. Alternating lightness helps where few hues are
+    // distinguished.
     const float hue = std::fmod(float(number % 4096u) * 0.6180340f, 1.0f) * 6.0f;
     const auto channel = [hue](float shift) {
         return std::clamp(std::abs(std::fmod(hue + shift, 6.0f) - 3.0f) - 1.0f, 0.0f, 1.0f);

@@ -1,6 +1,6 @@
 /// \file palette.h
-/// Colors. Ramps are chosen to survive the common kinds of color blindness: they change in lightness too, and never
-/// rely on red against green. All results are linear; `srgb` gives what a user interface wants.
+/// Colors. The ramps suit the common kinds of color blindness: their lightness varies too, and they never rely on red
+/// against green. All results are linear; `srgb` converts them for the user interface.
 #pragma once
 
 #include <cairn/math.h>
@@ -10,41 +10,41 @@
 
 namespace cairn::viewer {
 
-/// From 0xRRGGBB as designers write it to linear.
+/// Converts 0xRRGGBB in sRGB to linear.
 Vec3 linear_color(std::uint32_t srgb_hex);
-/// From linear to the 0..1 values of a display.
+/// Converts linear to sRGB, 0..1.
 Vec3 srgb(const Vec3& linear);
 
 /// Blue (0, light) over a pale middle to red (1, heavy).
 Vec3 mass_ramp(float fraction);
 /// Dark violet (0, slow) over green to yellow (1, fast).
 Vec3 speed_ramp(float fraction);
-/// Where a mass lies between the least and the greatest, on a logarithmic scale, 0 to 1; an infinite mass is 1.
+/// Position of a mass between the least and the greatest, on a logarithmic scale, 0 to 1; 1 for an infinite mass.
 float mass_fraction(float mass, float least, float greatest);
-/// Where a speed lies between 0 and `fast_speed`, on a scale that gives slow speeds more room, 0 to 1.
+/// Position of a speed between 0 and `fast_speed`, on a scale that resolves slow speeds better, 0 to 1.
 float speed_fraction(float speed);
-inline constexpr float fast_speed = 10.0f; // m/s
+inline constexpr float fast_speed = 10.0f; // m/s, end of the speed color scale
 
-/// A color out of many, different for neighboring numbers.
+/// A category color that differs between consecutive numbers.
 Vec3 category_color(std::uint32_t number);
-/// A calm color for bodies that the scene gives none.
+/// A muted color for bodies without one from the scene.
 Vec3 default_color(std::uint32_t number);
 
-/// Blue (0, unloaded) over white-green to yellow (1, about to break): for joints, over any body.
+/// Blue (0, unloaded) over white-green to yellow (1, about to break): for joints, visible over any body.
 Vec3 joint_ramp(float fraction);
 Vec3 joint_error_color();
-/// Of the line from a dragged body to the cursor.
+/// Color of the line from a dragged body to the cursor.
 Vec3 drag_color();
-/// Of the marks around the selected body.
+/// Color of the marks around the selected body.
 Vec3 selection_color();
 
 Vec3 static_color();
 Vec3 sleeping_color();
 Vec3 ground_color();
-Vec3 surface_color();  ///< Of triangle meshes.
-Vec3 trigger_color();  ///< Of lines.
-Vec3 disabled_color(); ///< Of lines.
-Vec3 terrain_color();  ///< Of the level parts of height fields.
+Vec3 surface_color();  ///< Color of triangle meshes.
+Vec3 trigger_color();  ///< Color of the outlines of triggers.
+Vec3 disabled_color(); ///< Color of the outlines of disabled bodies, and of disabled joints.
+Vec3 terrain_color();  ///< Color of the level parts of height fields.
 
 /// A color for every kind of shape; planes have that of static bodies.
 Vec3 shape_color(ShapeType type);

@@ -15,8 +15,8 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr std::uint64_t keyframe_interval = 60; // own steps
-constexpr std::size_t most_keyframes = 64;      // then every second one goes
+constexpr std::uint64_t keyframe_interval = 60; // the pane's own steps
+constexpr std::size_t most_keyframes = 64;      // when exceeded, every second one is dropped
 
 } // namespace
 
@@ -69,16 +69,16 @@ void Pane::take_settings() {
         }
 }
 
-// How many own steps come before what is done ahead of that step of the other run.
+// Number of the pane's own steps that precede the changes made before step `first_step` of the main run.
 std::uint64_t Pane::step_at(std::uint64_t first_step) const {
     const double time = double(first_step - std::min(start_.step, first_step)) * double(first_step_length_);
     return std::uint64_t(time / double(settings_.step_length) + 1e-4);
 }
 
-// What comes before the next own step. True if bodies may have come, gone or changed.
+// Repeats the changes that precede the next own step. Returns true if bodies may have been added, removed or changed.
 bool Pane::repeat_changes(Timeline& first) {
     const Moment now = first.now();
-    done_ = std::max(done_, Moment{first.first_step(), 0}); // what is older is known no more
+    done_ = std::max(done_, Moment{first.first_step(), 0}); // older changes are not known
     bool alters = false;
     while (done_ < now && step_at(done_.step) <= step_) {
         const std::size_t count = done_.step == now.step ? now.changes : first.change_count(done_.step);
@@ -98,7 +98,7 @@ bool Pane::repeat_changes(Timeline& first) {
     return alters;
 }
 
-// To the last state that is kept and led to that moment.
+// Restores the last keyframe at or before `step` that belongs to the run up to `moment`.
 void Pane::restore(std::uint64_t step, const Moment& moment) {
     auto kept = std::prev(keyframes_.upper_bound(step));
     while (kept != keyframes_.begin() && kept->second.done > moment) --kept;
@@ -129,16 +129,16 @@ bool Pane::go_to(Timeline& first, double seconds, const Looks& looks) {
         if (step_ >= target || (jumps && seconds_since(start) >= seconds)) break;
         world_.step(settings_.step_length);
         ++step_;
-        alters = alters || !world_.joint_events().empty(); // some may be gone
+        alters = alters || !world_.joint_events().empty(); // joints may have broken
         if (step_ % keyframe_interval == 0) keyframes_.insert_or_assign(step_, Keyframe{world_.save(), done_});
     }
-    if (keyframes_.size() > most_keyframes) { // the first stays
+    if (keyframes_.size() > most_keyframes) { // the first keyframe stays
         bool is_second = true;
         std::erase_if(keyframes_, [&](const auto&) { return is_second = !is_second; });
     }
     picture_.previous = picture_.current;
     if (alters || step_ != before) read_picture(alters, looks);
-    if (alters) picture_.previous = picture_.current; // the bodies of the step before may not match
+    if (alters) picture_.previous = picture_.current; // the bodies of the preceding step may not match
     return step_ >= target;
 }
 

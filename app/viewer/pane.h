@@ -1,6 +1,6 @@
 /// \file pane.h
-/// The same scene with other settings, beside the run that commands change: all that is done to that one is done to it,
-/// too, at the same time of the scene.
+/// The same scene with other settings, shown beside the run that commands change: every change of that run is repeated
+/// in the pane at the same simulated time.
 #pragma once
 
 #include "viewer/side_run.h"
@@ -15,28 +15,29 @@
 
 namespace cairn::viewer {
 
-/// What differs in a pane.
+/// The settings by which a pane differs from the main run.
 struct PaneSettings {
     float step_length = 1.0f / 60.0f; ///< s, > 0.
-    int substeps = 6;                 ///< Exactly so many, whatever the scene asks for.
+    int substeps = 6;                 ///< Exact number of substeps; the scene's own setting is ignored.
     Integrator integrator = Integrator::semi_implicit_euler;
-    std::optional<float> friction; ///< Static and dynamic, of all surfaces; none: what the scene gives them.
+    std::optional<float> friction; ///< Static and dynamic friction of all surfaces; absent: the scene's values.
     friend bool operator==(const PaneSettings&, const PaneSettings&) = default;
 };
-inline constexpr std::size_t most_panes = 4; ///< The first included, which is the run that commands change.
-/// `may_be_more`: of substeps, where they are needed.
+/// Greatest number of panes, including the first, which is the run that commands change.
+inline constexpr std::size_t most_panes = 4;
+/// `may_be_more`: the substeps are a minimum, and islands may use more where needed.
 std::string describe(const PaneSettings& settings, bool may_be_more = false);
 
-/// What there is to see of a pane.
+/// The displayed data of a pane.
 struct PaneState {
     PaneSettings settings;
     RunPicture picture;
     double energy = 0.0; ///< J, kinetic and potential.
     RunDifference difference;
-    std::string trouble; ///< What could not be repeated; empty: nothing.
+    std::string trouble; ///< Changes that could not be repeated; empty: none.
 };
 
-/// The moment from which panes go on, and the world then.
+/// The world state and moment from which the panes start.
 struct PaneStart {
     Snapshot snapshot;
     Moment moment;
@@ -44,15 +45,15 @@ struct PaneStart {
 
 class Pane {
   public:
-    /// `first_step_length`: of the run that it accompanies.
+    /// `first_step_length`: of the main run.
     Pane(const PaneStart& start, int threads, float first_step_length, const PaneSettings& settings,
          const Looks& looks);
 
     const PaneSettings& settings() const { return settings_; }
-    /// Goes to the moment at which the other run is, or as near as it gets in about so many seconds of real time.
-    /// Before the start of the panes it stands at that.
+    /// Goes to the present moment of the main run, or as near as it gets within about that many seconds of real time.
+    /// Before the start of the panes, the pane shows its start state.
     bool go_to(Timeline& first, double seconds, const Looks& looks);
-    /// From that moment on, what was done to the other run is no longer what was done.
+    /// Drops what follows that moment, because the main run has branched off there.
     void forget_after(const Moment& moment);
     PaneState state(const WorldLayout& layout, const WorldMotion& motion) const;
     const World& world() const { return world_; }
@@ -71,10 +72,10 @@ class Pane {
     World world_;
     PaneSettings settings_;
     float first_step_length_;
-    Moment start_, done_;                         // of the other run: what came before `done_` is repeated
+    Moment start_, done_;                         // moments of the main run: changes before `done_` have been repeated
     std::uint64_t step_ = 0;                      // own steps since the start
-    std::map<std::uint64_t, Keyframe> keyframes_; // by own steps
-    bool is_stale_ = false;                       // what it has done is no longer what was done
+    std::map<std::uint64_t, Keyframe> keyframes_; // keyed by the pane's own step count
+    bool is_stale_ = false;                       // the main run has branched off before the pane's present state
     std::string trouble_;
     MeshCache meshes_;
     std::shared_ptr<const std::vector<JointLayout>> joints_;

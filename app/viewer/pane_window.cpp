@@ -15,7 +15,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr std::array rates{15.0f, 30.0f, 60.0f, 120.0f, 240.0f, 480.0f}; // steps a second
+constexpr std::array rates{15.0f, 30.0f, 60.0f, 120.0f, 240.0f, 480.0f}; // steps per second
 constexpr std::array integrators{Integrator::semi_implicit_euler, Integrator::explicit_euler, Integrator::rk4};
 
 std::string short_energy(double joules) {
@@ -41,7 +41,7 @@ void PaneWindow::open(const StageState& state, Controller& controller) {
     controller.post(command::SetPanes{settings_});
 }
 
-// What is compared most often, each at a click.
+// Buttons for the most common comparisons.
 bool PaneWindow::draw_varied(Controller& controller) {
     const auto vary = [&](const char* what, const char* place, auto&& change) {
         const bool is_chosen = ImGui::Button(what);
@@ -185,7 +185,7 @@ void PaneWindow::draw(const StageState& state, Controller& controller, const Win
         was_open_ ? open(state, controller) : controller.post(command::SetPanes{});
     }
     if (!controller.panes) return;
-    if (scene_serial_ != state.scene_serial) open(state, controller); // steps of another length, perhaps
+    if (scene_serial_ != state.scene_serial) open(state, controller); // the step length may differ
     draw_captions(state, facts, scale);
 }
 

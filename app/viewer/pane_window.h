@@ -1,5 +1,5 @@
 /// \file pane_window.h
-/// The part of the panel that sets up the panes, and the lines over them that tell how they differ.
+/// The part of the panel that configures the panes, and the captions that describe their differences.
 #pragma once
 
 #include "viewer/controller.h"
@@ -9,9 +9,9 @@ namespace cairn::viewer {
 
 class PaneWindow {
   public:
-    /// Tells the stage to have panes as long as they are wanted, and draws the lines over them.
+    /// Tells the stage to keep panes while they are shown, and draws their captions.
     void draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale);
-    /// The part of the panel that sets them up.
+    /// The part of the panel that configures the panes.
     void draw_section(const StageState& state, Controller& controller);
 
   private:
@@ -22,8 +22,8 @@ class PaneWindow {
 
     bool was_open_ = false;
     std::uint64_t scene_serial_ = 0;
-    PaneSettings first_;                 // as the run itself is
-    std::vector<PaneSettings> settings_; // of the others
+    PaneSettings first_;                 // settings of the main run
+    std::vector<PaneSettings> settings_; // settings of the other panes
 };
 
 } // namespace cairn::viewer

@@ -19,9 +19,9 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float panel_width = 300.0f;
-constexpr float min_scene_lines = 5.5f; // half a line shows that there are more
+constexpr float min_scene_lines = 5.5f; // the half line shows that the list continues
 
-// A bar of the ramp with a label at both ends.
+// A bar of the color ramp with a label at each end.
 void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
     constexpr int pieces = 32;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -46,7 +46,7 @@ void row(const char* name, const char* format, double value) {
     ImGui::Text(format, value);
 }
 
-// No wider than the picture, which has that much room. Returns the height of the box; 0 without a text.
+// A text box no wider than the view, whose width is `room`. Returns the height of the box; 0 without text.
 float draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot, float room) {
     if (text.empty()) return 0.0f;
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
@@ -55,7 +55,8 @@ float draw_caption(const char* name, const std::string& text, const ImVec2& plac
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     const float widest = room - 4.0f * ImGui::GetStyle().WindowPadding.x;
-    ImGui::PushTextWrapPos(std::min(0.55f * ImGui::GetIO().DisplaySize.x, widest)); // from the window's left edge
+    // Measured from the window's left edge.
+    ImGui::PushTextWrapPos(std::min(0.55f * ImGui::GetIO().DisplaySize.x, widest));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     const float height = ImGui::GetWindowHeight();
@@ -63,7 +64,7 @@ float draw_caption(const char* name, const std::string& text, const ImVec2& plac
     return height;
 }
 
-// Under the windows, over the first picture.
+// Drawn below the windows, in the first view.
 void draw_selection_frame(const Controller& controller, const WindowFacts& facts, float scale) {
     const auto frame = controller.selection_frame();
     if (!frame || facts.panes.empty()) return;
@@ -75,11 +76,11 @@ void draw_selection_frame(const Controller& controller, const WindowFacts& facts
     const ImVec2 corner = place(frame->low.x, frame->high.y), opposite = place(frame->high.x, frame->low.y);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled(corner, opposite, IM_COL32(84, 158, 219, 40));
-    list->AddRect(corner, opposite, IM_COL32(12, 30, 46, 200), 0.0f, 0, 3.0f * scale); // seen on a bright picture, too
+    list->AddRect(corner, opposite, IM_COL32(12, 30, 46, 200), 0.0f, 0, 3.0f * scale); // visible on bright pictures too
     list->AddRect(corner, opposite, IM_COL32(140, 200, 250, 255), 0.0f, 0, 1.5f * scale);
 }
 
-// Over all windows, since it may tell why what one of them asked for was not done. `place`: the middle of its lower
+// Drawn over all windows, because it may explain why an action in one of them was refused. `place`: center of the lower
 // edge.
 void draw_notice(const std::string& text, const ImVec2& place, float room) {
     if (text.empty()) return;
@@ -129,9 +130,9 @@ void apply_style(float scale, bool is_light) {
     style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
     style.WindowPadding = ImVec2(12.0f, 10.0f);
     style.ItemSpacing = ImVec2(8.0f, 5.0f);
-    style.WindowBorderSize = 1.0f; // parts windows of the same color
-    // Windows may cover each other: nothing shines through. Words lie on what is hovered and on the grabs of sliders,
-    // so these are dark where words are light.
+    style.WindowBorderSize = 1.0f; // separates windows of the same color
+    // Overlapping windows are opaque. Text is drawn on hovered items and slider grabs, so these contrast with the text
+    // color.
     ImVec4 hovered(0.17f, 0.36f, 0.52f, 1.0f), grab(0.24f, 0.47f, 0.67f, 1.0f), strong(0.33f, 0.62f, 0.86f, 1.0f);
     if (!is_light) {
         style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 1.0f);
@@ -153,7 +154,7 @@ void apply_style(float scale, bool is_light) {
     }
     style.Colors[ImGuiCol_PopupBg].w = 1.0f;
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = hovered;
-    style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_ButtonActive] = grab; // pressed, or on
+    style.Colors[ImGuiCol_HeaderActive] = style.Colors[ImGuiCol_ButtonActive] = grab; // pressed or active
     style.Colors[ImGuiCol_SliderGrab] = grab;
     style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_CheckMark] = strong;
     style.ScaleAllSizes(scale);
@@ -195,7 +196,7 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("Scenes", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const auto& scenes = controller.scenes();
     if (scenes.empty()) return ImGui::TextDisabled("no scenes found");
-    // The list takes the height that the rest of the column leaves, and scrolls.
+    // The list scrolls, and takes the height that the rest of the column leaves.
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float room = (ImGui::GetWindowHeight() - other_height_) / line;
     const float lines_shown = std::min(float(scenes.size()), std::max(room, min_scene_lines));
@@ -213,7 +214,7 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
         if (ImGui::Selectable(label, present)) controller.choose_scene(i);
         if (!present) continue;
         scene_is_listed_ = ImGui::IsItemVisible();
-        // Also when the list has become shorter; not while somebody scrolls in it.
+        // Also scrolls after the list has become shorter, but not while the user scrolls.
         if (shown_scene_ != state.path || shown_lines_ != scene_lines_) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
@@ -265,7 +266,7 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
         ImGui::TextUnformatted("awake: a color for each island");
         break;
     case ColorMode::shape: {
-        bool is_left = true; // of two columns
+        bool is_left = true; // column of two
         for (const auto& [type, name] : {std::pair(ShapeType::sphere, "sphere"),
                                          {ShapeType::box, "box"},
                                          {ShapeType::capsule, "capsule"},
@@ -323,7 +324,7 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     row("step", "%.2f ms", state.step_milliseconds);
     row("fps", "%.0f", facts.frames_per_second);
     row("time", "%.1f s", s.time);
-    row("real time", "%.2f x", state.real_time_factor); // as reached, whatever was asked for
+    row("real time", "%.2f x", state.real_time_factor); // measured, whatever speed is set
     ImGui::EndTable();
     if (!ImGui::TreeNode("stages of the step")) return;
     if (ImGui::BeginTable("stages", 2)) {
@@ -347,7 +348,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const ImGuiIO& io = ImGui::GetIO();
     const float margin = 12.0f * scale;
     const float column = column_width(controller, scale, io.DisplaySize.x), room = io.DisplaySize.x - column;
-    // Beside several pictures, what tells about the selected one has the lower half of the column.
+    // With several panes, the inspector or joint window takes the lower half of the column.
     const bool is_shared = column > 0.0f && !state.panes.empty() && (state.inspected || state.selected_joint);
     const float below = is_shared ? std::round(0.5f * io.DisplaySize.y) : 0.0f;
     if (controller.panel) {
@@ -376,7 +377,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         ImGui::End();
     }
     draw_selection_frame(controller, facts, scale);
-    const bool has_title = state.panes.empty(); // else lines of their own are there
+    const bool has_title = state.panes.empty(); // panes have captions instead
     const std::string title = has_title ? state.title + (state.hint.empty() ? "" : "\n" + state.hint) : "";
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);

@@ -1,5 +1,5 @@
 /// \file panel.h
-/// The panel, the key map and the lines of text over the picture, made with Dear ImGui.
+/// The panel, the help window and the text lines over the view, made with Dear ImGui.
 #pragma once
 
 #include "viewer/command_palette.h"
@@ -20,14 +20,15 @@ namespace cairn::viewer {
 
 class Panel {
   public:
-    /// Describes this frame's user interface; to be called between ImGui's NewFrame and Render. `scale`: how many of
-    /// ImGui's units one unscaled unit takes.
+    /// Describes this frame's user interface; to be called between ImGui's NewFrame and Render. `scale`: ImGui units
+    /// per unscaled unit.
     void draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale);
 
-    /// How many units of the window's width the panel's column takes from the picture: none where it is hidden, or
-    /// where the window is too narrow for both and the panel lies over the picture.
+    /// Width of the panel's column beside the view, in window units: 0 where the panel is hidden, or where the window
+    /// is too narrow for both and the panel overlays the view.
     static float column_width(const Controller& controller, float scale, float window_width);
-    float bar_height() const noexcept { return bar_height_; } ///< Of the timeline, units; 0 where it is hidden.
+    /// Height of the timeline bar, units; 0 where it is hidden.
+    float bar_height() const noexcept { return bar_height_; }
     const TimelineBar& timeline() const noexcept { return timeline_; }
     int scene_lines() const noexcept { return scene_lines_; }
     bool scene_is_listed() const noexcept { return scene_is_listed_; }
@@ -40,7 +41,7 @@ class Panel {
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);
 
-    WorldDef settings_; // as edited; follows the world while nothing is being edited
+    WorldDef settings_; // as edited; synchronized with the world while no widget is active
     JointPanel joints_;
     FieldPanel fields_;
     TimelineBar timeline_;
@@ -52,18 +53,18 @@ class Panel {
     Inspector inspector_;
     CommandPalette palette_;
     float speed_octave_ = 0.0f;
-    std::string shown_scene_;   // the list has been scrolled to the scene of this path
-    float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame
-    float list_height_ = 0.0f;  // of the list itself
+    std::string shown_scene_;   // path of the scene that the list was last scrolled to
+    float other_height_ = 0.0f; // height of the rest of the column beside the scene list, in the last frame
+    float list_height_ = 0.0f;  // height of the scene list
     int scene_lines_ = 0, shown_lines_ = 0;
     bool scene_is_listed_ = false;
 };
 
-/// How large the interface is in a window of that size in unscaled units, against one of 1280 x 720: in proportion to
-/// whichever side is the tighter, 0.75 to 3.
+/// Interface scale for a window of that size in unscaled units, relative to 1280 x 720: proportional to the tighter
+/// side, 0.75 to 3.
 float interface_share(float width, float height);
 
-/// Colors, rounding and spacing, at that scale.
+/// Sets colors, rounding and spacing at that scale.
 void apply_style(float scale, bool is_light);
 
 } // namespace cairn::viewer

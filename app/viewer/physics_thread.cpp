@@ -6,7 +6,7 @@
 namespace cairn::viewer {
 
 float interpolation_fraction(const StageState& state, double seconds) {
-    // Between steps the picture lags by up to one step, so that there is always a later state to move towards.
+    // The displayed pose lags by up to one step, so that there is always a later state to interpolate toward.
     if (state.paused) return 1.0f;
     return float(std::clamp((state.remainder + seconds * state.speed) / state.time_step, 0.0, 1.0));
 }

@@ -1,6 +1,6 @@
 /// \file physics_thread.h
-/// The stage on a thread of its own. The window posts commands and copies the latest state; neither ever waits for a
-/// step to finish.
+/// The stage on a thread of its own. The window posts commands and copies the latest state; neither waits for a step to
+/// finish.
 #pragma once
 
 #include "viewer/stage.h"
@@ -11,21 +11,22 @@
 
 namespace cairn::viewer {
 
-/// A state, and how far real time has gone on since.
+/// A state, and the fraction for interpolation in the real time since.
 struct LatestState {
     StageState stage;
-    /// Where to draw between `stage.previous` (0) and `stage.current` (1).
+    /// Interpolation between `stage.previous` (0) and `stage.current` (1).
     float fraction = 1.0f;
 };
 
-/// Where to draw between the previous and the current state, `seconds` of real time after the state was published.
+/// The interpolation fraction between the previous and the current state, `seconds` of real time after the state was
+/// published.
 float interpolation_fraction(const StageState& state, double seconds);
 
 class PhysicsThread {
   public:
-    /// Loads the first scene on the calling thread, so that its errors come out here, then starts.
+    /// Loads the first scene on the calling thread, so that its exceptions reach the caller, then starts the thread.
     PhysicsThread(SceneLoader loader, const std::string& path, Savers savers = {});
-    /// Finishes the step in progress and stops.
+    /// Finishes the present step and stops.
     ~PhysicsThread();
     PhysicsThread(const PhysicsThread&) = delete;
     PhysicsThread& operator=(const PhysicsThread&) = delete;
@@ -38,12 +39,12 @@ class PhysicsThread {
     void run();
     void publish();
 
-    Stage stage_; // used by the thread alone, once it runs
+    Stage stage_; // used only by the thread while it runs
     CommandQueue queue_;
-    mutable std::mutex mutex_; // guards what follows
+    mutable std::mutex mutex_; // guards the next two members
     StageState published_;
     Clock::time_point published_at_;
-    std::thread thread_; // last: everything else is ready when it starts
+    std::thread thread_; // last: all other members must exist when it starts
 };
 
 } // namespace cairn::viewer

@@ -47,14 +47,14 @@ void PictureArea::draw_pane(const LatestState& latest, const Controller& control
         renderer_.draw(frame, place, smoothing, scale);
         return;
     }
-    options.drag.reset(); // it is the first one that is pulled
+    options.drag.reset(); // only the body in the main run is dragged
     const RunPicture& picture = state.panes[index - 1].picture;
     renderer_.draw(make_frame(*picture.layout, *picture.previous, *picture.current, latest.fraction, camera, options),
                    place, smoothing, scale);
 }
 
 void PictureArea::draw(const LatestState& latest, const Controller& controller, float scale) {
-    if (panes_.size() > 1) { // what is between them
+    if (panes_.size() > 1) { // fills the gaps between panes
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glClearColor(0.05f, 0.06f, 0.07f, 1.0f);
         glClear(GL_COLOR_BUFFER_BIT);

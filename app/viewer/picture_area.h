@@ -1,5 +1,5 @@
 /// \file picture_area.h
-/// The part of the window beside the panel: one picture, or several panes of one camera.
+/// The part of the window beside the panel: one view, or several panes with a common camera.
 #pragma once
 
 #include "viewer/controller.h"
@@ -14,22 +14,22 @@ namespace cairn::viewer {
 
 class PictureArea {
   public:
-    /// Leaves `column` units to the left free, and below several panes `bottom`. Width and height of the frame are in
-    /// pixels, the other lengths in the window's units.
+    /// Arranges the panes: leaves `column` units free at the left, and with several panes `bottom` below them. Width
+    /// and height of the frame are in pixels, other lengths in window units.
     void place(int frame_width, int frame_height, int window_width, float column, float bottom, std::size_t panes);
     std::size_t count() const { return panes_.size(); }
-    /// In the window's units.
+    /// In window units.
     const PaneRect& pane(std::size_t index) const { return panes_[index]; }
     float pixels_per_unit() const { return pixels_per_unit_; }
-    /// The place of the first one, in pixels.
+    /// The rectangle of the first pane, in pixels.
     PicturePlace first_place() const { return place_of(panes_.front()); }
-    /// The pane that the cursor is in. While a button is down it stays the one in which it went down.
+    /// The pane under the cursor. While a button is held, it stays the pane in which the button was pressed.
     std::size_t pane_under(float x, float y) const;
     void hold(std::size_t pane) { held_ = pane; }
     void let_go() { held_.reset(); }
 
     void draw(const LatestState& latest, const Controller& controller, float scale);
-    /// Of the whole window, without the panel.
+    /// Draws the view over the whole window, without the panel.
     void draw_without_panel(const LatestState& latest, const Controller& controller);
     bool is_software() const { return renderer_.is_software(); }
 

@@ -28,7 +28,7 @@ std::string name_of_selected(const StageState& state) {
 
 void PlotWindow::draw_choice(const StageState& state, Controller& controller) {
     const auto groups = plot_groups();
-    ImGui::SetNextItemWidth(18.0f * ImGui::GetFontSize()); // the longest name
+    ImGui::SetNextItemWidth(18.0f * ImGui::GetFontSize()); // fits the longest name
     if (ImGui::BeginCombo("##group", groups[std::size_t(group_)].name)) {
         for (int i = 0; i < int(groups.size()); ++i) {
             if (ImGui::Selectable(groups[std::size_t(i)].name, i == group_)) group_ = i;
@@ -82,7 +82,7 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
         const auto clicked = draw_chart(
             "##plot", chart, left.x, std::max(left.y - 4.0f * line - ImGui::GetFrameHeightWithSpacing(), 3.0f * line),
             against_ ? std::nullopt : std::optional(state.statistics.time));
-        // A click goes to that moment.
+        // A click seeks to that time.
         if (clicked && !against_ && !chart.curves.front().x.empty()) {
             const double behind = state.statistics.time - *clicked;
             const double step = double(state.timeline.now) - behind / state.time_step;

@@ -18,9 +18,9 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double grid_period = 100.0; // meters; every grid line repeats after this
+constexpr double grid_period = 100.0; // meters; common period of all grid lines
 
-// The color of all that belongs to a body, in the modes that color bodies.
+// The color of a body in the modes that color whole bodies; else empty.
 std::optional<Vec3> body_color(const WorldLayout& layout, const WorldMotion& motion, std::size_t index,
                                ColorMode mode) {
     const BodyLayout& body = layout.bodies[index];
@@ -54,13 +54,13 @@ Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeL
 
 Transform interpolate(const Transform& from, const Transform& to, float fraction) {
     if (fraction >= 1.0f) return to;
-    // The short way round; the angle of one step is small, so normalized linear interpolation is enough.
+    // Interpolates along the shorter arc; the angle of one step is small, so normalized linear interpolation suffices.
     const float sign = glm::dot(from.rotation, to.rotation) < 0.0f ? -1.0f : 1.0f;
     const Quat mixed = from.rotation * (1.0f - fraction) + to.rotation * (sign * fraction);
     return {from.position + (to.position - from.position) * double(fraction), glm::normalize(mixed)};
 }
 
-// Where shapes of that kind are collected; the mesh of one of its own must be in its place already.
+// The instance list for a shape's type; the entry of a mesh must exist already.
 std::vector<Instance>& instances_of(ShapeInstances& all, const ShapeLayout& shape) {
     if (shape.mesh) return all.meshes[*shape.mesh].instances;
     switch (shape.type) {
@@ -96,8 +96,8 @@ Instance instance_at(const Position& position, const Quat& rotation, const Posit
     return instance;
 }
 
-// The edges of the box around a trigger, or what is disabled: nothing there can be touched, so nothing solid is drawn.
-// Planes have none.
+// The bounding box edges of a trigger or disabled body: neither can be touched, so nothing solid is drawn. Planes have
+// no box.
 void add_outline(RenderFrame& frame, const ShapeLayout& shape, const Position& position, const Quat& rotation,
                  const Vec3& color) {
     if (shape.type == ShapeType::plane) return;
@@ -110,7 +110,7 @@ void add_outline(RenderFrame& frame, const ShapeLayout& shape, const Position& p
             if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), color});
 }
 
-// The poses of a picture's bodies between two motions.
+// Poses of all bodies, interpolated between two motions.
 std::vector<Transform> poses_between(const WorldMotion& previous, const WorldMotion& current, float fraction) {
     std::vector<Transform> poses(current.transforms.size());
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -127,8 +127,9 @@ Transform pose_of(const ShapeLayout& shape, const Transform& body) {
     return {body.position + Position(body.rotation * shape.position), glm::normalize(body.rotation * shape.rotation)};
 }
 
-// The corners of a box around the selected body, which are seen on bodies of any color: in the frame of its shape, if
-// it has only one. Around many bodies they would hide them, and a drag has its own marks. What is infinite has none.
+// The corners of a box around the selected body, visible on bodies of any color: in the frame of its shape if it has
+// only one. Not drawn for several bodies, which they would clutter, during a drag, which has its own marks, or around
+// infinite shapes.
 void add_selection_marks(RenderFrame& frame, const WorldLayout& layout, std::span<const Transform> transforms,
                          const FrameOptions& options) {
     if (!options.selected || options.selection.size() > 1 || options.drag) return;
@@ -148,7 +149,7 @@ void add_selection_marks(RenderFrame& frame, const WorldLayout& layout, std::spa
         low = glm::min(low, center - extent);
         high = glm::max(high, center + extent);
     }
-    constexpr float reach = 0.2f; // of an edge, from each of its ends
+    constexpr float reach = 0.2f; // share of an edge, from each of its ends
     constexpr float width = 1.6f; // pixels
     const Vec3 origin(pose.position - frame.origin);
     for (int corner = 0; corner < 8; ++corner) {
@@ -180,13 +181,13 @@ void add_rigid(ShapeInstances& all, const Position& origin, const VisualLayout& 
     MeshInstances& group = all.meshes[visual.mesh];
     Instance instance = instance_at(pose.position, pose.rotation, origin, color);
     instance.half_size = Vec3(1.0f);
-    instance.pattern = is_plain ? 0.0f : 1.0f; // of colors that say something no texture is seen
+    instance.pattern = is_plain ? 0.0f : 1.0f; // a color mode hides textures, so that its color is readable
     instance.emphasis = is_selected ? 1.0f : 0.0f;
     instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
     group.instances.push_back(instance);
 }
 
-// A mesh of its own for this picture, about the place of its first bone.
+// Adds a skinned mesh: a new mesh for this picture, with its origin at the position of the first bone.
 void add_bent(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
               const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
     const auto pose_of = [&](const VisualLayout::Part& part) {
@@ -217,7 +218,7 @@ void add_bent(ShapeInstances& all, const Position& origin, const VisualLayout& v
     all.meshes.push_back({std::make_shared<const ShapeMesh>(std::move(now)), {instance}});
 }
 
-// Whether its body is shown by meshes of the scene's own instead.
+// Whether the shape's body is drawn by visual meshes instead.
 bool is_covered(const WorldLayout& layout, const ShapeLayout& shape, const FrameOptions& options) {
     return options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger;
 }
@@ -240,24 +241,24 @@ void add_solid(ShapeInstances& all, const Position& origin, const ShapeLayout& s
     Instance instance = instance_at(pose.position, pose.rotation, origin, color);
     instance.half_size = shape.half_size;
     instance.emphasis = is_highlighted(layout.bodies[shape.body].id, options) ? 1.0f : 0.0f;
-    // Slopes are tinted where the color is ours to choose and means nothing.
+    // Slopes are tinted only where the color is neither set by the scene nor meaningful in the color mode.
     if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
         instance.pattern = 0.0f;
     instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
     instances_of(all, shape).push_back(instance);
 }
 
-// Strings are solid: in front of one another, with shadows.
+// Strings are thin solid cylinders, with depth test and shadows.
 void add_strings(RenderFrame& frame, const WorldMotion& motion, std::span<const Transform> transforms) {
-    constexpr float thickness = 0.01f; // of the length
+    constexpr float thickness = 0.01f; // share of the length
     for (const JointLayout& joint : *motion.joints) {
         if (!joint.color || !joint.def.enabled) continue;
         const JointFrames ends = frames_of(joint, transforms);
         const Vec3 way(ends.b.position - ends.a.position);
         const float length = glm::length(way);
         if (length <= 0.0f) continue;
-        // The turn of the upward axis, along which cylinders lie, to the string: half the angle, about what is
-        // perpendicular to both.
+        // Rotation from the y axis, along which cylinders lie, to the string: the quaternion of half the angle about
+        // the common perpendicular.
         const Vec3 along = way / length;
         const Quat half(1.0f + along.y, along.z, 0.0f, -along.x);
         const Quat rotation = along.y > -0.999f ? glm::normalize(half) : Quat(0.0f, 1.0f, 0.0f, 0.0f);
@@ -270,7 +271,7 @@ void add_strings(RenderFrame& frame, const WorldMotion& motion, std::span<const 
     }
 }
 
-// Seen through everything: the held point may be on the far side, and the target inside of something.
+// Visible through all surfaces: the grabbed point may be on the far side, and the target inside a body.
 void add_drag(RenderFrame& frame, const WorldLayout& layout, std::span<const Transform> transforms,
               const DragLine& drag) {
     const auto body = std::find_if(layout.bodies.begin(), layout.bodies.end(),
@@ -285,12 +286,12 @@ void add_drag(RenderFrame& frame, const WorldLayout& layout, std::span<const Tra
     frame.strokes.push_back({target, target, drag_color(), target_width});
 }
 
-// Parallel rays along a plane see its edge alone: a line.
+// Adds a ground plane. An orthographic camera parallel to the plane sees only its edge, which is drawn as a line.
 void add_plane(RenderFrame& frame, const Transform& pose, const Vec3& color) {
     frame.grounds.push_back(ground_of(pose.position, pose.rotation, frame.origin, color));
     const Vec3 to_target(frame.camera.target - frame.camera.position), normal = pose.rotation * Vec3(0.0f, 1.0f, 0.0f);
     const float distance = glm::length(to_target);
-    constexpr float level = 1e-3f, reach = 20.0f; // of the distance
+    constexpr float level = 1e-3f, reach = 20.0f; // share of the distance to the target
     if (!frame.camera.is_parallel || std::abs(glm::dot(to_target, normal)) > level * distance) return;
     const Vec3 target(frame.camera.target - frame.origin), point(pose.position - frame.origin);
     const Vec3 middle = target - normal * glm::dot(target - point, normal);

@@ -1,5 +1,6 @@
 /// \file render_frame.h
-/// One picture, described: what a renderer needs and nothing else. `make_frame` makes one from a world:
+/// A description of one picture: everything that a renderer needs and nothing else. `make_frame` makes one from a
+/// world:
 ///
 ///     HeadlessRenderer renderer(1280, 720);
 ///     renderer.draw(make_frame(world, appearances, camera));
@@ -20,24 +21,24 @@
 
 namespace cairn::viewer {
 
-/// What the color of a body tells.
+/// The property that the color of a body shows.
 enum class ColorMode { scene, mass, speed, island, shape };
 inline constexpr int color_mode_count = 5;
 const char* name_of(ColorMode mode);
 
-/// One shape. Laid out as the renderer's instance buffer expects it: 16 floats.
+/// One shape instance. Laid out as the renderer's instance buffer expects it: 16 floats.
 struct Instance {
     Vec3 position{0.0f, 0.0f, 0.0f};            ///< Relative to `RenderFrame::origin`, meters.
     float emphasis = 0.0f;                      ///< 0 plain, 1 highlighted.
     glm::vec4 rotation{0.0f, 0.0f, 0.0f, 1.0f}; ///< Quaternion x, y, z, w.
     Vec3 half_size{0.5f, 0.5f, 0.5f};           ///< See `ShapeLayout::half_size`.
-    float pattern = 1.0f;                       ///< How strong the pattern is that shows rotation or slope, 0 to 1.
+    float pattern = 1.0f;                       ///< Strength of the pattern that shows rotation or slope, 0 to 1.
     Vec3 color{0.8f, 0.8f, 0.8f};               ///< Linear.
-    float bound_radius = 0.0f;                  ///< Of a ball around `position` that holds it, meters.
+    float bound_radius = 0.0f;                  ///< Radius of a bounding sphere around `position`, meters.
 };
 static_assert(sizeof(Instance) == 64);
 
-/// All shapes that are drawn with one mesh.
+/// All instances of one mesh.
 struct MeshInstances {
     std::shared_ptr<const ShapeMesh> mesh;
     std::vector<Instance> instances;
@@ -45,10 +46,11 @@ struct MeshInstances {
 
 /// An infinite plane, drawn as a ground with a grid that fades.
 struct GroundPlane {
-    Vec3 position{0.0f, 0.0f, 0.0f};       ///< A point of it near the origin, relative to `RenderFrame::origin`.
+    Vec3 position{0.0f, 0.0f, 0.0f};       ///< A point of the plane near the origin, relative to `RenderFrame::origin`.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< From the plane's frame (normal along y) to the world.
-    glm::vec2 grid_offset{0.0f, 0.0f};     ///< Where `position` lies on the grid, meters, along x and z of its frame.
-    Vec3 color{0.6f, 0.6f, 0.6f};          ///< Linear.
+    /// Position of `position` on the grid, meters, along x and z of the plane's frame.
+    glm::vec2 grid_offset{0.0f, 0.0f};
+    Vec3 color{0.6f, 0.6f, 0.6f}; ///< Linear.
 };
 
 /// A line segment, relative to `RenderFrame::origin`.
@@ -57,15 +59,15 @@ struct Line {
     Vec3 color{1.0f, 1.0f, 1.0f};
 };
 
-/// A stroke of constant width that is seen through everything, fainter where it is hidden. `from` = `to`: a dot.
+/// A stroke of constant width that is visible through all surfaces, fainter where it is hidden. `from` = `to`: a dot.
 /// Relative to `RenderFrame::origin`.
 struct Stroke {
     Vec3 from, to;
     Vec3 color{1.0f, 1.0f, 1.0f};
-    float width = 2.0f; ///< Pixels of a picture 720 pixels high; of a dot, its diameter.
+    float width = 2.0f; ///< Pixels of a picture 720 pixels high; for a dot, its diameter.
 };
 
-/// A thin colored triangle, seen from both sides. Relative to `RenderFrame::origin`.
+/// A translucent colored triangle, visible from both sides. Relative to `RenderFrame::origin`.
 struct Veil {
     Vec3 a, b, c;
     Vec3 color{1.0f, 1.0f, 1.0f};
@@ -84,7 +86,7 @@ struct ShapeInstances {
 };
 
 struct RenderFrame : ShapeInstances {
-    Position origin{0.0, 0.0, 0.0}; ///< World position that everything is relative to.
+    Position origin{0.0, 0.0, 0.0}; ///< World position to which all coordinates are relative.
     CameraPose camera;
     ShapeInstances ghosts; ///< Transparent, without shadows.
     std::vector<GroundPlane> grounds;
@@ -92,49 +94,50 @@ struct RenderFrame : ShapeInstances {
     std::vector<LineBox> line_boxes;
     std::vector<Stroke> strokes;
     std::vector<Veil> veils;
-    std::vector<Veil> fluids; ///< Their surfaces: hidden by what is in front of them, and thicker.
+    std::vector<Veil> fluids; ///< Surfaces of fluids: hidden by objects in front of them, and less transparent.
     bool grid = true;         ///< Draw the lines of the ground.
     bool shadows = true;
-    Lighting lighting; ///< Fixed in the world.
+    Lighting lighting; ///< In world coordinates.
 };
 
-/// Which joints are drawn. `some`: the selected one, those of the selected body, those that bear half of what breaks
-/// them or more, and those that do not hold what they should.
+/// Which joints are drawn. `some`: the selected joint, those of the selected body, those loaded to at least half of
+/// their breaking force or torque, and those with a large position or angular error.
 enum class JointsShown { some, all, none };
 inline constexpr int joints_shown_count = 3;
 const char* name_of(JointsShown shown);
 
-/// A body that is being pulled by a point of it.
+/// A body that is dragged by one of its points.
 struct DragLine {
     BodyId body;
-    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< Where it is held, in the body's frame, meters.
-    Position target{0.0, 0.0, 0.0};     ///< Where it is pulled to.
+    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< The grabbed point in the body's frame, meters.
+    Position target{0.0, 0.0, 0.0};     ///< World position that the point is pulled toward.
 };
 
 struct FrameOptions {
     ColorMode colors = ColorMode::scene;
     bool grid = true;
     bool shadows = true;
-    bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
-    BodyId selected;     ///< Highlighted; null for none.
-    std::vector<BodyId> selection;          ///< Likewise, in ascending order.
+    bool visuals = true;                    ///< Bodies with visual meshes are drawn by these; else by their shapes.
+    BodyId selected;                        ///< Highlighted; null for none.
+    std::vector<BodyId> selection;          ///< All selected bodies, highlighted, in ascending order.
     JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
     Lighting lighting;
     std::optional<DragLine> drag; ///< Shown as a line with a dot at both ends.
 };
 
-/// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
+/// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`; between them it
+/// interpolates.
 RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
                        float fraction, const CameraPose& camera, const FrameOptions& options = {});
 
-/// Adds another run's bodies as ghosts, but for those that are where they are in the run shown, and for what is
-/// infinite.
+/// Adds the bodies of another run as ghosts, except those in the same pose as in the displayed run, and infinite
+/// shapes.
 void add_ghosts(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& current, const RunPicture& other,
                 float fraction, const FrameOptions& options);
 
-/// The picture of a world as it stands. `meshes` keeps the triangles of its hulls, meshes and height fields for the
-/// next picture; without it they are made anew.
+/// The picture of a world in its present state. `meshes` caches the triangles of its hulls, meshes and height fields
+/// for the next picture; without it they are generated each time.
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
                        const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals = {},
                        std::span<const JointAppearance> strings = {});

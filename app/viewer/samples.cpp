@@ -30,7 +30,7 @@ constexpr PlotGroup groups[] = {{"energy", energies, false},
                                 {"kinetic energy of the body", body_energies, true},
                                 {"contact forces on the body", forces, true}};
 
-// Normal forces only, as sizes.
+// Sum of the magnitudes of the normal forces.
 double contact_force(const World& world, BodyId body, double step_length) {
     double impulse = 0.0;
     for (const Contact& contact : world.contacts(body))

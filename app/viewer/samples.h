@@ -1,5 +1,5 @@
 /// \file samples.h
-/// Energies, momenta and what a body does, step by step, to be plotted.
+/// Samples of energies, momenta and quantities of one body, step by step, for plots.
 #pragma once
 
 #include "viewer/chart.h"
@@ -15,7 +15,7 @@
 
 namespace cairn::viewer {
 
-/// What is measured, in the order of `Sample::values`.
+/// The sampled quantities, in the order of `Sample::values`.
 enum class Quantity {
     kinetic_energy,
     potential_energy,
@@ -30,7 +30,7 @@ enum class Quantity {
     angular_momentum_x,
     angular_momentum_y,
     angular_momentum_z,
-    body_x, // from here on: of one body
+    body_x, // from here on: of the sampled body
     body_y,
     body_z,
     body_velocity_x,
@@ -48,26 +48,26 @@ const char* name_of(Quantity quantity); ///< With its unit.
 
 struct Sample {
     std::uint64_t step = 0;
-    BodyId body;                                 ///< Of which the quantities of a body are.
+    BodyId body;                                 ///< The sampled body.
     double time = 0.0;                           ///< s
-    std::array<double, quantity_count> values{}; ///< Those of a body are not numbers where there is none.
+    std::array<double, quantity_count> values{}; ///< Quantities of a body are NaN if there is none.
 };
 
-/// `body`: null for none. `flow`: of energy, since the sampling began.
+/// `body`: null for none. `flow`: accumulated since sampling began.
 Sample measure(const World& world, BodyId body, std::uint64_t step, double step_length, const EnergyFlow& flow = {});
-/// The flow that a sample was taken with.
+/// The energy flow of a sample.
 EnergyFlow flow_of(const Sample& sample);
 
-/// Samples by step. A copy costs little: what is full is shared and never changes.
+/// Samples by step. A copy is cheap: full chunks are shared and immutable.
 class SampleLog {
   public:
-    /// Samples of the same step or of later ones are replaced by it.
+    /// Adds a sample; it replaces those of the same and later steps.
     void add(const Sample& sample);
     void clear();
     bool is_empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }
     const Sample& operator[](std::size_t i) const;
-    /// Null where that step was not sampled.
+    /// Null if that step was not sampled.
     const Sample* at(std::uint64_t step) const;
     std::uint64_t last_step() const { return (*this)[size_ - 1].step; }
 
@@ -79,7 +79,7 @@ class SampleLog {
     std::size_t size_ = 0;
 };
 
-/// What is plotted together.
+/// Quantities that are plotted together.
 struct PlotGroup {
     const char* name;
     std::span<const Quantity> quantities;
@@ -87,8 +87,8 @@ struct PlotGroup {
 };
 std::span<const PlotGroup> plot_groups();
 
-/// The last `seconds` of the samples as a chart; all with infinity. `body` and its name: the one whose quantities are
-/// shown. `against`: what is along x, instead of the time.
+/// The last `seconds` of the samples as a chart; all samples for infinity. `body`, `name`: the body whose quantities
+/// are shown. `against`: the quantity on the x axis instead of time.
 Chart sample_chart(const SampleLog& samples, const PlotGroup& group, double seconds, BodyId body,
                    const std::string& name, std::optional<Quantity> against = std::nullopt);
 

@@ -15,8 +15,8 @@ namespace {
 
 bool is_along_axes(const Quat& rotation) { return rotation.x == 0.0f && rotation.y == 0.0f && rotation.z == 0.0f; }
 
-// `turn`: from the shape's frame to that of the body, along whose axes the factors are. Where the factors differ, the
-// shape must be one that can be stretched.
+// Scales shapes by factors along the body's axes. `turn`: rotation from the shape's frame to that of the body. Factors
+// may differ only for shapes that can be stretched.
 struct Scaled {
     Vec3 factors;
     Quat turn;
@@ -82,7 +82,7 @@ bool can_be_stretched(const World& world, BodyId body) {
 
 void scale_body(World& world, BodyId id, const Vec3& factors) {
     Body body = world.body(id);
-    std::vector<std::pair<Shape, ShapeDef>> shapes; // all, before anything changes
+    std::vector<std::pair<Shape, ShapeDef>> shapes; // complete before the body is changed
     for (const ShapeId shape : body.shapes()) {
         ShapeDef def = world.shape_def(shape);
         shapes.emplace_back(std::visit(Scaled{factors, def.rotation}, world.shape(shape)), def);
@@ -97,7 +97,7 @@ void scale_body(World& world, BodyId id, const Vec3& factors) {
         world.set_shape_def(shape, def);
     }
     if (!has_mass || body.mass_properties().mass != before.mass) return;
-    // It had been given, and so did not follow.
+    // The mass was set explicitly, so changing the shapes did not change it.
     const float volume = factors.x * factors.y * factors.z;
     if (volume != 1.0f) body.set_mass_from_shapes(before.mass * volume);
 }

@@ -1,5 +1,6 @@
 /// \file scene_source.h
-/// How scenes reach the viewer. The viewer knows nothing of scene files: whoever starts it passes a function.
+/// The interface through which the viewer gets scenes. The viewer does not depend on scene files: its caller passes a
+/// loader function.
 #pragma once
 
 #include "viewer/camera.h"
@@ -26,35 +27,36 @@ struct Appearance {
     Vec3 color{0.8f, 0.8f, 0.8f};
 };
 
-/// A joint that the scene shows, as a string between its two anchors.
+/// A joint that is drawn as a string between its two anchors.
 struct JointAppearance {
     JointId joint;
     Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
 };
 
-/// A mesh that the scene has for its looks. It moves with its body, whose shapes it stands for in the picture.
+/// A visual mesh of the scene. It moves with its body, and is drawn instead of the body's shapes.
 struct Visual {
     BodyId body;     ///< Null: scenery, which never moves.
-    Transform local; ///< In the frame of the body; of scenery, in the world.
+    Transform local; ///< Pose in the frame of the body, or of scenery in the world.
     std::shared_ptr<const ShapeMesh> mesh;
     Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
-    /// None: it is rigid. Else it bends with the bodies of these, whose shapes it stands for; `body` is null, and
-    /// `local` means nothing.
+    /// Empty: the mesh is rigid. Else it is skinned to these bones and drawn instead of the shapes of their bodies;
+    /// `body` is null, and `local` is unused.
     std::vector<Bone> bones{};
 };
 
-/// What was done between two steps of a recorded world, as commands (cairn/commands.h), and the step.
+/// The changes between two steps of a recorded world, as commands (cairn/commands.h), and the step command.
 struct RecordedStep {
     std::vector<std::vector<std::byte>> changes;
-    std::vector<std::byte> step;       ///< Empty: none follows.
-    std::optional<StateDigest> digest; ///< Of the state after the step, as recorded.
+    std::vector<std::byte> step;       ///< Empty: no step follows.
+    std::optional<StateDigest> digest; ///< Recorded digest of the state after the step.
 };
 
-/// A run that a file has: the world of the scene is at its beginning, and these steps lead through it.
+/// The run of a recording file: the world of the scene is at its beginning, and these steps reproduce it.
 struct RecordedRun {
     std::vector<RecordedStep> steps;
-    std::shared_ptr<CommandSource> source; ///< Of these commands; needed if there are any.
-    /// The last state that was kept after more than `after` steps and no more than `until`, and its step. May be empty.
+    /// Resolves the references of the commands; needed if there are any commands.
+    std::shared_ptr<CommandSource> source;
+    /// The last keyframe after more than `after` and at most `until` steps, and its step. May be empty.
     std::function<std::optional<std::pair<std::uint64_t, Snapshot>>(std::uint64_t after, std::uint64_t until)> keyframe;
 };
 
@@ -62,35 +64,35 @@ struct RecordedRun {
 struct LoadedScene {
     World world;
     std::string title;
-    std::string hint; ///< One line on what to try.
+    std::string hint; ///< One line that suggests what to try.
     CameraPose camera;
-    std::vector<Light> lights{};    ///< None: that of every scene.
+    std::vector<Light> lights{};    ///< Empty: the default lighting.
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
     std::vector<std::vector<BodyId>> groups{}; ///< Bodies that are selected together.
     RecordedRun run{};
-    bool is_paused = false; ///< Waits to be started.
+    bool is_paused = false; ///< The scene starts paused.
 };
 
-/// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the
-/// physics thread.
+/// Loads the scene at that path. Throws `cairn::Error` (or any std::exception) if it cannot. Called on the physics
+/// thread.
 using SceneLoader = std::function<LoadedScene(const std::string& path)>;
 
-/// What a recording says of its beginning beside the commands.
+/// The data at the beginning of a recording besides the commands.
 struct RecordingLooks {
-    std::string source; ///< What is recorded, for people.
+    std::string source; ///< A readable name of the recorded scene.
     CameraPose camera;
-    std::vector<Light> lights; ///< As `LoadedScene` has them.
+    std::vector<Light> lights; ///< As in `LoadedScene`.
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
 };
 
-/// How the viewer's files are written. Either may be empty, and throws as the loader does.
+/// Functions that write the viewer's files. Either may be empty, and throws as the loader does.
 struct Savers {
-    /// Makes a recording: `run` does to `world`, which must be told to nobody yet, what is to be recorded. It is called
-    /// on a thread of its own.
+    /// Writes a recording: `run` executes the commands to be recorded in `world`, which must not have a listener yet.
+    /// Called on a thread of its own.
     std::function<void(const std::filesystem::path& path, const RecordingLooks& looks, World& world,
                        const std::function<void()>& run)>
         recording;
@@ -98,7 +100,7 @@ struct Savers {
     std::function<void(const std::filesystem::path& path, LoadedScene& scene)> scene;
 };
 
-/// One line of the viewer's list of scenes.
+/// An entry of the viewer's list of scenes.
 struct SceneItem {
     std::string path;
     std::string title;

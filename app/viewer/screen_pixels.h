@@ -1,5 +1,5 @@
 /// \file screen_pixels.h
-/// What the window shows, as pixels.
+/// Reading back the pixels of the window.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace cairn::viewer {
 
-/// 8-bit RGB, top row first, of what is drawn now in the lower left corner of the window.
+/// The lower left part of the window as drawn at present: 8-bit RGB, top row first.
 std::vector<std::uint8_t> read_screen(int width, int height);
 
 } // namespace cairn::viewer

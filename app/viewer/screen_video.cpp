@@ -10,11 +10,11 @@ namespace cairn::viewer {
 
 namespace {
 constexpr double frame_rate = 30.0;
-constexpr double longest_pause = 1.0; // s: a window that stood still for longer is shown for so long
+constexpr double longest_pause = 1.0; // s; longer pauses of the window are shortened to this
 } // namespace
 
 void ScreenVideo::start(const std::filesystem::path& path, int width, int height) {
-    width_ = width & ~1; // as the codec wants it
+    width_ = width & ~1; // the codec requires even sizes
     height_ = height & ~1;
     writer_ = std::make_unique<VideoWriter>(path, width_, height_, frame_rate);
     path_ = path;

@@ -1,5 +1,5 @@
 /// \file screen_video.h
-/// A video of the window, made while it is used.
+/// Screen recording of the window as a video.
 #pragma once
 
 #include "viewer/headless.h"
@@ -13,19 +13,19 @@ namespace cairn::viewer {
 class ScreenVideo {
   public:
     bool is_running() const { return writer_ != nullptr; }
-    /// Begins one, of the lower left `width` x `height` pixels of the window. Throws as `VideoWriter` does.
+    /// Starts a video of the lower left `width` x `height` pixels of the window. Throws as `VideoWriter` does.
     void start(const std::filesystem::path& path, int width, int height);
-    /// A frame of the window has been drawn, `seconds` after the one before. Ends the video if the window has become
-    /// smaller, or the writer fails; the answer is then what to tell, else empty.
+    /// Adds the drawn frame, `seconds` after the previous one. Ends the video if the window has become smaller or the
+    /// writer fails; then returns a message, else an empty string.
     std::string add_frame(double seconds, int width, int height);
-    /// Ends it; what to tell.
+    /// Ends the video; returns a message.
     std::string stop();
 
   private:
     std::unique_ptr<VideoWriter> writer_;
     std::filesystem::path path_;
     int width_ = 0, height_ = 0;
-    double due_ = 0.0; // frames of the video that have not been written yet
+    double due_ = 0.0; // video frames due but not written yet
 };
 
 } // namespace cairn::viewer

@@ -1,5 +1,5 @@
 /// \file script.h
-/// Inputs from a file, for demonstrations and tests. One command a line; `#` begins a comment:
+/// Inputs from a file, for demonstrations and tests. One command per line; `#` begins a comment:
 ///
 ///     wait 0.5               do nothing for half a second
 ///     key Shift+Backspace    press and release a key
@@ -27,19 +27,19 @@ struct ScriptLine {
     enum class Kind { wait, key, down, up, cursor, press, release, wheel, drop, report, picture, window, quit };
     Kind kind = Kind::wait;
     std::string word;        ///< Key, button or file.
-    double x = 0.0, y = 0.0; ///< Seconds, pixels or notches.
+    double x = 0.0, y = 0.0; ///< Seconds, pixels or wheel notches.
 };
 
-/// Throws `Error` (invalid_file) naming the line. `name` stands for the file in messages.
+/// Throws `Error` (invalid_file) with the line number. `name` stands for the file in messages.
 std::vector<ScriptLine> parse_script(std::string_view text, const std::string& name);
 /// Throws `Error` (io, invalid_file).
 std::vector<ScriptLine> load_script(const std::filesystem::path& path);
 
-/// Hands out the lines of a script when their time has come.
+/// Returns the lines of a script when they are due.
 class ScriptPlayer {
   public:
     explicit ScriptPlayer(std::vector<ScriptLine> lines = {}) : lines_(std::move(lines)) {}
-    /// Seconds have passed: the next line that is due, or null. Call again until null.
+    /// Advances time by that many seconds: returns the next line that is due, or null. Call again until null.
     const ScriptLine* next(double seconds);
 
   private:

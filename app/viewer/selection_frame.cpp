@@ -12,8 +12,8 @@ namespace cairn::viewer {
 
 namespace {
 
-// Points that span how a shape appears: of a sphere its outline, since the corners of its box would stand out of it;
-// of any other shape the corners of its box. None for what has no end.
+// Points that span the projection of a shape: for a sphere four points of its outline, since the corners of its
+// bounding box would lie outside; for any other shape the corners of its bounding box. Empty for infinite shapes.
 std::vector<Position> outline(const ShapeLayout& shape, const Transform& body, const OrbitCamera& camera) {
     if (shape.bound_radius <= 0.0f) return {};
     const Quat rotation = body.rotation * shape.rotation;

@@ -1,5 +1,5 @@
 /// \file selection_frame.h
-/// A rectangle in the picture that selects the bodies in it.
+/// A rectangle in the view for selecting the bodies in it.
 #pragma once
 
 #include "viewer/camera.h"
@@ -11,17 +11,17 @@
 
 namespace cairn::viewer {
 
-/// Normalized device coordinates: -1 to 1 in the picture, upwards.
+/// Normalized device coordinates: -1 to 1 in the view, y up.
 struct SelectionFrame {
     glm::vec2 low{0.0f, 0.0f}, high{0.0f, 0.0f};
 
-    /// Between two opposite corners, in whichever order.
+    /// The rectangle between two opposite corners, in any order.
     static SelectionFrame between(const glm::vec2& a, const glm::vec2& b);
     bool contains(const glm::vec2& point) const;
 };
 
-/// The bodies that appear in a frame with all of their shapes, also where others hide them, in the layout's order; a
-/// body without shapes by its origin. What has no end, as planes, is in no frame.
+/// The bodies of which all shapes project into the rectangle, also where hidden by others, in the layout's order; a
+/// body without shapes is represented by its origin. Infinite shapes, such as planes, are in no rectangle.
 std::vector<BodyId> bodies_within(const SelectionFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
                                   const OrbitCamera& camera, float aspect);
 

@@ -1,5 +1,5 @@
 /// \file shaders.h
-/// The shaders, without their first line. The same text compiles as GLSL 3.30 and, for the web, as GLSL ES 3.00.
+/// The shaders, without their version line. The same text compiles as GLSL 3.30 and, for the web, as GLSL ES 3.00.
 #pragma once
 
 #include "viewer/body_shaders.h"
@@ -12,7 +12,7 @@ inline constexpr const char* web_header = "#version 300 es\n"
                                           "precision highp int;\n"
                                           "precision highp sampler2DShadow;\n";
 
-/// Light, sky, shadow and tone, shared by the fragment shaders.
+/// Lighting, sky, shadows and tone mapping, shared by the fragment shaders.
 inline constexpr const char* lighting = R"(
 uniform vec3 u_eye;
 uniform vec4 u_viewer; // the eye and 1, or the direction towards it and 0 where rays are parallel
@@ -201,9 +201,9 @@ layout(location = 0) in vec3 a_corner;
 void main() { gl_Position = vec4(a_corner.x, a_corner.z, 0.0, 1.0); }
 )";
 
-/// Smooths the steps of edges. Where a pixel differs from its neighbors, the edge between it and the one across is
-/// followed both ways to its ends. What a straight edge from end to end would leave of the pixel to the other side is
-/// the share that it gets of the color there. (The idea of morphological antialiasing, Reshetov 2009.)
+/// Anti-aliases edges. Where a pixel differs from a neighbor, the edge between the two is followed in both directions
+/// to its ends. The share of the pixel that a straight edge between these ends would assign to the neighbor's side is
+/// the blending weight of the neighbor's color. (The idea of morphological antialiasing, Reshetov 2009.)
 inline constexpr const char* smoothing_fragment = R"(
 uniform sampler2D u_picture;
 uniform ivec2 u_corner; // of the picture in the window
@@ -265,7 +265,7 @@ void main() {
 }
 )";
 
-// Edge 4 i + k of a box goes along its axis i from the k-th corner of the face that it begins at.
+// Edge 4 i + k of a box is parallel to its axis i, and starts at the k-th corner of the lower face across that axis.
 inline constexpr const char* line_box_vertex = R"(
 layout(location = 0) in vec3 a_min;
 layout(location = 1) in vec3 a_max;

@@ -28,13 +28,13 @@ ShadowRegion shadow_region(const RenderFrame& frame) {
             include(group.instances);
             continue;
         }
-        for (const Instance& instance : group.instances) { // mostly larger than what can be seen of it
+        for (const Instance& instance : group.instances) { // usually larger than its visible part
             const float needed = glm::length(instance.position - target) + instance.bound_radius;
             radius = std::max(radius, std::min(1.5f * distance, needed));
         }
     }
     if (radius <= 0.0f) radius = 0.5f * reach;
-    constexpr float step = 1.3f; // coarse steps, so that the region seldom changes
+    constexpr float step = 1.3f; // coarse steps, so that the region rarely changes
     radius = std::pow(step, std::ceil(std::log(radius) / std::log(step)));
     return {target, radius};
 }

@@ -17,17 +17,18 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr std::size_t cells_per_tile = 64; // of a height field, along both edges: makes one part
+// Cells of a height field per tile, in each direction; two triangles per cell make one mesh part.
+constexpr std::size_t cells_per_tile = 64;
 static_assert(2 * cells_per_tile * cells_per_tile == triangles_per_part);
-constexpr std::size_t max_smoothed = 64; // triangles at one vertex; where more meet, all stay flat
+constexpr std::size_t max_smoothed = 64; // triangles at one vertex; beyond it, all stay flat-shaded
 
-// Unit; up where there is no direction.
+// Normalizes a vector; returns up for a zero vector.
 Vec3 direction_of(const Vec3& v) {
     const float length = glm::length(v);
     return length > 0.0f && std::isfinite(length) ? v / length : Vec3(0.0f, 1.0f, 0.0f);
 }
 
-// The corners of triangles around each vertex: those of vertex v are corners[start[v]] to corners[start[v + 1] - 1].
+// The triangle corners around each vertex: those of vertex v are corners[start[v]] to corners[start[v + 1] - 1].
 struct VertexCorners {
     std::vector<std::uint32_t> start, corners;
 };
@@ -43,8 +44,9 @@ VertexCorners corners_of(std::size_t vertex_count, std::span<const std::uint32_t
     return result;
 }
 
-// The normal of one corner: the mean of the triangles around the vertex that lean little against its own, weighted by
-// their angle there (Thuermer and Wuethrich 1998), so that it does not depend on how faces are cut into triangles.
+// The normal of one corner: the mean over the triangles around the vertex whose normals differ little from its own,
+// weighted by their angles there (Thuermer and Wuethrich 1998), so that it does not depend on the triangulation of
+// faces.
 Vec3 corner_normal(std::span<const std::uint32_t> around, std::uint32_t own, std::span<const Vec3> normals,
                    std::span<const float> angles) {
     const Vec3& flat = normals[own / 3];
@@ -62,7 +64,7 @@ struct Ball {
     float radius = 0.0f;
 };
 
-// Around the middle of the bounds.
+// Bounding box, and bounding sphere about the box's center.
 template <class Range, class PlaceOf> Ball ball_around(const Range& range, const PlaceOf& place_of) {
     if (std::empty(range)) return {};
     Vec3 least = place_of(range[0]), greatest = least;
@@ -84,7 +86,7 @@ TriangleMesh hull_triangles(const Hull& hull) {
     const auto vertices = hull.vertices();
     for (std::size_t f = 0; f < hull.face_count(); ++f) {
         const auto face = hull.face(f);
-        // Newell's formula: the mean over all corners, so that no three of them decide alone.
+        // Newell's formula: averages over all corners, so that no three of them determine the normal alone.
         Vec3 normal(0.0f);
         for (std::size_t i = 0; i < face.size(); ++i)
             normal += glm::cross(vertices[face[i]] - vertices[face[0]],
@@ -118,7 +120,7 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
         const std::size_t first = mesh.vertices.size();
         for (const std::uint32_t corner : around) {
             const Vec3 normal = corner_normal(around, corner, normals, angles);
-            // Corners that look alike share a vertex; where very many meet, not all of them are compared.
+            // Corners with equal normals share a vertex; where very many triangles meet, only the latest are compared.
             std::size_t place = std::max(first, mesh.vertices.size() - std::min(mesh.vertices.size(), max_smoothed));
             while (place < mesh.vertices.size() && glm::dot(mesh.vertices[place].normal, normal) < 0.99999f) ++place;
             if (place == mesh.vertices.size()) mesh.vertices.push_back({vertices[v], Vec3(0.0f), normal});
@@ -133,7 +135,7 @@ TriangleMesh height_field_triangles(const HeightField& field) {
     const glm::vec2 spacing = field.spacing();
     const auto columns = std::size_t(field.columns()), rows = std::size_t(field.rows());
     std::size_t stride = 1;
-    const auto lines = [&stride](std::size_t count) { return (count - 2) / stride + 2; }; // the last one included
+    const auto lines = [&stride](std::size_t count) { return (count - 2) / stride + 2; }; // includes the last one
     while (lines(columns) * lines(rows) > max_heights) ++stride;
     const std::size_t across = lines(columns), along = lines(rows);
     const auto place = [&](std::size_t i, std::size_t k) {
@@ -146,11 +148,11 @@ TriangleMesh height_field_triangles(const HeightField& field) {
     for (std::size_t k = 0; k < along; ++k) {
         for (std::size_t i = 0; i < across; ++i) {
             const Vec3 here = place(i, k);
-            if (here.y == HeightField::hole) { // of no triangle
+            if (here.y == HeightField::hole) { // used by no triangle
                 mesh.vertices.push_back({Vec3(here.x, 0.0f, here.z), Vec3(0.0f), Vec3(0.0f, 1.0f, 0.0f)});
                 continue;
             }
-            // The normal from the slopes over the neighboring columns and rows, as far as there are any.
+            // The normal from finite differences over the neighboring columns and rows, one-sided at the border.
             const auto beside = [&](std::size_t i1, std::size_t k1) {
                 const Vec3 p = place(i1, k1);
                 return p.y == HeightField::hole ? Vec3(p.x, here.y, p.z) : p;
@@ -230,7 +232,7 @@ TriangleMesh rounded_shape_triangles(const Shape& shape) {
 
 namespace {
 
-// What two rounded shapes of the same kind must share to look alike, beside their data.
+// Sizes that two rounded shapes must share, besides their data, to share a mesh.
 std::vector<float> sizes_of(const Shape& shape) {
     const float rounding = rounding_of(shape);
     if (!(rounding > 0.0f)) return {};

@@ -16,7 +16,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr double seen_distance = 1e-3; // m
-constexpr float seen_turn = 0.003f;    // of the half angle's sine, rad: a thousandth of a turn
+constexpr float seen_turn = 0.003f;    // sine of half the angle: a thousandth of a turn
 
 } // namespace
 
@@ -92,7 +92,7 @@ bool is_elsewhere(const Transform& a, const Transform& b) {
 }
 
 RunDifference difference(const WorldLayout& layout, const WorldMotion& motion, const RunPicture& other) {
-    std::unordered_map<BodyId, std::size_t> places; // of the other run's bodies
+    std::unordered_map<BodyId, std::size_t> places; // indices of the other run's bodies
     for (std::size_t i = 0; i < other.layout->bodies.size(); ++i) places.emplace(other.layout->bodies[i].id, i);
     RunDifference difference;
     std::size_t shared = 0;

@@ -1,6 +1,6 @@
 /// \file side_run.h
-/// Another run of the scene beside the one that commands change: a world with a timeline of its own, which is taken to
-/// whatever moment that one is at.
+/// A second run of the scene beside the one that commands change: a world with a timeline of its own, kept at the same
+/// step as the main run.
 #pragma once
 
 #include "viewer/timeline.h"
@@ -16,21 +16,21 @@
 
 namespace cairn::viewer {
 
-/// Of keys and drags: what exists in a world only as long as they are held.
+/// A joint or force field of a drag or held key: it exists in a world only as long as it is held.
 struct Held {
     std::variant<JointId, ForceFieldId> id;
     Moment since;
 };
-/// Removes from a world what of these it has.
+/// Removes those of the held objects that exist in a world.
 void end_held(World& world, std::span<const Held> held);
 
-/// What there is to see of a run.
+/// The displayed data of a run.
 struct RunPicture {
     std::shared_ptr<const WorldLayout> layout;
     std::shared_ptr<const WorldMotion> previous, current;
 };
 
-/// What a scene's bodies look like beside what they are.
+/// The appearance of a scene's bodies and joints.
 struct Looks {
     std::span<const Appearance> appearances;
     std::span<const Visual> visuals;
@@ -39,8 +39,8 @@ struct Looks {
 
 class SideRun {
   public:
-    /// A copy of a world as it stands, with the same past and the same known future. `held`: what ends when that future
-    /// does, as nobody holds it here.
+    /// A copy of a world in its present state, with the same past and the same known future. `held`: objects that are
+    /// removed at the end of that future, because nobody holds them in this copy.
     SideRun(const World& world, const Timeline& timeline, std::vector<Held> held, float step_length,
             const Looks& looks);
 
@@ -48,12 +48,12 @@ class SideRun {
     Timeline timeline;
     std::vector<Held> held;
 
-    /// Goes to the moment after so many steps, or as near as it gets in about so many seconds of real time: follows
-    /// what is known, and beyond it steps on with nobody's help. True: it is there. Throws what the world's calls
-    /// throw.
+    /// Goes to the state after `step` steps, or as near as it gets within about `seconds` of real time: follows the
+    /// known run, and beyond it continues without user input. Returns true if it has arrived. Throws what the world's
+    /// calls throw.
     bool go_to(std::uint64_t step, double seconds, const Looks& looks);
     bool is_at(std::uint64_t step) const { return timeline.now().step == step; }
-    /// Bodies may have come, gone or changed.
+    /// To be called when bodies may have been added, removed or changed.
     void refresh(const Looks& looks);
     const RunPicture& picture() const { return picture_; }
 
@@ -65,15 +65,16 @@ class SideRun {
     RunPicture picture_;
 };
 
-/// How two runs differ at a moment.
+/// The difference of two runs at one step.
 struct RunDifference {
-    std::size_t elsewhere = 0; ///< Bodies that are at another place, turned otherwise, or in one of the two alone.
-    double farthest = 0.0;     ///< m: the greatest distance between the two places of a body.
-    BodyId farthest_body;      ///< Null: none.
+    /// Number of bodies with another position or rotation, or present in only one of the runs.
+    std::size_t elsewhere = 0;
+    double farthest = 0.0; ///< Greatest distance between the two positions of a body, m.
+    BodyId farthest_body;  ///< The body at that distance; null: none.
 };
-/// Whether a body is seen to be elsewhere: by more than a millimeter or a thousandth of a turn.
+/// Whether two poses of a body differ visibly: by more than a millimeter or a thousandth of a turn.
 bool is_elsewhere(const Transform& a, const Transform& b);
-/// The motions of the two pictures must be of their layouts.
+/// Compares two runs. Each motion must belong to the layout passed with it.
 RunDifference difference(const WorldLayout& layout, const WorldMotion& motion, const RunPicture& other);
 
 } // namespace cairn::viewer

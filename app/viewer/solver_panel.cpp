@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_lines = 12; // of a legend
 
-// How deep, and what the colors of the boxes are.
+// The depth slider, and a legend of the box colors.
 void draw_tree_choice(const StageState& state, Controller& controller, SolverShown& shown) {
     ImGui::SliderInt("depth", &shown.tree_depth, 0, greatest_tree_depth, "%d", ImGuiSliderFlags_AlwaysClamp);
     note_place(controller, "solver.depth");
@@ -39,7 +39,7 @@ void draw_tree_choice(const StageState& state, Controller& controller, SolverSho
         ImGui::Text("%d of single shapes", shapes);
 }
 
-// A line for each group of contacts: its color, what it is, and how many there are.
+// A legend line for each group of contacts: its color, name, and number.
 template <class Name> void draw_contact_legend(const std::map<int, int>& counts, Vec3 (*color)(int), const Name& name) {
     if (counts.empty()) ImGui::TextUnformatted("Nothing touches.");
     std::size_t lines = 0;

@@ -1,5 +1,5 @@
 /// \file solver_panel.h
-/// The part of the panel that chooses what of the solver's work is drawn, and tells how to read it.
+/// The part of the panel that selects which solver data is drawn, and explains it.
 #pragma once
 
 #include "viewer/controller.h"

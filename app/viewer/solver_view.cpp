@@ -17,10 +17,10 @@ namespace cairn::viewer {
 namespace {
 
 constexpr std::size_t most_strokes = 40000;
-constexpr float longest = 0.14f;     // of the distance to what is looked at: the arrow of the greatest force
-constexpr float cone_height = 0.05f; // likewise
-constexpr float second = 0.25f;      // s of motion that the arrow of a velocity is long
-// Told apart by the color-blind, too; linear.
+constexpr float longest = 0.14f;     // length of the arrow of the greatest force, as a share of the camera's distance
+constexpr float cone_height = 0.05f; // share of the camera's distance
+constexpr float second = 0.25f;      // s; a velocity arrow spans the motion in this time
+// Linear; distinguishable for color-blind viewers too.
 const Vec3 force_color(1.0f, 0.62f, 0.08f), friction_color(0.15f, 0.55f, 1.0f), sliding_color(1.0f, 0.20f, 0.10f);
 const Vec3 velocity_color(0.25f, 0.85f, 0.45f), turning_color(0.85f, 0.30f, 0.70f), bound_color(0.45f, 0.60f, 0.75f);
 const Vec3 link_color(0.75f, 0.80f, 0.25f), joint_link_color(0.30f, 0.65f, 1.0f);
@@ -85,7 +85,7 @@ float combined(float a, float b, CombineRule rule) {
     return a * b;
 }
 
-// As the engine combines them: the rule of lower number wins, and what holds is no weaker than what slides.
+// Combined as in the engine: the rule of lower number applies, and static friction is at least dynamic friction.
 float static_friction(const Material& a, const Material& b) {
     const CombineRule rule = std::min(a.friction_combine, b.friction_combine);
     return std::max(combined(a.static_friction, b.static_friction, rule),
@@ -99,8 +99,8 @@ void read_contacts(SolverView& view, const World& world, float per_second, BodyI
         for (int i = 0; i < contact.point_count; ++i) sum += contact.points[i].normal_impulse;
         const float coefficient =
             static_friction(world.shape_def(contact.shape_a).material, world.shape_def(contact.shape_b).material);
-        // The force on the selected body; else on what moves, and of two that do on the upper one, which the other
-        // bears.
+        // Shows the force on the selected body, else on the dynamic body, and of two dynamic bodies on the upper one,
+        // which the lower one supports.
         const auto moves = [&](BodyId body) { return world.body(body).type() == BodyType::dynamic; };
         const bool on_b = is_of_one ? contact.body_b == selected
                                     : moves(contact.body_b) && (!moves(contact.body_a) || contact.normal.y >= 0.0f);
@@ -121,7 +121,7 @@ void read_movers(SolverView& view, const World& world) {
         const MassProperties mass = body.mass_properties();
         SolverView::Mover mover{body.center_of_mass(), body.linear_velocity(), body.angular_velocity(),
                                 body.rotation() * mass.inertia_orientation, Vec3(0.0f)};
-        // Of a solid ellipsoid: I_x = m (b^2 + c^2) / 5.
+        // Solid ellipsoid: I_x = m (b^2 + c^2) / 5.
         const Vec3 moments = mass.inertia_diagonal;
         const float sum = 0.5f * (moments.x + moments.y + moments.z);
         for (int i = 0; i < 3; ++i)
@@ -158,7 +158,7 @@ void read_order(SolverView& view, const World& world, BodyId selected) {
     }
 }
 
-// Bodies that have no end would make boxes that no picture holds.
+// Whether bounds are finite; boxes of infinite shapes cannot be drawn.
 bool has_end(const Bounds& bounds) {
     constexpr double far = 1e6; // m
     for (int i = 0; i < 3; ++i)
@@ -172,7 +172,7 @@ void read_tree(SolverView& view, const World& world, int depth, BodyId selected)
     std::vector<BroadPhaseNode> nodes = world.broad_phase_nodes(is_of_one ? every : depth, every);
     if (is_of_one) {
         std::vector<char> is_above(nodes.size());
-        for (std::size_t i = nodes.size(); i-- > 0;) { // what is below comes later
+        for (std::size_t i = nodes.size(); i-- > 0;) { // children follow their parents
             is_above[i] |= char(nodes[i].is_leaf && world.body_of(nodes[i].shape) == selected);
             if (is_above[i] && nodes[i].parent >= 0) is_above[std::size_t(nodes[i].parent)] = 1;
         }
@@ -183,7 +183,7 @@ void read_tree(SolverView& view, const World& world, int depth, BodyId selected)
     view.nodes = std::move(nodes);
 }
 
-// Draws arrows and the like, measured from the frame's origin.
+// Draws arrows and other marks, relative to the frame's origin.
 class Pen {
   public:
     explicit Pen(RenderFrame& frame)
@@ -205,7 +205,7 @@ class Pen {
         const float head = std::min(0.3f * length, 0.012f * scale_);
         for (const float sign : {-1.0f, 1.0f}) line(to, to - along * head + side * (0.6f * sign * head), color, width);
     }
-    // A cone with its tip at `tip`.
+    // A cone with its apex at `tip`.
     void cone(const Vec3& tip, const Vec3& axis, float half_angle, const Vec3& color) {
         constexpr int sides = 12;
         const Vec3 other = std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
@@ -244,7 +244,7 @@ void draw_points(Pen& pen, const SolverView& view) {
             pen.arrow(at, arrow_of(point.friction), friction_color);
         }
         if (!view.shown.cones || point.normal_force <= 0.0f) continue;
-        constexpr float nearly = 0.97f; // of what the cone allows
+        constexpr float nearly = 0.97f; // share of the friction limit
         const bool slides = glm::length(point.friction) >= nearly * point.coefficient * point.normal_force;
         pen.cone(at, point.normal, std::atan(point.coefficient), slides ? sliding_color : friction_color);
     }
@@ -260,7 +260,7 @@ void draw_box(Pen& pen, const Bounds& bounds, const Vec3& color, float width) {
             if (!(i & axis)) pen.line(corner(i), corner(i | axis), color, width);
 }
 
-// Those of shapes, and of the trees that hold these.
+// Bounding boxes of shapes and of broad-phase tree nodes.
 void draw_boxes(RenderFrame& frame, Pen& pen, const SolverView& view) {
     const bool are_wide = view.bounds.size() + view.nodes.size() <= max_wide_boxes;
     const auto draw = [&](const Bounds& bounds, const Vec3& color, float width) {
@@ -274,7 +274,7 @@ void draw_boxes(RenderFrame& frame, Pen& pen, const SolverView& view) {
         draw(node.bounds, tree_color(node.depth), node.depth == view.shown.tree_depth ? 2.2f : 1.2f);
 }
 
-// Of both, the colors of contacts are seen.
+// If both colors and substeps are shown, the graph colors take precedence.
 void draw_order(Pen& pen, const SolverView& view) {
     for (const SolverView::Solved& contact : view.solved) {
         const Vec3 at = pen.at(contact.place);
@@ -307,7 +307,7 @@ void draw_difference(RenderFrame& frame, Pen& pen, const PairDifference& differe
 
 std::span<const SolverPart> solver_parts() { return parts; }
 
-// Neighbors differ in hue and in lightness.
+// Consecutive depths differ in hue and in lightness.
 Vec3 tree_color(int depth) {
     static const Vec3 colors[] = {linear_color(0xf0f0f0), linear_color(0xe6a01e), linear_color(0x3f8fd8),
                                   linear_color(0xf2e25a), linear_color(0xc0507a), linear_color(0x6fd8c8)};
@@ -323,7 +323,7 @@ Vec3 contact_color(int color) {
 }
 
 Vec3 substep_color(int substeps) {
-    constexpr float most = 32.0f; // that is told apart
+    constexpr float most = 32.0f; // beyond which the color stays the same
     return speed_ramp(std::min(std::log2(1.0f + float(substeps)) / std::log2(1.0f + most), 1.0f));
 }
 

@@ -14,18 +14,18 @@ namespace {
 using Kind = SpawnSettings::Kind;
 
 constexpr int max_tries = 256;
-constexpr std::size_t max_hulls = 64; // kept for the next body of their kind and size
+constexpr std::size_t max_hulls = 64; // cached for later bodies of the same kind and size
 constexpr float polyhedron_radius = 0.65f;
 constexpr float golden = 1.6180340f;
 
-// All sign changes of (0, a, b), and their cyclic turns.
+// Adds all sign combinations of (0, a, b) and their cyclic permutations.
 void add_rectangles(std::vector<Vec3>& points, float a, float b) {
     for (const float s : {-1.0f, 1.0f})
         for (const float t : {-1.0f, 1.0f})
             points.insert(points.end(), {{0.0f, s * a, t * b}, {s * a, t * b, 0.0f}, {t * b, 0.0f, s * a}});
 }
 
-// Points of a sphere, evenly spread (a Fibonacci lattice), each moved in by its own amount.
+// Evenly distributed points of a sphere (a Fibonacci lattice), each moved inward by a different amount.
 std::vector<Vec3> rock_points() {
     constexpr int count = 18;
     std::vector<Vec3> points;
@@ -38,7 +38,7 @@ std::vector<Vec3> rock_points() {
     return points;
 }
 
-// Of unit size: the farthest corner is 1 from the origin.
+// Corners scaled so that the farthest one is at distance 1 from the origin.
 std::vector<Vec3> corners_of(Kind kind) {
     std::vector<Vec3> points;
     switch (kind) {
@@ -97,15 +97,15 @@ SpawnSettings preset_of(Kind kind) {
     return settings;
 }
 
-// After the time t the way is v t + g t^2 / 2. With |v| given that is a quadratic equation for t^2; the least speed is
-// the one at which its two solutions are the same.
+// The displacement after time t is v t + g t^2 / 2. For a given |v| this is a quadratic equation in t^2; the least
+// speed is the one at which its two solutions coincide.
 Vec3 velocity_to_reach(const Vec3& way, float speed, const Vec3& gravity) {
     const glm::dvec3 w(way), g(gravity);
     const double distance = glm::length(w), pull = glm::length(g);
     const double square = std::max(double(speed) * double(speed), pull * distance - glm::dot(w, g));
     const double middle = square + glm::dot(w, g);
     const double root = std::sqrt(std::max(middle * middle - pull * pull * distance * distance, 0.0));
-    if (middle + root <= 0.0) return Vec3(0.0f); // no speed, and nothing that pulls, or nowhere to go
+    if (middle + root <= 0.0) return Vec3(0.0f); // zero speed without gravity, or zero displacement
     const double time = std::sqrt(2.0 * distance * distance / (middle + root));
     return Vec3(w / time - 0.5 * time * g);
 }

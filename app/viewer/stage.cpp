@@ -17,11 +17,11 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float pull_acceleration = 20.0f;            // m/s^2, towards the origin
+constexpr float pull_acceleration = 20.0f;            // m/s^2, toward the origin
 constexpr float walk_speed = 3.0f, jump_speed = 4.5f; // m/s
-constexpr double pick_distance = 1.0e8;               // meters: parallel rays begin far away
-constexpr double newest_step_weight = 0.1;            // in the running mean of step times
-constexpr double longest_advance = 1.0 / 30.0;        // real seconds of stepping after which the picture comes first
+constexpr double pick_distance = 1.0e8;               // m; rays of an orthographic camera begin far away
+constexpr double newest_step_weight = 0.1;            // in the moving average of step times
+constexpr double longest_advance = 1.0 / 30.0;        // s of real time spent on steps before the picture is updated
 
 } // namespace
 
@@ -47,7 +47,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     selected_before_grab_.clear();
     met_ = {};
     selected_joint_ = {};
-    drag_joint_ = {}; // it went with its world
+    drag_joint_ = {}; // it was destroyed with its world
     grab_ = {grab_.serial, false, {}, {}, {}, {}};
     step_milliseconds_ = 0.0;
     timeline_.begin(scene_.world, std::exchange(scene_.run, {}), scene_.groups);
@@ -76,7 +76,7 @@ void Stage::apply(const Command& command) {
     }
     const auto* released = std::get_if<command::ReleaseGrab>(&command);
     if (released && released->click && was_holding)
-        timeline_.unname_change("drag"); // it selected
+        timeline_.unname_change("drag"); // the drag was a click, which only selects
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);
     settle_branch();
@@ -87,14 +87,15 @@ void Stage::apply(const Command& command) {
 int Stage::advance(double real_seconds) {
     hear_from_writer();
     if (seeking_) go_on_seeking();
-    take_others_along(longest_advance); // it may still be on its way
+    take_others_along(longest_advance); // they may still be seeking
     const int due = clock_.advance(real_seconds);
     const auto start = std::chrono::steady_clock::now();
     int taken = 0;
     while (taken < due) {
         step();
         ++taken;
-        // A world too slow for real time drops what it cannot do, so that every few steps are seen.
+        // If the simulation is slower than real time, due steps are dropped, so that the picture is updated every few
+        // steps.
         if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > longest_advance) break;
     }
     return taken;
@@ -210,7 +211,7 @@ void Stage::operator()(const command::Spawn& spawn) {
 
 void Stage::operator()(const command::Shoot& shoot) {
     const Ray& ray = shoot.ray;
-    const double ahead = double(2.0f * shoot.settings.size); // off the eye
+    const double ahead = double(2.0f * shoot.settings.size); // in front of the camera
     Vec3 velocity = ray.direction * shoot.settings.speed;
     const auto hit = scene_.world.cast_ray(ray.origin, ray.direction, pick_distance);
     if (const double far = hit ? double(hit->distance) - ahead : 0.0; far > 0.0) {
@@ -257,7 +258,7 @@ void Stage::operator()(const command::SetForce& force) {
     update_field(force_field_, field, force_ != Vec3(0.0f));
 }
 
-// Where there are characters, the keys are theirs.
+// Passes the force keys to the characters of the world, if there are any; else returns false.
 bool Stage::walk(const Vec3& push) {
     bool walks = false;
     for (const BodyId id : scene_.world.bodies()) {
@@ -290,7 +291,7 @@ void Stage::update_field(std::optional<ForceFieldId>& id, const ForceField& fiel
         id = world.add_force_field(field);
         held_.push_back({*id, timeline_.now()});
     }
-    // What rests must feel the change.
+    // Wakes sleeping bodies, so that the change acts on them.
     for (const BodyId body : world.bodies())
         if (world.body(body).type() == BodyType::dynamic) world.body(body).wake();
 }
@@ -394,7 +395,7 @@ void Stage::refresh_layout() {
         std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances, meshes_, scene_.visuals));
     refresh_joints();
     refresh_motion();
-    previous_ = current_; // the bodies of the step before may not match
+    previous_ = current_; // the bodies of the preceding step may not match
 }
 
 void Stage::refresh_motion() {

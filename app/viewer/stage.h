@@ -1,5 +1,6 @@
 /// \file stage.h
-/// The simulation that the viewer shows: a scene, what people's commands did to it, and a clock. One thread at a time.
+/// The simulation that the viewer shows: a scene, the changes made by user commands, and a clock. Not thread-safe: one
+/// thread at a time.
 #pragma once
 
 #include "viewer/commands.h"
@@ -21,40 +22,40 @@
 
 namespace cairn::viewer {
 
-/// The answer to `command::GrabBody`, and how the drag stands.
+/// The answer to `command::GrabBody`, and the state of the drag.
 struct Grab {
-    std::uint64_t serial = 0;           ///< Of the latest answered command.
-    bool holding = false;               ///< A dynamic body is held now.
-    BodyId body;                        ///< The one grabbed last; null if the latest ray met no dynamic body.
-    Position start{0.0, 0.0, 0.0};      ///< Where it was grabbed, meters.
-    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< The same in the body's frame.
-    Position target{0.0, 0.0, 0.0};     ///< Where the cursor pulls it.
+    std::uint64_t serial = 0;           ///< Serial number of the latest answered command.
+    bool holding = false;               ///< A dynamic body is held at present.
+    BodyId body;                        ///< The body grabbed last; null if the latest ray met no dynamic body.
+    Position start{0.0, 0.0, 0.0};      ///< World position of the grabbed point when it was grabbed, meters.
+    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< The grabbed point in the body's frame, meters.
+    Position target{0.0, 0.0, 0.0};     ///< World position that the cursor pulls the grabbed point toward, meters.
 };
 
-/// A line for the person at the screen.
+/// A line of text for the user.
 struct Message {
-    std::uint64_t serial = 0; ///< Counts up from 1; 0: there has been none.
+    std::uint64_t serial = 0; ///< Counts up from 1; 0: no message yet.
     std::string text;
 };
 
-/// What is known of the past, and of what followed it.
+/// The known part of the run before and after the present step.
 struct TimelineState {
-    std::uint64_t first = 0, last = 0, now = 0;      ///< Steps.
+    std::uint64_t first = 0, last = 0, now = 0;      ///< Step numbers.
     std::shared_ptr<const std::vector<Mark>> marks;  ///< In order of their steps.
-    std::optional<std::string> undoable, redoable;   ///< Names of the changes.
-    bool is_backwards = false, is_recording = false; ///< Time runs backwards; a file is what is shown.
+    std::optional<std::string> undoable, redoable;   ///< Names of the changes that undo and redo would affect.
+    bool is_backwards = false, is_recording = false; ///< Time runs backwards; the run comes from a recording file.
     Timeline::Verdict verdict;
-    std::size_t bytes = 0; ///< That it takes.
+    std::size_t bytes = 0; ///< Memory that the timeline takes.
 };
 
-/// The other of two runs that parted.
+/// The second of two runs that branched from a common past.
 struct OtherRun {
-    std::uint64_t parted_at = 0; ///< Steps made then.
+    std::uint64_t parted_at = 0; ///< Step number at which the runs branched.
     RunPicture picture;
     RunDifference difference;
 };
 
-/// What the window shows. A copy costs little: the large parts are shared and never change.
+/// Everything that the window shows. A copy is cheap: the large parts are shared and immutable.
 struct StageState {
     std::uint64_t scene_serial = 0; ///< Counts loaded scenes, resets included.
     std::string path, title, hint;
@@ -65,46 +66,49 @@ struct StageState {
     Statistics statistics;
     double step_milliseconds = 0.0; ///< Mean over the last half second or so, as the physics thread measured it.
     WorldDef settings;
-    int usual_substeps = 6;                                  ///< `World::usual_substeps` of `time_step`.
-    std::vector<std::pair<ForceFieldId, ForceField>> fields; ///< Without those that are held keys.
+    int usual_substeps = 6; ///< `World::usual_substeps` of `time_step`.
+    /// Force fields, without those that exist while a key is held.
+    std::vector<std::pair<ForceFieldId, ForceField>> fields;
     bool paused = false;
     bool frozen = false, pulled = false;
     Vec3 force{0.0f, 0.0f, 0.0f};
     double speed = 1.0, real_time_factor = 0.0, time_step = 1.0 / 60.0;
     double remainder = 0.0;        ///< Simulated seconds by which real time is ahead of `current`.
-    BodyId selected;               ///< The one that windows tell about.
-    std::vector<BodyId> selection; ///< All that are selected, it included.
-    bool is_group = false;         ///< They are one.
+    BodyId selected;               ///< The body whose data the windows show.
+    std::vector<BodyId> selection; ///< All selected bodies, `selected` included.
+    bool is_group = false;         ///< The selected bodies form one group.
     JointId selected_joint;
     Grab grab;
     Message message;
     TimelineState timeline;
     std::optional<OtherRun> other;
-    std::vector<PaneState> panes;        ///< Beside this run.
-    std::optional<Impact> impact;        ///< That was asked for.
-    std::vector<BodyId> impact_partners; ///< What its body has hit, the last first.
-    double energy = 0.0;                 ///< J, kinetic and potential; told where there are panes.
-    std::uint64_t panes_began = 0;       ///< Steps made then.
+    std::vector<PaneState> panes;        ///< The panes beside this run.
+    std::optional<Impact> impact;        ///< The impact that was requested, if any.
+    std::vector<BodyId> impact_partners; ///< Bodies that the impact's body has hit, most recent first.
+    double energy = 0.0;                 ///< J, kinetic and potential; computed only while there are panes.
+    std::uint64_t panes_began = 0;       ///< Step number at which the panes began.
     SampleLog samples;
-    std::optional<BodyFacts> inspected; ///< The selected body.
-    std::optional<BodyFacts> handled;   ///< What handles change: it, or one that stands for all that are selected.
+    std::optional<BodyFacts> inspected; ///< Data of the selected body.
+    /// Data that the gizmo handles edit: the selected body, or a stand-in for several.
+    std::optional<BodyFacts> handled;
 };
 
 class Stage {
   public:
-    /// Loads the first scene; whatever the loader throws comes through.
+    /// Loads the first scene; exceptions of the loader propagate.
     Stage(SceneLoader loader, const std::string& path, Savers savers = {});
     ~Stage();
 
-    /// Carries out one command. A command that fails changes nothing and leaves a message.
+    /// Executes one command. A command that fails changes nothing and leaves a message.
     void apply(const Command& command);
-    /// Real seconds have passed: takes the steps that are due, unless they take too long, and returns how many.
+    /// Advances the clock by real seconds: takes the steps that are due, unless they take too long, and returns how
+    /// many it took.
     int advance(double real_seconds);
-    /// One step, whatever the clock says.
+    /// Takes one step regardless of the clock.
     void step();
-    /// Real seconds until there is something to do.
+    /// Real seconds until the next step or other work is due.
     double until_next_step() const;
-    /// A copy of what there is to see.
+    /// A copy of the state to display.
     StageState state() const;
 
     const World& world() const noexcept { return scene_.world; }
@@ -212,33 +216,33 @@ class Stage {
     StepClock clock_;
     Spawner spawner_;
     MeshCache meshes_;
-    std::vector<BodyId> order_; // dynamic bodies in the order in which they came; may hold stale ones
+    std::vector<BodyId> order_; // dynamic bodies in order of creation; may hold stale ids
     std::optional<ForceFieldId> force_field_, pull_field_;
     Vec3 force_{0.0f, 0.0f, 0.0f};
     bool frozen_ = false, with_islands_ = false;
-    BodyId selected_; // one of the selection, or null
+    BodyId selected_; // one body of the selection, or null
     std::vector<BodyId> selection_, selected_before_grab_;
-    BodyId met_; // by the ray of the latest grab, whatever it is
+    BodyId met_; // the body, of any type, that the ray of the latest grab met
     JointId selected_joint_;
     Grab grab_;
-    JointId drag_joint_; // ours, not the scene's: no list shows it
+    JointId drag_joint_; // belongs to the viewer, not to the scene: lists of joints leave it out
     Message message_;
     std::uint64_t scene_serial_ = 0;
     Timeline timeline_;
     std::vector<Held> held_;
-    std::unique_ptr<SideRun> other_; // null: there is none
+    std::unique_ptr<SideRun> other_; // null: no second run
     std::uint64_t parted_at_ = 0;
-    std::optional<PaneStart> panes_start_; // nothing: there are none
+    std::optional<PaneStart> panes_start_; // empty: no panes
     std::vector<Pane> panes_;
-    bool others_are_here_ = true; // the other run and the panes are at this run's moment
+    bool others_are_here_ = true; // the other run and the panes are at the same step as this run
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
     bool with_samples_ = false;
     SolverShown solver_shown_;
-    // A part of the run that is shown slowly.
+    // An interval of the run that is shown in slow motion.
     struct SlowMotion {
-        std::uint64_t end = 0;     // step
-        double speed_before = 1.0; // of the clock
+        std::uint64_t end = 0;     // step number
+        double speed_before = 1.0; // clock speed to return to
     };
     std::optional<SlowMotion> slow_motion_;
     std::optional<Impact> impact_;

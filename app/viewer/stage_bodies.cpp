@@ -1,4 +1,4 @@
-// What the inspector changes, and the scene as a file.
+// Edits made by the inspector, and saving the scene to a file.
 #include "viewer/stage.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void Stage::operator()(const command::EditBody& change) {
     refresh_layout();
 }
 
-// A change that throws leaves nothing behind, neither in the world nor in how it looks.
+// Makes a change that, if it throws, leaves neither the world nor appearances modified.
 void Stage::all_or_nothing(const std::function<void()>& change) {
     const std::size_t colors = scene_.appearances.size(), strings = scene_.strings.size();
     try {
@@ -28,7 +28,7 @@ void Stage::all_or_nothing(const std::function<void()>& change) {
     }
 }
 
-// What rests feels the change: the world wakes it.
+// The world itself wakes sleeping bodies when a force field changes.
 void Stage::operator()(const command::AddField& add) { scene_.world.add_force_field(add.field); }
 
 void Stage::operator()(const command::SetField& set) {
@@ -56,7 +56,7 @@ void Stage::operator()(const command::EndChange&) { timeline_.end_change(); }
 
 void Stage::operator()(const command::SaveScene& save) {
     if (!savers_.scene) return say("This program cannot write scenes.");
-    // A copy, without what the mouse and the keys hold at the moment.
+    // A copy without the joints and force fields of held keys and drags.
     LoadedScene copy;
     copy.world.restore(scene_.world.save());
     end_held(copy.world, held_);

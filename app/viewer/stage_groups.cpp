@@ -1,4 +1,4 @@
-// Several bodies that are selected at a time, and groups, which a click selects as a whole.
+// Selection of several bodies, and groups, which a click selects as a whole.
 #include "viewer/group_edit.h"
 #include "viewer/stage.h"
 
@@ -19,7 +19,7 @@ bool contains(const std::vector<BodyId>& bodies, BodyId body) {
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
 }
 
-// Of bodies that have an end: planes go on forever.
+// Extent of bodies along x; empty if any is infinite, such as a plane.
 std::optional<double> width_of(const World& world, const std::vector<BodyId>& bodies) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const BodyId body : bodies)
@@ -40,7 +40,7 @@ const std::vector<BodyId>* Stage::group_of(BodyId body) const {
     return group == groups.end() ? nullptr : &*group;
 }
 
-// With all that are in its group. A member that was removed comes back when that is undone: it stays in its group.
+// The existing bodies of a body's group. A removed member stays in its group, because undo may bring it back.
 std::vector<BodyId> Stage::with_group(BodyId body) const {
     const std::vector<BodyId>* group = group_of(body);
     std::vector<BodyId> bodies = group ? *group : std::vector<BodyId>{body};
@@ -74,8 +74,8 @@ void Stage::toggle_selected(std::vector<BodyId> before, BodyId body) {
     select(std::move(before), body);
 }
 
-// What is selected has an end: nobody means the ground. A second click on what does not move, which may be all that
-// there is in the picture besides, is one beside the bodies.
+// Only finite bodies are selected, because a click on an infinite ground is not meant to select it. A second click on a
+// selected body that does not move clears the selection, because there may be nothing else to click at.
 void Stage::finish_click(bool adds) {
     const bool is_body = met_ && scene_.world.is_valid(met_) && width_of(scene_.world, {met_});
     if (adds && is_body)
@@ -101,7 +101,7 @@ void Stage::add_to_selection(const std::vector<BodyId>& bodies) {
     select(std::move(all), last);
 }
 
-// After time has gone to another moment, or bodies are gone.
+// Called after time travel, and after bodies were removed.
 void Stage::drop_gone_from_selection() {
     std::erase_if(selection_, [this](BodyId id) { return !scene_.world.is_valid(id); });
     select(std::move(selection_), selected_);
@@ -146,7 +146,7 @@ void Stage::operator()(const command::EditBodies& change) {
     }
 }
 
-// Joints between two of them are copied, too. Returns the copies in the order of the originals.
+// Copies bodies, and the joints between them. Returns the copies in the order of the originals.
 std::vector<BodyId> Stage::copy_bodies(const std::vector<BodyId>& bodies, double shift) {
     World& world = scene_.world;
     std::map<BodyId, BodyId> copy_of;
@@ -175,7 +175,7 @@ std::vector<BodyId> Stage::copy_bodies(const std::vector<BodyId>& bodies, double
     return made;
 }
 
-// Beside the originals, by their own width. Copies of a group are one.
+// Places the copies beside the originals, at a distance of their total width. Copies of a group form a group.
 void Stage::operator()(const command::DuplicateSelected&) {
     drop_gone_from_selection();
     if (selection_.empty()) return say("Select a body first, by clicking it.");

@@ -1,4 +1,4 @@
-// An impact of the run, explained and shown slowly.
+// Explanation of an impact of the run, and its replay in slow motion.
 #include "viewer/stage.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void Stage::operator()(const command::ExplainImpact& explain) {
         if (last == nullptr && (!explain.partner || partner == explain.partner)) last = &*known;
     }
     if (last == nullptr || last->step <= timeline_.first_step()) return;
-    // In a copy, which may be taken back to before it.
+    // Uses a copy of the world, which can be taken back to the state before the impact.
     World copy;
     copy.set_threads(scene_.world.threads());
     copy.restore(scene_.world.save());

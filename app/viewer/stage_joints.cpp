@@ -1,4 +1,4 @@
-// What the stage does with joints by hand.
+// Making and editing joints by hand.
 #include "viewer/joint_info.h"
 #include "viewer/stage.h"
 
@@ -10,7 +10,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double join_distance = 1.0e8; // meters: parallel rays begin far away
+constexpr double join_distance = 1.0e8; // m; rays of an orthographic camera begin far away
 
 Joint joint_of(command::JoinKind kind) {
     switch (kind) {
@@ -65,7 +65,7 @@ void Stage::operator()(const command::SetJointEnabled& change) {
     refresh_motion();
 }
 
-// A world takes the solver of a joint only when the joint is made.
+// The solver of a joint is fixed at creation, so the joint is made anew.
 void Stage::operator()(const command::SetJointSolver& solver) {
     JointDef def = scene_.world.joint_def(solver.joint);
     if (def.solver == solver.solver) return;
@@ -73,7 +73,7 @@ void Stage::operator()(const command::SetJointSolver& solver) {
     const JointId remade = scene_.world.create_joint(def);
     scene_.world.destroy_joint(solver.joint);
     if (selected_joint_ == solver.joint) selected_joint_ = remade;
-    // The old one may come back when time goes back.
+    // The entry of the old joint is kept, because the old joint may return by time travel.
     for (std::size_t i = 0; i < scene_.strings.size(); ++i)
         if (scene_.strings[i].joint == solver.joint) scene_.strings.push_back({remade, scene_.strings[i].color});
     refresh_joints();

@@ -1,4 +1,4 @@
-// The stage in time: going back, following what is known, and keeping it as a file.
+// Time travel: going back, following the known run, and saving it to a file.
 #include "viewer/stage.h"
 
 #include <algorithm>
@@ -13,15 +13,16 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double longest_look = 1.0 / 30.0; // s of real time that a seek takes before the way is shown
-constexpr double writer_interval = 0.1;     // s between looks at whether a file is written
+// Real time per frame spent on a seek before the intermediate state is shown, s.
+constexpr double longest_look = 1.0 / 30.0;
+constexpr double writer_interval = 0.1; // s between checks whether a file is finished
 
 } // namespace
 
-// Writes a recording of a copy of the world on a thread of its own.
+// Writes a recording from a copy of the world on a thread of its own.
 struct Stage::Writer {
     std::mutex mutex;
-    std::optional<std::string> words; // once it is done
+    std::optional<std::string> words; // the result message, once it is done
     std::thread thread;
 
     Writer() = default;
@@ -40,7 +41,7 @@ double Stage::until_next_step() const {
     return writer_ ? std::min(next, writer_interval) : next;
 }
 
-// Does what changes the world's moment, and shows where it came to.
+// Calls `go`, which changes the world's moment, and updates all that depends on it.
 template <class Go> bool Stage::travel(const Go& go) {
     seeking_.reset();
     const bool moved = go();
@@ -48,7 +49,7 @@ template <class Go> bool Stage::travel(const Go& go) {
     return moved;
 }
 
-// The world is at another moment: what was of the one before may be gone.
+// Updates the stage after the world has moved to another moment: objects of the previous one may not exist.
 void Stage::arrive() {
     const World& world = scene_.world;
     grab_.holding = false;
@@ -64,8 +65,8 @@ void Stage::arrive() {
     refresh_layout();
 }
 
-// What keys and drags held in a future that is no more is forgotten; what they held at the moment where a new one
-// began ends, as nobody holds it.
+// Forgets held joints and force fields that were created in an abandoned future; those that existed at the branching
+// moment are removed from the world, because nobody holds them now.
 void Stage::settle_branch() {
     const std::optional<Moment> branch = timeline_.take_branch();
     if (!branch) return;
@@ -91,7 +92,7 @@ void Stage::settle_branch() {
     held_ = std::move(present);
     walk(force_);
     if (!grab_.holding) drag_joint_ = {};
-    timeline_.take_branch(); // at the end there is nothing to settle
+    timeline_.take_branch(); // discards the branch that these removals caused, which needs no handling
     refresh_joints();
 }
 
@@ -168,7 +169,7 @@ void Stage::operator()(const command::Redo&) {
     say("Done again: " + *name + ".");
 }
 
-// To this run's moment, each in about so many seconds of real time.
+// Takes the second run and the panes to this run's moment, each for about `seconds` of real time.
 void Stage::take_others_along(double seconds) {
     others_are_here_ = true;
     try {
@@ -203,7 +204,7 @@ void Stage::operator()(const command::SetPanes& set) {
     panes_ = std::move(panes);
 }
 
-// With the same settings, in another scene.
+// Restarts the panes with the same settings in a new scene.
 void Stage::restart_panes() {
     if (!panes_start_) return;
     command::SetPanes again;

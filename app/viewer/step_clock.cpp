@@ -8,8 +8,8 @@
 namespace cairn::viewer {
 
 namespace {
-constexpr double measuring_window = 0.5; // real seconds
-// Sixty frames of 1/60 s must make sixty steps, although a sixtieth is not a sum of powers of two.
+constexpr double measuring_window = 0.5; // s of real time
+// Sixty frames of 1/60 s must make sixty steps, although 1/60 is not exact in binary.
 constexpr double rounding_allowance = 1e-9; // of a step
 } // namespace
 
@@ -22,7 +22,7 @@ int StepClock::advance(double real_seconds) {
         steps_in_window_ = 0;
     }
     if (paused_) return std::exchange(requested_steps_, 0);
-    // At least one step must fit into the cap, however long a step is.
+    // The cap must allow at least one step, however long it is.
     const double cap = std::max(max_catch_up * speed_, time_step_);
     accumulated_ = std::min(accumulated_ + real_seconds * speed_, cap);
     const int due = int(std::floor(accumulated_ / time_step_ + rounding_allowance));

@@ -1,6 +1,6 @@
 /// \file step_clock.h
-/// Turns real time into whole steps of a fixed length. Real time only decides when a step is taken, never what it
-/// does: a slow frame, or a laptop that slept, changes nothing in the simulation.
+/// Converts real time into whole steps of a fixed length. Real time only decides when a step is taken, never its
+/// result: a slow frame, or a suspended laptop, changes nothing in the simulation.
 #pragma once
 
 namespace cairn::viewer {
@@ -9,13 +9,13 @@ class StepClock {
   public:
     /// Least and greatest speed: slow motion 1/32, fast motion 8.
     static constexpr double min_speed = 1.0 / 32.0, max_speed = 8.0;
-    /// Real seconds that are caught up with at most; what goes beyond is dropped.
+    /// Longest backlog in real seconds that is caught up with; any excess is dropped.
     static constexpr double max_catch_up = 0.1;
 
     /// `time_step`: simulated seconds of one step, > 0.
     explicit StepClock(double time_step = 1.0 / 60.0) : time_step_(time_step) {}
 
-    /// Real seconds have passed: returns how many steps are due. At most `max_catch_up` seconds' worth.
+    /// Advances real time: returns how many steps are due, at most `max_catch_up` seconds' worth.
     int advance(double real_seconds);
     /// Real seconds from the last `advance` until the next step is due; infinite while paused.
     double until_next_step() const;
@@ -34,7 +34,7 @@ class StepClock {
     void set_time_step(double time_step);
     double time_step() const noexcept { return time_step_; }
 
-    /// A step was taken: feeds the measured real-time factor.
+    /// Counts a step that was taken, for the measured real-time factor.
     void count_step() noexcept { ++steps_in_window_; }
     /// Simulated seconds per real second, as measured over the last half second or so.
     double real_time_factor() const noexcept { return real_time_factor_; }

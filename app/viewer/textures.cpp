@@ -59,7 +59,7 @@ void read_jpeg(const std::string& file, TexturePicture& picture) {
         fail("JPEG picture", tjGetErrorStr2(reader.get()));
 }
 
-// Each texel the mean of up to four.
+// Halves the resolution; each texel is the mean of up to four.
 void halve(TexturePicture& picture) {
     const int width = std::max(picture.width / 2, 1), height = std::max(picture.height / 2, 1);
     std::vector<std::uint8_t> texels(channels * std::size_t(width) * std::size_t(height));

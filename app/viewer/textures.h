@@ -1,5 +1,5 @@
 /// \file textures.h
-/// Pictures that cover the meshes of a scene.
+/// Textures of a scene's meshes.
 #pragma once
 
 #include <cairn/math.h>
@@ -11,42 +11,42 @@
 
 namespace cairn::viewer {
 
-/// How a picture goes on beyond its edges, how it looks from nearby, and where it is not drawn.
+/// Wrapping, filtering and alpha test of a texture.
 struct TextureStyle {
     enum class Wrap { repeat, mirror, clamp };
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-    bool is_smooth = true;     ///< Colors go over into each other; else each texel is flat.
-    float alpha_cutoff = 0.0f; ///< What has less alpha, 0 to 1, is not drawn.
-    bool is_data = false;      ///< Its texels are numbers, not colors in sRGB.
+    bool is_smooth = true;     ///< Linear filtering; else nearest texel.
+    float alpha_cutoff = 0.0f; ///< Texels with less alpha, 0 to 1, are not drawn.
+    bool is_data = false;      ///< Texels are numeric data, not sRGB colors.
 };
 
-/// A picture, ready to be drawn with. It never changes: meshes share it.
+/// A decoded texture. It is immutable, and shared by meshes.
 struct TexturePicture {
     int width = 0, height = 0;
     std::vector<std::uint8_t> texels; ///< Red, green, blue and alpha, rows from the top; colors are sRGB.
     TextureStyle style;
-    std::shared_ptr<const std::string> file; ///< What it was read from.
+    std::shared_ptr<const std::string> file; ///< The file that it was read from.
 };
 
-/// How a surface meets the light, beside its color. Its pictures lie where that of the color lies; null ones are none.
+/// Material of a surface, besides its color. Its textures use the texture coordinates of the color; null: none.
 struct Finish {
-    float roughness = 1.0f; ///< 0, a mirror, to 1.
-    float metalness = 0.0f; ///< 0, or 1: a metal, which mirrors in its own color and has no other.
+    float roughness = 1.0f; ///< 0 (a mirror) to 1.
+    float metalness = 0.0f; ///< 0, or 1 for a metal, which reflects in its own color and has no diffuse color.
     std::shared_ptr<const TexturePicture> rough{}; ///< Green multiplies `roughness`, blue `metalness`.
-    /// Normals as colors, 0 to 1 for -1 to 1: red to the right in the picture, green up, blue outward.
+    /// Normal map: 0 to 1 encodes -1 to 1; red to the right in the texture, green up, blue outward.
     std::shared_ptr<const TexturePicture> normals{};
     float normal_scale = 1.0f;                     ///< Multiplies red and green of `normals`.
-    Vec3 glow{0.0f, 0.0f, 0.0f};                   ///< Light of the surface itself, linear, 0 to 1 each,
+    Vec3 glow{0.0f, 0.0f, 0.0f};                   ///< Emitted light, linear, 0 to 1 each,
     float glow_strength = 1.0f;                    ///< times this, >= 0.
-    std::shared_ptr<const TexturePicture> glows{}; ///< Its colors are multiplied with `glow`.
+    std::shared_ptr<const TexturePicture> glows{}; ///< Its colors multiply `glow`.
 };
 
-/// Pictures with a longer edge are made smaller, by halves.
+/// Greatest edge of a texture in texels; larger ones are repeatedly halved.
 inline constexpr int longest_texture_edge = 4096;
-/// Pictures of more pixels are refused.
+/// Greatest number of texels of a texture; larger ones are rejected.
 inline constexpr std::uint64_t max_texture_pixels = std::uint64_t{1} << 26;
 
-/// Reads a PNG or JPEG file. Throws `Error` (invalid_file, unsupported) if it is none, is damaged, or is too large.
+/// Reads a PNG or JPEG file. Throws `Error` (invalid_file, unsupported) if it is neither, is damaged, or is too large.
 TexturePicture read_texture(std::shared_ptr<const std::string> file, const TextureStyle& style);
 
 } // namespace cairn::viewer

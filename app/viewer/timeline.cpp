@@ -19,30 +19,31 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_way = 0.1;      // s of steps that are rather done than that a state is restored
-constexpr double greatest_share = 0.035; // of the time of the steps that keeping states may take on their thread
+constexpr double longest_way = 0.1; // s of compute time of steps; longer distances are bridged by restoring a state
+// Share of the steps' compute time that keeping states may take on their thread.
+constexpr double greatest_share = 0.035;
 constexpr std::uint64_t least_interval = 15,
-                        most_interval = 240; // steps from a state that is kept to the next, before any have gone
-constexpr std::size_t fewest_states = 8;     // that are left where the budget is spent
+                        most_interval = 240; // steps between kept states, before any thinning out
+constexpr std::size_t fewest_states = 8;     // kept even if the budget is exceeded
 constexpr std::size_t most_in_ring = 240;
-constexpr double newest_weight = 0.1; // in running means
+constexpr double newest_weight = 0.1; // of moving averages
 constexpr std::size_t ring_bytes = std::size_t{96} << 20;
 constexpr std::size_t most_hits = 8192;
-constexpr std::uint64_t same_event = 15;  // steps within which impacts are one mark
-constexpr std::uint64_t same_change = 60; // steps within which changes by one slider are one
+constexpr std::uint64_t same_event = 15;  // steps within which impacts share one mark
+constexpr std::uint64_t same_change = 60; // steps within which changes by the same slider are merged
 
 double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
 
-// One number of the four.
+// Combines the four sums into one number.
 std::uint64_t hash_of(const StateDigest& digest) {
     std::uint64_t hash = 0;
     for (const std::uint64_t sum : digest.sums) hash = std::rotl(hash, 17) ^ sum;
     return hash;
 }
 
-// What neither makes nor removes anything, and changes no type, name or shape.
+// Whether a command may create or remove objects, or change a type, name or shape.
 bool alters_layout(const std::vector<std::byte>& command) {
-    if (command.empty()) return false; // a note
+    if (command.empty()) return false; // a group note
     const std::string_view name = command_name(command);
     for (const std::string_view harmless :
          {"World::set_joint", "Body::set_linear_velocity", "Body::set_angular_velocity", "Body::wake",
@@ -56,7 +57,7 @@ bool alters_layout(const std::vector<std::byte>& command) {
 void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     log_ = std::make_shared<TimelineLog>(run);
     {
-        const Going going(*log_); // it is told of the state, which is the first that is kept
+        const Going going(*log_); // the listener gets the initial state, which is not a new command
         world.set_command_listener(log_);
     }
     recorded_keyframe_ = run.keyframe;
@@ -78,7 +79,7 @@ void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     gather_marks();
 }
 
-// Of a recording only the calls are known.
+// Names recorded changes after their calls, since nothing else is known of them.
 void Timeline::name_recorded_changes() {
     for (std::uint64_t step = 0; step < log_->last_step(); ++step) {
         const auto& changes = log_->frame(step).changes;
@@ -92,8 +93,8 @@ void Timeline::name_recorded_changes() {
     }
 }
 
-// After so much time of steps that keeping one costs little of it, and no more than a wait that nobody minds; or after
-// many steps.
+// Whether the next state is to be kept: after enough compute time of steps that keeping one costs only a small share of
+// it, and not longer than an acceptable wait when seeking; or after many steps.
 bool Timeline::is_state_due(std::uint64_t steps) const {
     const double thinned = states_.thinned();
     const double least = std::max(states_.least_seconds(), thinned * keep_seconds_ / greatest_share);
@@ -101,7 +102,8 @@ bool Timeline::is_state_due(std::uint64_t steps) const {
            (since_kept_ >= states_.usual_seconds() || double(steps) >= thinned * most_interval);
 }
 
-// States are kept in the order of their steps. What is done again before the last one has some already.
+// Keeps the present state if it is due. States are kept in the order of their steps; repeated steps before the last
+// kept one are skipped.
 void Timeline::keep(const World& world, double step_seconds) {
     step_seconds_ = mean(step_seconds_, step_seconds);
     since_kept_ += step_seconds;
@@ -121,8 +123,8 @@ void Timeline::keep(const World& world, double step_seconds) {
     keeping_seconds_ += seconds;
 }
 
-// All of the past stays within reach, from states that are farther apart; only where that no longer helps, the oldest
-// moments go.
+// Frees memory: thins out the states first, which keeps the whole past reachable; only if that does not suffice, drops
+// the oldest part of the run.
 void Timeline::make_room(std::size_t more) {
     while (bytes() + more > budget_ && states_.count() > fewest_states) states_.thin_out();
     while (bytes() + more > budget_ && states_.count() > 2) {
@@ -162,7 +164,7 @@ Timeline Timeline::fork(World& copy) const {
     other.log_ = std::make_shared<TimelineLog>(*log_);
     other.log_->take_branch();
     other.is_undone_ = false;
-    const Going going(*other.log_); // the listener is told of the state, which the copied log has
+    const Going going(*other.log_); // the listener gets the state, which is part of the copied log
     copy.set_command_listener(other.log_);
     return other;
 }
@@ -235,7 +237,7 @@ bool Timeline::follow(World& world, const std::function<void(const World&)>& bef
     return follow_one(world, before_step);
 }
 
-// Goes to the last state that is kept at or before `step`, if it is later than `after`.
+// Restores the last kept state at or before `step`, if it is later than `after`.
 bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after) {
     const Going going(*log_);
     const std::uint64_t kept = states_.before(step), beyond = std::max(kept, after.value_or(0));
@@ -250,7 +252,7 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
             }
         } catch (const Error& error) {
             if (error.code() != ErrorCode::unsupported) throw;
-            recorded_keyframe_ = nullptr; // of another build: the way is longer
+            recorded_keyframe_ = nullptr; // from another build; states are then reached by more steps
         }
     }
     if (after && kept <= *after) return false;
@@ -352,7 +354,7 @@ void Timeline::set_groups(Groups groups) {
 
 void Timeline::watch(const World& world) {
     const std::uint64_t step = log_->now.step;
-    if (step <= watched_until_) return; // done again: it is known
+    if (step <= watched_until_) return; // a repeated step, whose events are known
     watched_until_ = step;
     float fastest = 0.0f;
     const auto before = std::ptrdiff_t(hits_.size());

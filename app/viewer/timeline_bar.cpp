@@ -12,7 +12,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// Marks lie on the track and stand out of it: they are seen on both, and on the bar.
+// Colors of marks, which must be visible on the track, on its past part, and on the bar.
 struct BarColors {
     ImU32 track, past, impact, breaking, change, head, parting, same, different;
 };
@@ -26,12 +26,12 @@ constexpr BarColors light_colors{
     IM_COL32(60, 60, 170, 255),   IM_COL32(0, 110, 50, 255),    IM_COL32(190, 20, 20, 255)};
 const BarColors& colors_of(const Controller& controller) { return controller.light_theme ? light_colors : dark_colors; }
 
-constexpr float snap = 4.0f;            // unscaled units: this near a mark the mouse means it
-constexpr float violent_impact = 20.0f; // m/s: fills the height of the track
+constexpr float snap = 4.0f;            // unscaled units: distance within which the mouse snaps to a mark
+constexpr float violent_impact = 20.0f; // m/s, approach speed whose mark fills the height of the track
 
 enum class Icon { start, backwards, back, pause, play, forward, branch };
 
-// Signs that no font need have.
+// A button with a drawn icon, independent of fonts.
 bool icon_button(const char* name, Icon icon, const char* meaning, bool is_on = false) {
     const float side = ImGui::GetFrameHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -205,7 +205,7 @@ float TimelineBar::draw(const StageState& state, Controller& controller, float s
     std::snprintf(time, sizeof time, "%.2f / %.2f s",
                   double(timeline.now - std::min(timeline.first, timeline.now)) * state.time_step,
                   double(timeline.last - timeline.first) * state.time_step);
-    // Hashes by their first digits: of this run, and of what it was before or was recorded to be.
+    // The first hexadecimal digits of the hashes: of this run, and of the original or recorded run.
     char badge[64] = "";
     const auto first_digits = [](std::uint64_t hash) { return static_cast<unsigned>(hash >> 32); };
     if (timeline.verdict.first_different)

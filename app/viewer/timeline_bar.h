@@ -1,5 +1,5 @@
 /// \file timeline_bar.h
-/// The bar at the bottom of the window: buttons for time, and a track of all that is known, to be scrubbed.
+/// The bar at the bottom of the window: buttons for time, and a track of the known run for scrubbing.
 #pragma once
 
 #include "viewer/controller.h"
@@ -10,11 +10,11 @@ namespace cairn::viewer {
 
 class TimelineBar {
   public:
-    /// To be called between ImGui's NewFrame and Render. `column`: where the picture begins, which is `room` wide.
-    /// Returns its height.
+    /// To be called between ImGui's NewFrame and Render. `column`: left edge of the view, which is `room` wide. Returns
+    /// the height of the bar.
     float draw(const StageState& state, Controller& controller, float scale, float column, float room);
 
-    // The track in the last frame, in the window's units.
+    // Position of the track in the last frame, in window units.
     float left() const noexcept { return left_; }
     float right() const noexcept { return right_; }
     float middle() const noexcept { return middle_; }
@@ -27,7 +27,7 @@ class TimelineBar {
     std::uint64_t step_at(const TimelineState& timeline, float x, float scale) const;
 
     float left_ = 0.0f, right_ = 0.0f, middle_ = 0.0f;
-    std::uint64_t asked_ = 0; // the step to which the mouse was dragged last
+    std::uint64_t asked_ = 0; // last step number that the mouse was dragged to
 };
 
 } // namespace cairn::viewer

@@ -11,7 +11,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// Numbers of shapes and snapshots that are not a recording's begin here.
+// Numbers of shapes and snapshots of the timeline itself start here; lower ones belong to the recording.
 constexpr std::uint64_t own_numbers = std::uint64_t{1} << 40;
 
 const void* geometry_of(const Shape& shape) {
@@ -29,7 +29,7 @@ template <class Parts> const auto& part_of(const Parts& parts, std::uint64_t num
 
 } // namespace
 
-// A copy for another thread.
+// A copy of the referenced objects, for another thread.
 struct TimelineLog::Parts final : CommandSource {
     std::deque<Shape> shapes;
     std::deque<Snapshot> snapshots;
@@ -128,7 +128,7 @@ void TimelineLog::on_command(std::span<const std::byte> command) {
     if (command_name(command) == "World::step") {
         open.step = shared(command);
     } else {
-        open.step.reset(); // of a step that was begun, and not made
+        open.step.reset(); // left by a step that was begun but not completed
         open.changes.push_back(shared(command));
         ++now.changes;
     }
@@ -138,7 +138,7 @@ void repeat(World& world, const std::vector<std::byte>& change, CommandSource& s
     if (!change.empty()) world.execute(change, source);
 }
 
-// Where memory runs out the step stays the last one, and is not counted.
+// If memory runs out, the step is discarded and not counted.
 void TimelineLog::on_step(const World&) noexcept {
     if (is_going) return;
     try {
@@ -151,7 +151,7 @@ void TimelineLog::on_step(const World&) noexcept {
 
 std::uint64_t TimelineLog::number_of(const Shape& shape) {
     const auto [found, is_new] = numbers_.try_emplace(geometry_of(shape), own_numbers + shapes_.size());
-    if (is_new) shapes_.push_back(shape); // which keeps what the address is of
+    if (is_new) shapes_.push_back(shape); // keeps the data alive, so that its address stays unique
     return found->second;
 }
 

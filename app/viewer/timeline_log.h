@@ -1,5 +1,5 @@
 /// \file timeline_log.h
-/// All that was done to a world as commands, step by step: what a timeline does again to get to another moment.
+/// The commands executed in a world, step by step: what a timeline repeats to get to another moment.
 #pragma once
 
 #include "viewer/scene_source.h"
@@ -17,24 +17,24 @@
 
 namespace cairn::viewer {
 
-/// Where a run stands: so many steps are made, and so many of the changes that come before the next one.
+/// A position in a run: the number of steps made, and the number of changes made since the last of them.
 struct Moment {
     std::uint64_t step = 0;
     std::uint32_t changes = 0;
     friend auto operator<=>(const Moment&, const Moment&) = default;
 };
 
-/// Listens to one world. While `is_going`, what is done to it is nothing new.
+/// Listens to one world. While `is_going`, the world repeats known commands, so nothing is appended.
 class TimelineLog final : public CommandListener, public CommandSource {
   public:
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
     struct Frame {
-        std::vector<Bytes> changes;          ///< Before the step; notes are empty.
-        Bytes step;                          ///< Null: not made yet.
-        std::optional<StateDigest> digest{}; ///< Of the state after it, where it is known.
+        std::vector<Bytes> changes;          ///< Commands before the step; group notes are empty.
+        Bytes step;                          ///< The step command; null: not made yet.
+        std::optional<StateDigest> digest{}; ///< Digest of the state after the step, if known.
     };
 
-    /// Empty, or with what a recording has.
+    /// Empty, or with the commands of a recording.
     explicit TimelineLog(const RecordedRun& run);
 
     Moment now;
@@ -45,28 +45,29 @@ class TimelineLog final : public CommandListener, public CommandSource {
     bool is_at_end() const;
     const Frame& frame(std::uint64_t step) const { return frames_[std::size_t(step - first_step_)]; }
     Frame& frame(std::uint64_t step) { return frames_[std::size_t(step - first_step_)]; }
-    /// What comes after `now` is forgotten.
+    /// Forgets everything after `now`.
     void truncate();
-    /// Takes down a change of what no world knows: a moment of its own, at which nothing is done.
+    /// Records a change that is no command to the world (of groups): a moment of its own with an empty command.
     void note();
-    /// What is known at one moment to follow it.
+    /// The known future of a moment.
     struct Future {
         Moment from;
-        std::vector<Frame> frames; ///< That of `from` and those after it; none if nothing follows.
+        std::vector<Frame> frames; ///< The frame of `from` and the frames after it; empty if nothing follows.
     };
     Future future() const;
-    /// Knows that again in place of what was done since, steps excepted. The caller goes back there: `now` stays.
+    /// Restores a known future in place of later changes; no step may have been made since. The caller moves the world
+    /// back: `now` stays.
     void take_up(const Future& known);
-    /// What comes before that step is forgotten.
+    /// Forgets everything before that step.
     void forget_before(std::uint64_t step);
     std::size_t bytes() const { return bytes_; }
-    /// The earliest moment from which something else was done than before, since this was asked last.
+    /// The earliest moment since the last call at which the run branched off its known future.
     std::optional<Moment> take_branch() { return std::exchange(branched_at_, std::nullopt); }
     bool is_recorded() const { return recorded_ != nullptr; }
 
-    /// The commands from one step to `now`, to be done elsewhere: shares what does not change.
+    /// The commands from one step to `now`, to be repeated in another world; immutable data is shared.
     struct Excerpt {
-        std::vector<Frame> frames; ///< The last one without a step.
+        std::vector<Frame> frames; ///< The last frame has no step.
         std::shared_ptr<CommandSource> source;
     };
     Excerpt excerpt(std::uint64_t from) const;
@@ -82,21 +83,21 @@ class TimelineLog final : public CommandListener, public CommandSource {
     struct Parts;
     Bytes shared(std::span<const std::byte> command);
 
-    std::deque<Frame> frames_; // the last one is open
+    std::deque<Frame> frames_; // the last frame has no step yet
     std::uint64_t first_step_ = 0;
     std::optional<Moment> branched_at_;
     std::size_t bytes_ = 0;
     Bytes last_step_command_;
-    std::shared_ptr<CommandSource> recorded_; // of a recording
+    std::shared_ptr<CommandSource> recorded_; // of the recording
     std::deque<Shape> shapes_;
     std::unordered_map<const void*, std::uint64_t> numbers_;
     std::deque<Snapshot> snapshots_;
 };
 
-/// Does again what a log has of a world. A note does nothing.
+/// Executes a logged command in a world. An empty command does nothing.
 void repeat(World& world, const std::vector<std::byte>& change, CommandSource& source);
 
-/// Is told nothing when a world is handed states: sets `is_going` for as long as it lives.
+/// Suspends logging while states are restored or commands repeated: sets `is_going` for its lifetime.
 class Going {
   public:
     explicit Going(TimelineLog& log) : log_(log), before_(log.is_going) { log_.is_going = true; }

@@ -1,4 +1,4 @@
-// Videos through a pipe to the program ffmpeg.
+// Video encoding through a pipe to the program ffmpeg.
 #include "viewer/headless.h"
 
 #include "files/output_file.h"
@@ -37,10 +37,10 @@ int start_process(const std::vector<std::string>& arguments, int input) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
     pid_t process = -1;
-    // A process group of its own: Ctrl-C ends the simulation, and ffmpeg finishes the file.
+    // A process group of its own, so that Ctrl-C ends only the simulation, and ffmpeg finishes the file.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // The program ignores that signal; ffmpeg need not.
+    // This program ignores SIGPIPE; ffmpeg gets the default behavior.
     sigset_t broken_pipe;
     sigemptyset(&broken_pipe);
     sigaddset(&broken_pipe, SIGPIPE);
@@ -56,10 +56,10 @@ int start_process(const std::vector<std::string>& arguments, int input) {
 struct Codec {
     std::string_view extension;
     std::vector<const char*> options;
-    bool any_size = false; // odd sizes, too
+    bool any_size = false; // allows odd sizes
 };
 
-// GIF counts in hundredths of a second, and has 256 colors, chosen anew for every picture.
+// GIF has a time resolution of 1/100 s, and 256 colors, chosen for each picture.
 const std::vector<Codec>& codecs() {
     static const std::vector<const char*> h264{"-c:v", "libx264", "-preset",  "medium",
                                                "-crf", "18",      "-pix_fmt", "yuv420p"};
@@ -81,7 +81,7 @@ const Codec* codec_of(std::string_view extension) {
     return found == codecs().end() ? nullptr : &*found;
 }
 
-// Of a name without an extension: a pipe, for example.
+// Format for a name without an extension, for example a pipe.
 constexpr std::string_view default_extension = ".mp4";
 
 std::string video_extension(const std::filesystem::path& path) {
@@ -89,7 +89,8 @@ std::string video_extension(const std::filesystem::path& path) {
     return extension.empty() || path == "-" ? std::string(default_extension) : extension;
 }
 
-// Where ffmpeg writes: beside the file that is to be, and elsewhere for what cannot be written out of order.
+// The file that ffmpeg writes: beside the destination file, or in the temporary folder if the destination cannot be
+// written out of order.
 std::filesystem::path working_file(const files::Destination& to, const std::string& extension) {
     if (to.kind == files::Destination::Kind::file) {
         return files::temporary_beside(std::filesystem::path(to.path).replace_extension(extension));
@@ -160,7 +161,7 @@ VideoWriter::~VideoWriter() {
     try {
         close();
     } catch (const Error&) {
-        // Documented: an error is lost when the writer ends without having been closed.
+        // Errors of an unclosed writer are ignored, as documented.
     }
 }
 
@@ -171,7 +172,7 @@ void VideoWriter::add(std::span<const std::uint8_t> rgb) {
     if (pipe_ < 0) throw Error(ErrorCode::wrong_state, "VideoWriter.add", "", "must not be called after close");
     try {
         files::write_descriptor(pipe_, {reinterpret_cast<const char*>(rgb.data()), rgb.size()}, path_.string());
-    } catch (const files::ReaderGone&) { // it has said why
+    } catch (const files::ReaderGone&) { // ffmpeg has printed the reason
         throw Error(ErrorCode::io, path_.string(), {}, "cannot be written: ffmpeg stopped reading");
     }
 }
@@ -185,7 +186,7 @@ void VideoWriter::close() {
     do ended = waitpid(process_, &status, 0);
     while (ended < 0 && errno == EINTR);
     if (ended != process_ || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        std::error_code ignored; // ffmpeg's failure is the one to tell
+        std::error_code ignored; // ffmpeg's failure is the error to report
         std::filesystem::remove(temporary_, ignored);
         throw Error(ErrorCode::io, path_.string(), "", "ffmpeg could not write the video (see its message above)");
     }

@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"; // RFC 4648
 constexpr std::size_t words_of_vertex = 6;
 
-// Three bytes as four digits; zeros behind the last word.
+// Encodes words as base64: four digits for three bytes; the end is padded with zeros.
 std::string base64(const std::vector<std::uint32_t>& words) {
     std::string text;
     text.reserve(words.size() * 16 / 3 + 4);
@@ -77,7 +77,7 @@ float float_of(std::uint32_t bits) {
     return value;
 }
 
-// How many vertices, their places and normals, indices.
+// Number of vertices, their positions and normals, indices.
 std::string text_of(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> words{std::uint32_t(mesh.vertices.size())};
     words.reserve(1 + words_of_vertex * mesh.vertices.size() + mesh.indices.size());
@@ -112,7 +112,7 @@ std::optional<TriangleMesh> mesh_of(const std::string& text) {
     return mesh;
 }
 
-// Where in its texture each vertex lies.
+// Texture coordinates of the vertices.
 std::string text_of_coordinates(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> words;
     for (const MeshVertex& vertex : mesh.vertices)
@@ -131,7 +131,7 @@ bool take_coordinates(const std::string& text, TriangleMesh& mesh) {
     return true;
 }
 
-// Three words for each vertex.
+// Encodes three words per vertex.
 std::string text_of_colors(const std::vector<Vec3>& colors) {
     std::vector<std::uint32_t> words;
     for (const Vec3& color : colors)
@@ -139,7 +139,7 @@ std::string text_of_colors(const std::vector<Vec3>& colors) {
     return base64(words);
 }
 
-// Nothing where it makes no sense.
+// Empty if malformed.
 std::vector<Vec3> colors_of(const std::string& text, std::size_t vertices) {
     const std::vector<std::uint32_t> words = words_of(text);
     if (words.size() != 3 * vertices) return {};
@@ -162,7 +162,7 @@ std::string text_of_weights(const std::vector<BoneWeights>& weights) {
     return base64(words);
 }
 
-// Nothing where it makes no sense.
+// Empty if malformed.
 std::vector<BoneWeights> weights_of(const std::string& text, std::size_t vertices) {
     const std::vector<std::uint32_t> words = words_of(text);
     if (words.size() != words_of_weights * vertices) return {};
@@ -177,7 +177,7 @@ std::vector<BoneWeights> weights_of(const std::string& text, std::size_t vertice
     return weights;
 }
 
-// Its style, how many bytes its file has, and these.
+// Format of textures: the style, the size of the file in bytes, and its content.
 constexpr std::uint32_t smooth_bit = 1, data_bit = 2;
 constexpr std::size_t words_before_file = 5;
 std::string text_of(const TexturePicture& texture) {
@@ -206,11 +206,11 @@ std::shared_ptr<const TexturePicture> texture_of(const std::string& text) {
         return std::make_shared<const TexturePicture>(
             read_texture(std::make_shared<const std::string>(std::move(file)), style));
     } catch (const Error&) {
-        return nullptr; // damaged: the mesh is shown without
+        return nullptr; // a damaged texture is left out
     }
 }
 
-// The meshes of notes, each read when it is first asked for.
+// Reads the meshes of notes, each on first use.
 class MeshReader {
   public:
     explicit MeshReader(const Notes& notes) : notes_(notes) {
@@ -244,7 +244,7 @@ class MeshReader {
         if (finish != notes_.end()) made.finish = finish_of(finish->second, is_covered);
         return std::make_shared<const ShapeMesh>(std::move(made));
     }
-    // Null where it makes no sense.
+    // Null if malformed.
     std::shared_ptr<const Finish> finish_of(const std::string& text, bool is_covered) {
         std::istringstream words(text);
         Finish finish;
@@ -272,7 +272,7 @@ class MeshReader {
     std::map<std::string, std::shared_ptr<const TexturePicture>> textures_;
 };
 
-// Meshes and textures as notes, each once.
+// Writes meshes and textures as notes, each once.
 class NoteWriter {
   public:
     Notes notes;
@@ -292,7 +292,7 @@ class NoteWriter {
     }
 
   private:
-    // A dash for none.
+    // The number of a texture, or a dash for none.
     std::string number_of(const std::shared_ptr<const TexturePicture>& texture) {
         if (!texture) return "-";
         const auto [place, is_new] = textures_.emplace(texture.get(), textures_.size());
@@ -316,7 +316,7 @@ class NoteWriter {
     std::map<const TexturePicture*, std::size_t> textures_;
 };
 
-// By slot; those of no body under -1.
+// Bodies by slot; the null body has slot -1.
 using BodiesBySlot = std::map<std::int64_t, BodyId>;
 
 std::int64_t slot_of(BodyId body) { return body.is_null() ? -1 : std::int64_t(body.index()); }
@@ -327,7 +327,7 @@ bool is_there(const Visual& visual, const World& world) {
            std::all_of(visual.bones.begin(), visual.bones.end(), [&](const Bone& bone) { return valid(bone.body); });
 }
 
-// A line: which visual, whose body, and from the mesh to its frame.
+// One line per bone: the index of the visual, the slot of the body, and the map from the mesh to its frame.
 void write_bones(std::ostringstream& lines, std::size_t visual, const std::vector<Bone>& bones) {
     for (const Bone& bone : bones) {
         lines << visual << ' ' << slot_of(bone.body);
@@ -337,7 +337,7 @@ void write_bones(std::ostringstream& lines, std::size_t visual, const std::vecto
     }
 }
 
-// By the number of the visual. Those with a bone of no body that is there are empty.
+// Bones by index of the visual. Visuals with a bone whose body does not exist get no bones.
 std::map<std::size_t, std::vector<Bone>> read_bones(const Notes& notes, const BodiesBySlot& bodies) {
     std::map<std::size_t, std::vector<Bone>> bones;
     std::set<std::size_t> broken;
@@ -359,7 +359,7 @@ std::map<std::size_t, std::vector<Bone>> read_bones(const Notes& notes, const Bo
     return bones;
 }
 
-// Whether a mesh has weights of these bones, or neither.
+// Whether the mesh's weights refer to these bones, or there are neither weights nor bones.
 bool fit(const ShapeMesh& mesh, const std::vector<Bone>& bones) {
     if (mesh.weights.empty() || bones.empty()) return mesh.weights.empty() && bones.empty();
     return std::all_of(mesh.weights.begin(), mesh.weights.end(), [&](const BoneWeights& weights) {

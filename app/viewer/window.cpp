@@ -19,7 +19,7 @@
 #include <cairn/error.h>
 
 #include <epoxy/gl.h>
-// GLFW must not bring OpenGL headers of its own.
+// Keeps GLFW from including OpenGL headers of its own.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -41,9 +41,9 @@ namespace cairn::viewer {
 namespace {
 
 constexpr double notice_seconds = 5.0;
-constexpr double rate_window = 0.5;      // seconds over which frames are counted
-constexpr double minimized_pause = 0.05; // seconds between looks at a window that shows nothing
-constexpr float font_size = 15.0f;       // in a window of 1280 x 720 units, at scale 1
+constexpr double rate_window = 0.5;      // s; period of the frame rate measurement
+constexpr double minimized_pause = 0.05; // s between checks of a minimized window
+constexpr float font_size = 15.0f;       // units, in a window of 1280 x 720 units at scale 1
 
 class Application {
   public:
@@ -86,17 +86,17 @@ class Application {
     Panel panel_;
     ScriptPlayer script_;
     struct {
-        bool is_used = false; // in place of the mouse, from the first time that it moves until that moves itself
+        bool is_used = false; // replaces the mouse from its first use until the real mouse moves
         float x = 0.0f, y = 0.0f;
-        std::array<bool, 3> down{}; // by ImGui's number of the button
+        std::array<bool, 3> down{}; // indexed by ImGui's button number
     } script_mouse_;
     WindowFacts facts_;
-    std::filesystem::path window_picture_;   // to be taken of this frame
+    std::filesystem::path window_picture_;   // path for a picture of this frame
     int frame_width_ = 0, frame_height_ = 0; // of the whole window, pixels
     std::size_t cursor_pane_ = 0;
-    float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
+    float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // for which the fonts were built
     float interface_scale_ = 1.0f;
-    bool light_theme_ = false; // that the style was made for
+    bool light_theme_ = false; // for which the style was set
     ScreenVideo video_;
     DrawScale draw_scale_;
     bool is_software_ = area_.is_software();
@@ -115,7 +115,7 @@ Application::Application(const ViewerOptions& options)
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
 }
 
-// Before ImGui installs its own, which call these.
+// Must be called before ImGui installs its own callbacks, which chain to these.
 void Application::install_callbacks() {
     GLFWwindow* window = window_.get();
     glfwSetWindowUserPointer(window, this);
@@ -143,7 +143,7 @@ void Application::install_callbacks() {
 }
 
 void Application::on_key(int key, int action, int modifiers) {
-    // The modifiers GLFW reports are those before the key; a modifier's own press changes them.
+    // GLFW reports the modifiers before the event, so the press or release of a modifier key itself is added here.
     const bool down = action != GLFW_RELEASE;
     if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT)
         modifiers = down ? modifiers | GLFW_MOD_SHIFT : modifiers & ~GLFW_MOD_SHIFT;
@@ -185,7 +185,7 @@ void Application::release(MouseButton button) {
     area_.let_go();
 }
 
-// What has the focus has the gamepad.
+// Only the focused window uses the gamepad.
 void Application::use_gamepad(float seconds) {
     const PaneRect& pane = area_.pane(cursor_pane_);
     const bool is_ours = glfwGetWindowAttrib(window_.get(), GLFW_FOCUSED) == GLFW_TRUE && pane.height > 0.0f;
@@ -210,8 +210,8 @@ void Application::on_wheel(double notches) {
 void Application::play_script(double seconds) {
     while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) {
         play(*line);
-        if (!window_picture_.empty()) break; // it is of what came before, and taken at the end of the frame
-        // The panels are told of the mouse once in a frame, and then know whether it is theirs.
+        if (!window_picture_.empty()) break; // taken at the end of the frame, before the following script lines
+        // Panels process the mouse once per frame, and only then report whether they capture it.
         using Kind = ScriptLine::Kind;
         if (line->kind == Kind::cursor || line->kind == Kind::press || line->kind == Kind::release) break;
     }
@@ -281,7 +281,7 @@ void Application::play(const ScriptLine& line) {
     }
 }
 
-// To the panels, which have asked the window for its own.
+// Overrides the real mouse in ImGui's input, after the backend has set it.
 void Application::show_script_mouse() const {
     if (!script_mouse_.is_used) return;
     ImGuiIO& io = ImGui::GetIO();
@@ -289,7 +289,7 @@ void Application::show_script_mouse() const {
     for (std::size_t i = 0; i < script_mouse_.down.size(); ++i) io.MouseDown[i] |= script_mouse_.down[i];
 }
 
-// The interface has the same share of a window of any size and pixels of any density, as far as letters stay legible.
+// Scales the interface in proportion to the window, for any pixel density, within the limits of legibility.
 void Application::fit_interface() {
     int width = 0, height = 0;
     float scale = 1.0f, scale_y = 1.0f;
@@ -297,9 +297,9 @@ void Application::fit_interface() {
     glfwGetWindowSize(window_.get(), &width, &height);
     glfwGetFramebufferSize(window_.get(), &frame_width_, &frame_height_);
     if (width <= 0 || height <= 0) return; // minimized
-    // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
+    // Systems that measure windows in points have several pixels per point; fonts are built for pixels, to be sharp.
     const float pixels_per_unit = std::max(float(frame_width_) / float(width), 1.0f);
-    const float density = scale / pixels_per_unit; // units of the window that one unscaled unit takes
+    const float density = scale / pixels_per_unit; // window units per unscaled unit
     const float share = interface_share(float(width) / density, float(height) / density);
     const float pixels = std::round(font_size * scale * share);
     interface_scale_ = pixels / (font_size * pixels_per_unit);
@@ -322,14 +322,14 @@ void Application::rebuild_fonts() {
     if (std::filesystem::exists(nicer))
         io.Fonts->AddFontFromFileTTF(nicer, config.SizePixels);
     else
-        io.Fonts->AddFontDefault(&config); // built in, coarser
+        io.Fonts->AddFontDefault(&config); // built in, of lower quality
     io.FontGlobalScale = 1.0f / pixels_per_unit_;
     apply_style(interface_scale_, light_theme_);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-// The pictures have what the panel's column leaves, so that their middles are in sight.
+// The views take the area beside the panel's column, so that the panel does not cover their centers.
 void Application::place_picture(const StageState& state) {
     int window_width = 0, window_height = 0;
     glfwGetWindowSize(window_.get(), &window_width, &window_height);
@@ -478,7 +478,7 @@ int run_viewer(const ViewerOptions& options) {
         Application application(options);
         application.run();
         return 0;
-    } catch (const std::bad_alloc&) { // whoever called knows what to say
+    } catch (const std::bad_alloc&) { // handled by the caller
         throw;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cairn: %s\n", error.what());

@@ -14,7 +14,7 @@ namespace cairn::viewer {
 
 namespace {
 
-// The text of GLFW's last error, which comes through a callback.
+// The text of GLFW's last error, which GLFW passes to a callback.
 std::string& last_error() {
     static std::string text;
     return text;
@@ -37,7 +37,7 @@ WindowHandle open_window(int width, int height) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 0); // the renderer has samples of its own
+    glfwWindowHint(GLFW_SAMPLES, 0); // the renderer does its own multisampling
     WindowHandle window(glfwCreateWindow(width, height, "Cairn", nullptr, nullptr));
     if (!window) throw Error(ErrorCode::unsupported, "window", last_error(), "the viewer needs OpenGL 3.3");
     glfwMakeContextCurrent(window.get());

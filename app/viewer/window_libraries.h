@@ -1,4 +1,4 @@
-// What a window stands on: GLFW, OpenGL and Dear ImGui, as long as they are needed.
+// RAII owners of the libraries that a window needs: GLFW, OpenGL and Dear ImGui.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct WindowCloser {
     void operator()(GLFWwindow* window) const;
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, WindowCloser>;
-// With OpenGL 3.3, which is current then. Throws Error (unsupported) without.
+// Opens a window with a current OpenGL 3.3 context. Throws Error (unsupported) without OpenGL 3.3.
 WindowHandle open_window(int width, int height);
 
 class ImguiLibrary {
@@ -31,7 +31,7 @@ class ImguiLibrary {
     ImguiLibrary& operator=(const ImguiLibrary&) = delete;
 
   private:
-    std::string layout_; // its file, whose name is not copied
+    std::string layout_; // file name, which ImGui does not copy
 };
 
 } // namespace cairn::viewer

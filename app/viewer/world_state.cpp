@@ -16,9 +16,9 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float strip_half_length = 1000.0f; // m: of rectangles that are infinite along one axis
+constexpr float strip_half_length = 1000.0f; // m; drawn half length of rectangles that are infinite along one axis
 
-// The frame with y along the normal and x along the tangent.
+// The rotation of a frame with y along the normal and x along the tangent.
 Quat plane_frame(const Plane& plane) {
     const Vec3 normal = glm::normalize(plane.normal);
     Vec3 tangent = plane.tangent - normal * glm::dot(normal, plane.tangent);
@@ -30,7 +30,7 @@ Quat plane_frame(const Plane& plane) {
     return glm::normalize(glm::quat_cast(Mat3(tangent, normal, glm::cross(tangent, normal))));
 }
 
-// Type, size and bounds of a shape; planes also turn it.
+// Sets type, size and bounds of a shape; for planes also the rotation.
 struct ShapeReader {
     ShapeLayout& layout;
 
@@ -55,7 +55,7 @@ struct ShapeReader {
         set(ShapeType::cylinder, {cylinder.radius, cylinder.half_height, top}, {wide, cylinder.half_height, wide},
             glm::length(glm::vec2(cylinder.half_height, wide)));
     }
-    // Their bounds come with their meshes.
+    // The bounds of these shapes are set with their meshes.
     void operator()(const Hull&) const { set(ShapeType::hull, Vec3(1.0f), Vec3(0.0f), 0.0f); }
     void operator()(const Mesh&) const { set(ShapeType::mesh, Vec3(1.0f), Vec3(0.0f), 0.0f); }
     void operator()(const HeightField&) const { set(ShapeType::height_field, Vec3(1.0f), Vec3(0.0f), 0.0f); }
@@ -82,7 +82,7 @@ class MeshList {
     void give_mesh(ShapeLayout& shape, const std::shared_ptr<const ShapeMesh>& mesh) {
         if (!mesh) return;
         shape.mesh = add(mesh);
-        shape.half_size = Vec3(1.0f); // its coordinates are meters already
+        shape.half_size = Vec3(1.0f); // mesh coordinates are meters already
         shape.bound_center = mesh->center;
         shape.bound_extent = mesh->extent;
         shape.bound_radius = mesh->radius;
@@ -132,7 +132,7 @@ ShapeLayout read_shape(const World& world, ShapeId id, std::size_t body) {
     return layout;
 }
 
-// The root of a union-find tree, halving paths on the way.
+// The root of a union-find tree, with path halving.
 std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t index) {
     while (parents[index] != index) {
         parents[index] = parents[parents[index]];
@@ -221,7 +221,7 @@ WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with
 
 namespace {
 
-// Grows a box, then gives the ball around it.
+// An axis-aligned box that grows, and the sphere around it.
 struct Extent {
     Position least{1e300}, greatest{-1e300};
 
@@ -240,7 +240,7 @@ struct Extent {
     }
 };
 
-// How far what has these bounds falls onto something that does not move; 0 if there is nothing below.
+// Distance that an object with these bounds falls onto a static or kinematic body; 0 if there is nothing below.
 double height_of_fall(const World& world, const Bounds& bounds, const Position& gravity) {
     constexpr double highest = 1e4; // m
     if (gravity == Position(0.0)) return 0.0;
