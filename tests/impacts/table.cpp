@@ -17,7 +17,7 @@ std::string number(double value) {
     return text;
 }
 
-// What should not be there at all.
+// A row whose count should be zero.
 Row none(const std::string& quantity, double measured, const std::string& note = {}) {
     return {quantity, step_seconds, 0, measured, 0, Bar::at_most, note};
 }
