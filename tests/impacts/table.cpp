@@ -309,7 +309,7 @@ Rows billiards(int shots) {
     return rows;
 }
 
-// --- what stands, slides and rolls
+// --- standing, sliding and rolling
 
 Rows dropped_stack(int) { return {at_most("10 boxes from 1 m: rises at, m/s", rebound_of_stack(10, 1), 0.05)}; }
 

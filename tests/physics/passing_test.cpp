@@ -298,8 +298,8 @@ double slowed_by_frame(const Shape& jamb, double half_jamb, double air, double s
 }
 
 // At 5 rad/s and more, 21 of 90 doors were stopped when the center of a door was predicted to move along a straight
-// line, which took its edge into the jamb. A later 4 of 600 were stopped because a face counts as infinite for contact
-// points that slide over it, although the jamb was not touched.
+// line, which took its edge into the jamb. 4 of 600 were stopped when a jamb that the door did not touch was held by
+// contact points that slide over the face of the door as if it were infinite.
 TEST(Passing, ADoorSwingsThroughItsFrame) {
     Starts random(3);
     int slowed = 0;

@@ -69,10 +69,10 @@ double reach_below(const Body& body, std::size_t shape) {
 }
 
 // With contacts and inertia held constant for a step in which the body rotated far, energy grew without bound: a
-// capsule on the ground at 100 rad/s jumped up with 21 times its energy. Later, impacts let penetrating bodies separate
-// by the acceleration of a fixed point of the surface, although the contact point of a round body does not rotate with
-// it: up to 38 of 60 penetrated deeper than 2 cm, capsules of 5 cm completely, and 66 of 8,000 gained more than a
-// twentieth of their energy.
+// capsule on the ground at 100 rad/s jumped up with 21 times its energy. With impacts that let penetrating bodies
+// separate by the acceleration of a fixed point of the surface, although the contact point of a round body does not
+// rotate with it, up to 38 of 60 penetrated deeper than 2 cm, capsules of 5 cm completely, and 66 of 8,000 gained more
+// than a twentieth of their energy.
 TEST(Spinning, WhatSpinsOnTheGroundGainsNothingAndStaysOnIt) {
     Starts starts(5);
     for (const float spin : {30.0f, 70.0f, 150.0f, 300.0f})
