@@ -1,2 +1,2 @@
-// A program for the headers that the tests read once for all (cmake/build_time.cmake).
+// A program that provides the precompiled headers shared by all tests (cmake/build_time.cmake).
 int main() {}

@@ -1,5 +1,5 @@
-// Whether the tests run under a sanitizer of memory or threads, which keep what was freed for a while; the latter also
-// brings an operator new of its own, which counts nothing and never fails.
+// Whether tests run under an address or thread sanitizer. Both keep freed memory for a while; the thread sanitizer also
+// has an operator new of its own, which counts nothing and never fails.
 #pragma once
 
 namespace cairn_test {

@@ -1,4 +1,4 @@
-// The scenes together use all that the engine has.
+// The scenes together cover all features of the engine.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(DeterminismScenes, UseEveryShapeJointAndIntegrator) {
     EXPECT_TRUE(has_compound);
 }
 
-// What the scenes are named for does happen in the steps that are compared.
+// The events that the scenes are named for occur within the compared steps.
 TEST(DeterminismScenes, TouchSleepWakeTriggerBreakAndSplit) {
     std::size_t asleep = 0, awake = 0, entered = 0, left = 0, broke = 0, hits = 0, ends = 0;
     int max_substeps = 0;

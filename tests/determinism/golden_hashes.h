@@ -1,6 +1,6 @@
-// The state of each scene after `golden_steps` steps, as World::state_hash gives it. The numbers are the same for
-// every instruction set, compiler and machine; a change of the engine's arithmetic changes them, and then
-// `cairn_determinism_test --print-golden-hashes` prints the lines to put here.
+// The state hash of each scene after `golden_steps` steps (World::state_hash). The hashes are the same for every
+// instruction set, compiler and machine; a change of the engine's arithmetic changes them, and then
+// `cairn_determinism_test --print-golden-hashes` prints the new lines.
 #pragma once
 
 #include <cstdint>

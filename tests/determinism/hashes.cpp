@@ -1,5 +1,5 @@
-// cairn_hashes: runs the scenes and prints the hash of each. It needs nothing but the engine, so that it can be built
-// for any machine: ./dev determinism compares what it prints on all of them.
+// cairn_hashes: runs the scenes and prints the state hash of each. It depends on the engine alone, so that it can be
+// built for any machine: ./dev determinism compares its output on all of them.
 #include "scenes.h"
 
 #include <cinttypes>
@@ -19,7 +19,7 @@ steps and the hash of the state after them.
 The environment variable CAIRN_ISA chooses the instruction set.
 )";
 
-// Exits with a message unless it is a whole number from 1 to `most`.
+// Exits with a message unless the text is an integer from 1 to `most`.
 int number(const char* option, const char* text, int most) {
     char* end = nullptr;
     const long value = text ? std::strtol(text, &end, 10) : 0;
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
     std::vector<const NamedScene*> chosen;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
-        const char* const value = argv[i + 1]; // the list of arguments ends with a null
+        const char* const value = argv[i + 1]; // argv ends with a null pointer
         if (word == "--help" || word == "-h") {
             std::fputs(usage, stdout);
             return 0;

@@ -1,4 +1,4 @@
-// Of the scenes of boxes and balls.
+// Invariants of the scenes of boxes and balls.
 #include "invariants.h"
 #include "measures.h"
 
@@ -24,12 +24,12 @@ double energy_left(const SceneRun& run) {
     for_dynamic(run, golden_steps, [&](const BodyState& b, int) { energy += b.kinetic_energy; });
     return energy;
 }
-double mean_height(const SceneRun& run) { // m, of all mass
+double mean_height(const SceneRun& run) { // center of mass of all bodies, m
     double moment = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int) { moment += b.mass * b.center.y; });
     return moment / total_mass(run, golden_steps);
 }
-// The heap's height over that of one block of its volume (all have the density 1000 kg/m³, the pit is 8 m by 8 m).
+// The height of the heap relative to a block of its volume (all densities are 1000 kg/m^3, the pit is 8 m x 8 m).
 double bulk_of_pile(const SceneRun& run) {
     const double volume = total_mass(run, golden_steps) / 1000;
     return 2 * mean_height(run) / (volume / 64);
@@ -56,18 +56,18 @@ double bricks_knocked_out(const SceneRun& run) {
     }
     return count;
 }
-// The floor may push forward what the impact throws back.
-double greatest_momentum(const SceneRun& run) { // along the flight of the ball, over that of the start
+// The reaction of the floor may push the rebounding bodies forward.
+double greatest_momentum(const SceneRun& run) { // along the flight of the ball, relative to the start
     double most = 0;
     for (const StepState& step : run.steps) most = std::max(most, step.momentum.z / run.first().momentum.z);
     return most;
 }
 
-// --- dominoes: bodies 1 to 40 in the order of the row
+// --- dominoes: bodies 1 to 40, in the order of the row
 
 constexpr int after_push = 21;
 
-int falls_at(const SceneRun& run, int domino) { // by 45 degrees
+int falls_at(const SceneRun& run, int domino) { // first step with an inclination of 45 degrees
     for (int step = 0; step <= golden_steps; ++step)
         if (uprightness(body_at(run, step, domino)) < 0.7071) return step;
     return golden_steps;
@@ -91,7 +91,8 @@ double height_above_slope(const SceneRun& run) {
         for_dynamic(run, step, [&](const BodyState& b, int) { least = std::min(least, glm::dot(normal, b.center)); });
     return least;
 }
-// The median: one of the bodies passes close to the center of the field, which throws it far, each time elsewhere.
+// The median, since one of the bodies passes close to the center of the field, which accelerates it far off, to another
+// place in each variant.
 double median_way_downhill(const SceneRun& run) {
     const glm::dvec3 downhill = glm::normalize(glm::dvec3(0.1, 0, 0.05));
     std::vector<double> ways;
@@ -103,7 +104,7 @@ double median_way_downhill(const SceneRun& run) {
 }
 double hits(const SceneRun& run) { return run.hits; }
 
-// --- tumbler: the drum is body 0, its walls leave 2.75 m to every side
+// --- tumbler: the drum is body 0; the inside of its walls is 2.75 m from the center
 
 double out_of_drum(const SceneRun& run) {
     double farthest = 0;
@@ -116,13 +117,13 @@ double out_of_drum(const SceneRun& run) {
     }
     return farthest;
 }
-double load_below_axis(const SceneRun& run) { // the mean over the last eight seconds, m
+double load_below_axis(const SceneRun& run) { // m, mean over the last eight seconds
     double sum = 0, count = 0;
     for (int step = 120; step <= golden_steps; ++step)
         for_dynamic(run, step, [&](const BodyState& b, int) { sum += 4 - b.center.y, count += 1; });
     return sum / count;
 }
-double drum_turns(const SceneRun& run) { // rad about its axis, while its speed is the first
+double drum_turns(const SceneRun& run) { // rad about its axis, at its first speed
     const Quat turn = body_at(run, 40, 0).rotation * glm::conjugate(body_at(run, 0, 0).rotation);
     return 2 * std::atan2(double(turn.z), double(turn.w));
 }
@@ -152,21 +153,21 @@ double drop_of_stack_without_foot(const SceneRun& run) {
     return body_at(run, 159, 30).center.y - body_at(run, golden_steps, 30).center.y;
 }
 
-// --- free_tops: they start in a crowd, and hardly touch anymore after four seconds
+// --- free_tops: they start in a crowd, and hardly collide after four seconds
 
 constexpr int apart = 240;
-constexpr double weight = 1; // m/s² downward
+constexpr double weight = 1; // downward, m/s^2
 
-double momentum_error(const SceneRun& run) { // beside what gravity gives, as part of it
+double momentum_error(const SceneRun& run) { // besides gravity, relative to its impulse
     const double given = weight * total_mass(run, 0) * golden_steps / 60;
     const glm::dvec3 d = run.last().momentum - run.first().momentum + glm::dvec3(0, given, 0);
     return glm::length(d) / given;
 }
-bool is_pushed(const SceneRun& run, int step, int body) { // by something beside gravity
+bool is_pushed(const SceneRun& run, int step, int body) { // by anything except gravity
     const Vec3 change = body_at(run, step, body).velocity - body_at(run, step - 1, body).velocity;
     return glm::length(change + Vec3(0, float(weight / 60), 0)) > 1e-4f;
 }
-// The last step, from then on, in which it met another: few are pushed at a time.
+// The last step after `apart` in which the body collided with another: in such a step few bodies are accelerated.
 int last_hit(const SceneRun& run, int body) {
     for (int step = golden_steps; step > apart; --step) {
         if (!is_pushed(run, step, body)) continue;
@@ -176,7 +177,7 @@ int last_hit(const SceneRun& run, int body) {
     }
     return apart;
 }
-double spin_error(const SceneRun& run) { // of the angular momentum of each, relative
+double spin_error(const SceneRun& run) { // greatest relative error of the angular momentum of a body
     double most = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int i) {
         const Vec3 before = body_at(run, last_hit(run, i), i).angular_momentum;
@@ -193,7 +194,7 @@ double energy_of_spin_error(const SceneRun& run) {
     });
     return most;
 }
-double fall_error(const SceneRun& run) { // m, of the middle of all
+double fall_error(const SceneRun& run) { // m, mean of all
     double sum = 0;
     constexpr double t = (golden_steps - apart) / 60.0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int i) {
@@ -210,7 +211,7 @@ template <int step> double energy_gain(const SceneRun& run) { return energy_gain
 constexpr Invariant table[] = {
     {"mixed_pile", "bodies between the walls", in_the_pit, 240, 240},
     {"mixed_pile", "height over that of its volume in one block", bulk_of_pile, 1, 3},
-    // That of one corner: of 100 runs with slightly different gravity 2 to 12 mm, median 5.
+    // The greatest overlap is at a single corner: in 100 runs with slightly different gravity 2 to 12 mm, median 5 mm.
     {"mixed_pile", "deepest overlap after 5 s, m", overlap<300>, 0, 0.012},
     {"mixed_pile", "energy gained once the overlaps of the start are gone", energy_gain<60>, 0, 1e-6},
     {"mixed_pile", "kinetic energy at the end, of 450 kJ that it fell with, J", energy_left, 0, 30},
@@ -226,15 +227,15 @@ constexpr Invariant table[] = {
     {"dominoes", "energy gained after the push", energy_gain<after_push>, 0, 1e-6},
     {"dominoes", "bodies asleep at the end", asleep_at_end, 40, 40},
     {"materials", "least height of a center above the slope, m", height_above_slope, 0.29, 0.301},
-    // Of 48 runs with slightly different gravity 0.01 to 0.24 m.
+    // In 48 runs with slightly different gravity 0.01 to 0.24 m.
     {"materials", "median way downhill, m", median_way_downhill, 0.005, 0.3},
-    // The deepest of all steps is an impact: of 24 runs with slightly different gravity 6 to 32 mm.
+    // The greatest overlap of all steps occurs in an impact: in 24 runs with slightly different gravity 6 to 32 mm.
     {"materials", "usual deepest overlap after 1 s, m", usual_overlap<60>, 0, 0.0012},
     {"materials", "hits", hits, 121, 484},
     {"tumbler", "farthest center from the middle of the drum, m", out_of_drum, 0, 2.75},
     {"tumbler", "load below the axis of the drum, m", load_below_axis, 1.1, 2.75},
     {"tumbler", "angle of the drum after 40 steps, rad", drum_turns, 0.599, 0.601},
-    // The deepest of all steps is that of one corner: drums with 300 to 800 bodies have 15 to 96 mm.
+    // The greatest overlap of all steps is at a single corner: in drums with 300 to 800 bodies 15 to 96 mm.
     {"tumbler", "usual deepest overlap after 1 s, m", usual_overlap<60>, 0, 0.002},
     {"tumbler", "greatest speed, m/s", fastest, 0, 13},
     {"sleep_and_wake", "bodies asleep before the ball comes", asleep_before_ball, 30, 30},

@@ -1,4 +1,4 @@
-// Of the scenes of odd settings and changes, of shapes and of joints.
+// Invariants of the scenes of unusual settings and changes, of shapes and of joints.
 #include "invariants.h"
 #include "measures.h"
 
@@ -11,7 +11,7 @@ using namespace cairn;
 
 namespace {
 
-// How far a body has turned about an axis of the world between two steps, rad, by less than half a turn.
+// The rotation vector of a body between two steps in world axes, rad, for less than half a turn.
 glm::dvec3 turn(const SceneRun& run, int body, int from, int to) {
     const Quat q = body_at(run, to, body).rotation * glm::conjugate(body_at(run, from, body).rotation);
     const glm::dvec3 axis(q.x, q.y, q.z);
@@ -19,9 +19,10 @@ glm::dvec3 turn(const SceneRun& run, int body, int from, int to) {
     return length > 0 ? 2 * std::atan2(length, double(q.w)) / length * axis : glm::dvec3(0.0);
 }
 
-// --- explicit_euler: a spring of 3/s² to (0, 3, 0), and a wind of 900 N in x and 300 N in z on each of 24 bodies
+// --- explicit_euler: a spring field of 3 /s^2 to (0, 3, 0), and a wind of 900 N in x and 300 N in z on each of 24
+// bodies
 
-double off_balance(const SceneRun& run) { // m along the floor, from where spring and wind are equal
+double off_balance(const SceneRun& run) { // m along the floor, from the equilibrium of spring and wind
     const double mass = total_mass(run, golden_steps);
     Position sum(0.0);
     for_dynamic(run, golden_steps, [&](const BodyState& b, int) { sum += b.mass / mass * b.center; });
@@ -29,7 +30,7 @@ double off_balance(const SceneRun& run) { // m along the floor, from where sprin
 }
 double kinetic_energy_at_end(const SceneRun& run) { return run.world.kinetic_energy(); }
 
-// --- whirl: what spins is bodies 1 to 8, the stack 9 to 12
+// --- whirl: the spinning bodies are 1 to 8, the stack 9 to 12
 
 double energy_gain_of_spinners(const SceneRun& run) {
     const auto energy = [&](int step) {
@@ -47,19 +48,19 @@ double energy_gain_of_spinners(const SceneRun& run) {
 double heavy_box_sinks(const SceneRun& run) { return 3.5 - body_at(run, golden_steps, 12).center.y; }
 double height_of_cone(const SceneRun& run) { return body_at(run, 60, 1).center.y; }
 
-// --- changes: body number n is n + 1, the lift is 25, the rider 26
+// --- changes: body number n has index n + 1, the lift is 25, the rider 26
 
 double fallen(const SceneRun& run) {
     return count_at_end(run, [](const BodyState& b) { return b.center.y < -1; });
 }
-double fall_beside_new_gravity(const SceneRun& run) { // m/s², of what has lost its only shape
+double fall_beside_new_gravity(const SceneRun& run) { // m/s^2, of the body that has lost its only shape
     const Vec3 change = body_at(run, 600, 3).velocity - body_at(run, 400, 3).velocity;
     return double(glm::length(change / (200 / 60.0f) - Vec3(3, -8, 0)));
 }
 double lift_after_a_second(const SceneRun& run) { return body_at(run, 70, 25).center.y; }
 double rider_above_lift(const SceneRun& run) { return body_at(run, 70, 26).center.y - body_at(run, 70, 25).center.y; }
 double kinematic_body_turns(const SceneRun& run) { return turn(run, 1, 30, 90).y; }
-// --- all_shapes: the height field covers 16 m by 16 m about the origin, the mesh as much from x = 8 on
+// --- all_shapes: the height field covers 16 m x 16 m about the origin, the mesh an equal area from x = 8 on
 
 double fallen_through_the_ground(const SceneRun& run) {
     return count_at_end(run, [](const BodyState& b) {
@@ -105,7 +106,7 @@ double rack_travels(const SceneRun& run) {
         most = std::max(most, std::fabs(body_at(run, step, 88).center.z + 4));
     return most;
 }
-double rope_longer(const SceneRun& run) { // than 6 m, over the pulleys
+double rope_longer(const SceneRun& run) { // than 6 m, along the pulleys
     double most = 0;
     for (const StepState& step : run.steps)
         most = std::max(most, glm::length(step.bodies[89].center - Position(4, 5, -4)) +
@@ -114,10 +115,10 @@ double rope_longer(const SceneRun& run) { // than 6 m, over the pulleys
 }
 double broken(const SceneRun& run) { return run.broken; }
 
-// --- chains: links 1 to 9 are solved directly, 10 to 18 one after the other, 19 to 27 as the engine chooses; the ring
-// is 28 to 35, the crank 36
+// --- chains: links 1 to 9 are in the direct solver, 10 to 18 in the iterative one, 19 to 27 left to the engine; the
+// ring is 28 to 35, the crank 36
 
-// How far the two points of joint `joint` (0: at the top) of the chain that begins with body `first` are apart, m.
+// The gap, m, of joint `joint` (0: the topmost) of the chain that begins with body `first`.
 double chain_gap(const SceneRun& run, int step, int first, int joint, const Position& top) {
     const BodyState& link = body_at(run, step, first + joint);
     const Position held = link.position + Position(link.rotation * Vec3(-0.25f, 0, 0));
@@ -125,7 +126,7 @@ double chain_gap(const SceneRun& run, int step, int first, int joint, const Posi
     const BodyState& above = body_at(run, step, first + joint - 1);
     return glm::length(held - above.position - Position(above.rotation * Vec3(0.25f, 0, 0)));
 }
-double direct_chain_gap(const SceneRun& run) { // joint 5 is taken away in step 200
+double direct_chain_gap(const SceneRun& run) { // joint 5 is destroyed in step 200
     double most = 0;
     for (int step = 0; step <= golden_steps; ++step)
         for (int joint = 0; joint < 9; ++joint)
@@ -134,7 +135,7 @@ double direct_chain_gap(const SceneRun& run) { // joint 5 is taken away in step 
 }
 double removed_joint_opens(const SceneRun& run) { return chain_gap(run, golden_steps, 1, 5, {0, 7, 0}); }
 double breaking_force(const SceneRun& run) { return double(run.broken_force); }
-double ring_opening(const SceneRun& run) { // that a rope of 1.5 m spans
+double ring_opening(const SceneRun& run) { // spanned by a rope of 1.5 m
     const BodyState &front = body_at(run, golden_steps, 28), &back = body_at(run, golden_steps, 35);
     return glm::length(back.position + Position(back.rotation * Vec3(-2.4f, -0.9f, 0)) - front.position);
 }
@@ -162,8 +163,8 @@ constexpr Invariant table[] = {
     {"changes", "turn of the body made kinematic, rad", kinematic_body_turns, 0.999, 1.001},
     {"all_shapes", "bodies fallen through the ground", fallen_through_the_ground, 0, 0},
     {"all_shapes", "energy gained, by the belt", energy_gain<0>, 0, 3.4e-4},
-    // Of all steps the deepest is an impact, 6.5 to 7 mm in half of the runs with slightly different gravity, 19 in a
-    // tenth, and in one of 200 half a meter.
+    // The greatest overlap of all steps occurs in an impact: 6.5 to 7 mm in half of the runs with slightly different
+    // gravity, 19 mm in a tenth, and in one of 200 half a meter.
     {"all_shapes", "usual deepest overlap after 5 s, m", usual_overlap<300>, 0, 0.0045},
     {"all_shapes", "miscounted by the trigger", miscounted_by_triggers, 0, 0},
     {"rounded_shapes", "bodies between the walls", between_the_walls, 60, 60},
@@ -192,7 +193,7 @@ constexpr Invariant table[] = {
     {"chains", "turn of the motor reversed in 40 steps, rad", motor_turns_back, -2.668, -2.666},
     {"robots", "widest gap of a joint, m", widest_gap, 0, 0.01},
     {"robots", "largest turn that a joint should lock, rad", largest_twist, 0, 0.01},
-    // Servos of 10 N m press links of 20 g together: 12 mm.
+    // Servos of 10 N m press links of 20 g together: the overlap is 12 mm.
     {"robots", "deepest overlap after 5 s, m", overlap<300>, 0, 0.02},
 };
 

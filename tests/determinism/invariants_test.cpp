@@ -1,5 +1,5 @@
-// What a hash cannot tell: whether a change of the last bits is only that. Each scene keeps to its physics over the
-// steps of its golden hash, and each of these checks notices at least one fault that is put into the engine's input.
+// A hash cannot show whether a change alters the last bits only. Each scene must keep its physical invariants over the
+// steps of its golden hash, and each invariant must detect at least one fault that is injected into the engine's input.
 #include "invariants.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class SceneInvariants : public testing::TestWithParam<NamedScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneInvariants, testing::ValuesIn(scenes().begin(), scenes().end()),
                          [](const testing::TestParamInfo<NamedScene>& info) { return std::string(info.param.name); });
 
-// The first step after which something is not a number.
+// The first step after which a value is not finite or a rotation not normalized; -1 if none.
 int first_step_not_finite(const SceneRun& run) {
     const auto is_finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
     for (std::size_t step = 0; step < run.steps.size(); ++step)
@@ -51,7 +51,7 @@ TEST_P(SceneInvariants, Hold) {
     }
 }
 
-// Each of them can fail: with half the gravity, without friction, contacts or sleep, and so on.
+// Each invariant can fail: with half the gravity, without friction, contacts or sleep, and so on.
 TEST_P(SceneInvariants, EachNoticesAFault) {
     const std::vector<Invariant> invariants = invariants_of(GetParam().name);
     std::vector<std::string> noticed(invariants.size());

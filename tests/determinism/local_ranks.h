@@ -14,7 +14,7 @@
 
 namespace cairn_test {
 
-// Where the ranks leave messages for each other.
+// The mailbox through which ranks exchange messages.
 class Post {
   public:
     explicit Post(int size) : size(size) {}
@@ -68,10 +68,10 @@ class LocalRank final : public cairn::Communicator {
         return all;
     }
     int exchanges = 0, broadcasts = 0;
-    std::size_t bytes_told = 0; // to all others
+    std::size_t bytes_told = 0; // sent to all others
 
   private:
-    // What has another size shows that the ranks have parted.
+    // A message of unexpected size shows that the ranks have diverged.
     void take(int from, std::span<std::byte> bytes) {
         const std::vector<std::byte> letter = post_->receive(from, rank_);
         if (letter.size() != bytes.size()) std::abort();

@@ -1,4 +1,4 @@
-// The tests; and `--print-golden-hashes` prints the lines of golden_hashes.h.
+// Runs the tests, or with `--print-golden-hashes` prints the lines of golden_hashes.h.
 #include "scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What several scenes are measured by.
+// Measures shared by the invariants of several scenes.
 #pragma once
 
 #include "scene_run.h"
@@ -15,7 +15,7 @@ inline const BodyState& body_at(const SceneRun& run, int step, int index) {
     return run.steps[std::size_t(step)].bodies[std::size_t(index)];
 }
 
-// How many dynamic bodies satisfy that after the last step.
+// The number of dynamic bodies that satisfy the predicate after the last step.
 template <class F> double count_at_end(const SceneRun& run, const F& is_so) {
     int count = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& body, int) { count += is_so(body); });
@@ -24,12 +24,12 @@ template <class F> double count_at_end(const SceneRun& run, const F& is_so) {
 
 double asleep_at(const SceneRun& run, int step);
 double asleep_at_end(const SceneRun& run);
-double lowest_center(const SceneRun& run);                // m, of dynamic bodies, ever
-double fastest(const SceneRun& run);                      // m/s, ever
-double overlap_from(const SceneRun& run, int step);       // m, the deepest from that step on
-double usual_overlap_from(const SceneRun& run, int step); // m, the median of the deepest of each of those steps
+double lowest_center(const SceneRun& run);                // m, of dynamic bodies over all steps
+double fastest(const SceneRun& run);                      // m/s, over all steps
+double overlap_from(const SceneRun& run, int step);       // m, greatest from that step on
+double usual_overlap_from(const SceneRun& run, int step); // m, median over these steps of the greatest in each
 double energy_gain_from(const SceneRun& run,
-                        int step);                // the most above that step's energy, as part of the largest energy
+                        int step);                // greatest increase above that step, relative to the maximum
 double total_mass(const SceneRun& run, int step); // kg, of dynamic bodies
 
 // The cosine between the y axis of a body and that of the world.

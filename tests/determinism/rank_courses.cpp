@@ -78,7 +78,7 @@ std::vector<Course> run_on_ranks(Scene& scene, const Snapshot& start, int ranks,
             world.set_threads(threads);
             const auto communicator = std::make_shared<LocalRank>(post, rank);
             world.set_communicator(communicator);
-            world.restore(start); // which it outlives
+            world.restore(start); // the communicator outlives the restore
             Course& course = courses[std::size_t(rank)] = run_alone(scene, world, steps, asked_every);
             course.exchanges = communicator->exchanges;
             world.step(1.0f / 60);

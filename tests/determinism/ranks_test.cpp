@@ -1,4 +1,4 @@
-// The number of ranks that step a world together changes nothing: after every step, each of them has the state of one
+// The number of ranks that step a world together does not matter: after every step, each rank has the state of a single
 // process.
 #include "rank_courses.h"
 
@@ -30,9 +30,9 @@ TEST_P(Ranks, AnyNumberGivesTheSameState) {
     }
 }
 
-// A heap in a pit, which is cut among the ranks: balls, cubes, bricks, rocks and rods, some of which bounce or are
-// damped, a paddle that turns in it, a conveyor below, and a lid that touches more of them than there are colors. One
-// is so fast that its speed is cut.
+// A heap in a pit, which is partitioned among the ranks: balls, cubes, bricks, rocks and rods, some with restitution or
+// damping, a rotating paddle, a conveyor below, and a lid in contact with more bodies than there are graph colors. One
+// body is so fast that its speed is clamped.
 class CutHeap : public Scene {
   public:
     explicit CutHeap(Integrator integrator) : integrator_(integrator) {}
@@ -52,7 +52,7 @@ class CutHeap : public Scene {
         }
         Numbers numbers(5);
         const Hull stone = rock(numbers, 12);
-        // Thin ones gain speed with the other integrators, until it is no number any more (docs/scale.md).
+        // With the other integrators thin rods gain speed until it is not a number (docs/scale.md).
         const float thickness = integrator_ == Integrator::semi_implicit_euler ? 0.02f : 0.3f;
         const Box rod{{0.7f, thickness, thickness}};
         for (int i = 0; i < 500; ++i) {
@@ -94,7 +94,7 @@ TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
     scene.build(world);
     run_alone(scene, world, 60);
     for (int i = 0; i < 100 && world.statistics().overflow_contacts == 0; ++i) run_alone(scene, world, 1);
-    // The lid lies on it.
+    // The lid lies on the heap.
     const Snapshot start = world.save();
     constexpr int steps = 9;
     const Course alone = run_alone(scene, world, steps);
@@ -105,9 +105,9 @@ TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
         const std::vector<Course> courses = run_on_ranks(scene, start, ranks, steps, threads);
         for (std::size_t rank = 0; rank < courses.size(); ++rank) {
             expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
-            EXPECT_GT(courses[rank].exchanges, 1000); // it was cut
+            EXPECT_GT(courses[rank].exchanges, 1000); // the heap was partitioned
         }
-        // Each has told the others of its share of the records, and of no more.
+        // Each rank has sent its share of the contact records, and no more.
         std::size_t whole = 0;
         for (const Course& course : courses) whole += course.bytes_of_end;
         EXPECT_GT(whole, 150 * world.statistics().candidate_pairs);
@@ -118,8 +118,8 @@ TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
     }
 }
 
-// Balls that fill a narrow shaft: whether they are a column that could buckle depends on the normals of contacts with
-// the walls, of which each rank has some.
+// Balls that fill a narrow shaft: whether they count as a column that could buckle depends on the normals of contacts
+// with the walls, of which each rank has a part.
 class FilledShaft : public Scene {
   public:
     void build(World& world) override {
@@ -130,7 +130,7 @@ class FilledShaft : public Scene {
         }
         for (int i = 0; i < 640; ++i) {
             BodyDef def;
-            const double aside = i / 16 % 2 * 0.05 - 0.025; // or each would stand on the one below
+            const double aside = i / 16 % 2 * 0.05 - 0.025; // otherwise each would stand on the one below
             def.position = {0.115 * (i % 4 - 1.5) + aside, 0.06 + 0.11 * (i / 16), 0.115 * (i / 4 % 4 - 1.5) - aside};
             add(world, Sphere{0.05f}, def);
         }
@@ -150,7 +150,7 @@ TEST(RanksInAShaft, StateIsTheSameAtEveryStep) {
         const std::vector<Course> courses = run_on_ranks(scene, start, ranks, steps, 1);
         for (std::size_t rank = 0; rank < courses.size(); ++rank) {
             expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
-            EXPECT_GT(courses[rank].exchanges, 100); // it was cut
+            EXPECT_GT(courses[rank].exchanges, 100); // the shaft was partitioned
         }
     }
 }
@@ -163,7 +163,7 @@ TEST(RanksOfAWorld, RefusesARankThatIsNoneOfThem) {
     world.step(0.1f); // alone, as before
 }
 
-// One rank more or less, from a state that several have come to: a run goes on with any number of them.
+// A run continues with any number of ranks from a state that several ranks have reached.
 TEST(RanksOfAWorld, AnotherNumberOfThemGoesOnWhereTheLastOnesWere) {
     CutHeap scene(Integrator::semi_implicit_euler);
     World world(scene.settings());

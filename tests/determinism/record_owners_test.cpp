@@ -1,5 +1,5 @@
-// Several ranks have the records of their own contacts alone: what becomes of the world, and what is said of it, is the
-// same, whatever happens to bodies, shapes and owners.
+// Each rank has the records of its own contacts alone. The course of the world, its events and reports must be the same
+// as with one process, whatever happens to bodies, shapes and owners.
 #include "rank_courses.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace {
 
 using namespace cairn;
 
-// Heaps on tiles side by side and on hills, bricks that slide over the tiles, balls that fly fast and bounce, a chain
-// that falls among them and is taken away, a stack that falls asleep and is hit; materials change, bodies come and go.
+// Heaps on adjacent tiles and on hills, bricks that slide over the tiles, fast bouncing balls, a chain that falls among
+// them and is removed, a stack that falls asleep and is hit; materials change, bodies are created and destroyed.
 class Yard : public Scene {
   public:
     void build(World& world) override {

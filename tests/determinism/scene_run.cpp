@@ -29,7 +29,7 @@ BodyState state_of(const Body& body) {
     return state;
 }
 
-// Planes and plates that move push what comes to their back out to their front, however deep it is.
+// Moving planes and rectangles push a body that reaches their back out to their front, however deep it is.
 bool is_moving_plane(World& world, BodyId body, ShapeId shape) {
     return world.body(body).type() == BodyType::kinematic && std::holds_alternative<Plane>(world.shape(shape));
 }
@@ -72,7 +72,8 @@ Material material_with(Material material, Fault fault) {
     return material;
 }
 
-// In every step, as scenes make shapes and change them while they run; but only of what is not so yet, as it wakes.
+// Applied in every step, since scenes create and change shapes while they run; but only to shapes that differ, since a
+// change wakes the body.
 void put_into_shapes(World& world, Fault fault) {
     for (const BodyId id : world.bodies())
         for (const ShapeId shape : world.body(id).shapes()) {
@@ -87,7 +88,7 @@ void put_into_shapes(World& world, Fault fault) {
         }
 }
 
-// Shapes in triggers.
+// The number of shapes in triggers.
 int count_in_triggers(World& world) {
     int count = 0;
     for (const BodyId id : world.bodies())
@@ -100,7 +101,7 @@ int count_in_triggers(World& world) {
     return count;
 }
 
-// Every second one, but those that a scene looks for by name.
+// Every second joint, except those that a scene finds by name.
 void weaken_joints(World& world) {
     const std::vector<JointId> joints = world.joints();
     for (std::size_t i = 0; i < joints.size(); i += 2)

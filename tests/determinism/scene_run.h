@@ -1,4 +1,4 @@
-// A scene run for the steps of its golden hash, with all that was seen of it; and the same with a fault put in.
+// The recorded run of a scene over the steps of its golden hash, optionally with an injected fault.
 #pragma once
 
 #include "scenes.h"
@@ -8,7 +8,7 @@
 
 namespace cairn_test {
 
-// A body after a step. Vectors as of cairn::Body.
+// The state of a body after a step. Vectors have the meaning of those of cairn::Body.
 struct BodyState {
     bool exists = false;
     cairn::BodyType type{};
@@ -21,39 +21,39 @@ struct BodyState {
     bool is_dynamic() const { return exists && type == cairn::BodyType::dynamic; }
 };
 
-// A world after a step.
+// The state of a world after a step.
 struct StepState {
-    std::vector<BodyState> bodies; // by index of their slots
-    double energy = 0;             // J, kinetic and potential
-    double overlap = 0;            // m, the deepest
-    double gap = 0, twist = 0;     // m and rad, of the joint that has come apart farthest
+    std::vector<BodyState> bodies; // by slot index
+    double energy = 0;             // kinetic and potential, J
+    double overlap = 0;            // greatest, m
+    double gap = 0, twist = 0;     // greatest error of a joint, m and rad
     glm::dvec3 momentum{0.0};      // N s
 };
 
 struct SceneRun {
     cairn::World world;                              // after the last step
     std::vector<StepState> steps;                    // the first: before any step
-    int entered = 0, left = 0, broken = 0, hits = 0; // events: of triggers, joints and contacts
-    int in_triggers = 0;    // shapes in triggers, by a query before the last step, which is when its events are found
-    float broken_force = 0; // N, at which the last joint broke
+    int entered = 0, left = 0, broken = 0, hits = 0; // events of triggers, joints, contacts
+    int in_triggers = 0;    // shapes in triggers, queried before the last step, which is when events are found
+    float broken_force = 0; // N, when the last joint broke
 
     const StepState& first() const { return steps.front(); }
     const StepState& last() const { return steps.back(); }
 };
 
-// What is done to the world to see which invariants notice.
+// Faults injected into a world, to see which invariants detect them.
 enum class Fault {
     none,
     half_gravity,
     no_friction,
     bouncy,      // restitution 1
-    no_contacts, // nothing meets anything
+    no_contacts, // no collisions
     no_sleep,
     coarse,        // one substep
     slow_clock,    // steps of 1/80 s
-    deaf_triggers, // that meet nothing
-    weak_joints,   // every second one breaks at 1 kN
-    kick,          // in the middle, every dynamic body by up to 30 m/s along each axis
+    deaf_triggers, // triggers without collisions
+    weak_joints,   // every second joint breaks at 1 kN
+    kick,          // halfway, every dynamic body by up to 30 m/s along each axis
 };
 inline constexpr Fault all_faults[] = {Fault::half_gravity, Fault::no_friction, Fault::bouncy,     Fault::no_contacts,
                                        Fault::no_sleep,     Fault::coarse,      Fault::slow_clock, Fault::deaf_triggers,

@@ -1,11 +1,11 @@
-// What the scenes are built with.
+// Helpers to build the scenes.
 #pragma once
 
 #include "scenes.h"
 
 namespace cairn_test {
 
-// Plain integer arithmetic, so that the scenes are the same with every standard library.
+// Random numbers by plain integer arithmetic, so that the scenes are the same with every standard library.
 class Numbers {
   public:
     explicit Numbers(std::uint32_t seed) : state_(seed) {}
@@ -47,7 +47,7 @@ inline cairn::Hull rock(Numbers& numbers, int points) {
     return cairn::Hull(cloud);
 }
 
-// A scene is made once, and holds nothing between two runs.
+// A scene is created once, and has no state that persists between two runs.
 template <class T> Scene& make() {
     static T scene;
     return scene;

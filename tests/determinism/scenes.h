@@ -1,4 +1,4 @@
-// Scenes whose state after some steps must be the same, bit for bit, everywhere.
+// Scenes whose state after a given number of steps must be the same, bit for bit, everywhere.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -11,8 +11,8 @@
 
 namespace cairn_test {
 
-// A world with a scene in it. What a scene does from outside (turning, pushing, waking) depends on the number of
-// steps taken alone, so that a restored world can go on from where the snapshot was taken.
+// A world with a scene in it. External actions of a scene (rotating, pushing, waking) depend on the step count alone,
+// so that a restored world can continue from its snapshot.
 class Scene {
   public:
     virtual ~Scene() = default;
@@ -29,17 +29,17 @@ class Scene {
 struct NamedScene {
     const char* name;
     Scene& (*make)();
-    std::uint64_t golden_hash; // of the state after `golden_steps` steps
+    std::uint64_t golden_hash; // state hash after `golden_steps` steps
 };
 
-inline void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; } // for the test's reports
+inline void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; } // for test reports
 
 inline constexpr int golden_steps = 600;
 
 std::span<const NamedScene> scenes();
 const NamedScene* find_scene(std::string_view name);
 
-// The hash after so many steps from the start.
+// The state hash after `steps` steps from the start.
 std::uint64_t hash_after(Scene& scene, int steps, int threads = 1);
 
 } // namespace cairn_test

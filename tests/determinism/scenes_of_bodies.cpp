@@ -9,7 +9,7 @@ using namespace cairn;
 
 namespace {
 
-// Spheres and boxes of many sizes between four walls: each pair of shapes.
+// Spheres and boxes of many sizes between four walls: all pair kinds of these shapes.
 struct MixedPile : Scene {
     void build(World& world) override {
         add_fixed(world, Plane{});
@@ -44,7 +44,7 @@ struct Pyramid : Scene {
                 def.position = {1.02 * i + 0.51 * row, 0.5 + 1.01 * row, 0};
                 add(world, Box{}, def);
             }
-        BodyDef ball; // comes when the pyramid has settled
+        BodyDef ball; // arrives when the pyramid has settled
         ball.position = {5, 4, 60};
         ball.linear_velocity = {0, 7, -40};
         ShapeDef heavy;
@@ -59,7 +59,7 @@ struct Dominoes : Scene {
         for (int i = 0; i < 40; ++i) {
             const double angle = 0.12 * i;
             BodyDef def;
-            // Along a spiral, by rational arithmetic instead of the library's sine.
+            // Along a spiral, by rational functions instead of the library's sine.
             const double c = (1 - angle * angle / 16) / (1 + angle * angle / 16),
                          s = (angle / 2) / (1 + angle * angle / 16);
             def.position = {8 * c, 0.5, 8 * s};
@@ -76,7 +76,7 @@ struct Dominoes : Scene {
     }
 };
 
-// Every material property at once, on rectangles, planes and boxes; damping, fields, forces.
+// Every material property at once, on rectangles, planes and boxes; damping, force fields, forces.
 struct Materials : Scene {
     void build(World& world) override {
         ShapeDef ground;
@@ -122,7 +122,7 @@ struct Materials : Scene {
     }
 };
 
-// A hollow box of kinematic walls that turns.
+// A rotating hollow box with kinematic walls.
 struct Tumbler : Scene {
     void build(World& world) override {
         BodyDef drum;
@@ -188,7 +188,7 @@ struct SleepAndWake : Scene {
     }
 };
 
-// Bodies of several shapes: hammers and crosses.
+// Compound bodies: hammers and crosses.
 struct Compounds : Scene {
     void build(World& world) override {
         add_fixed(world, Plane{});
@@ -211,7 +211,7 @@ struct Compounds : Scene {
     }
 };
 
-// Free bodies of unequal inertia, far from the origin, with the Runge-Kutta integrator.
+// Free bodies with unequal moments of inertia, far from the origin, with the Runge-Kutta integrator.
 struct FreeTops : Scene {
     WorldDef settings() const override {
         WorldDef def;

@@ -1,4 +1,4 @@
-// Scenes of odd settings, of fast spin, and of what users do while a world runs.
+// Scenes of unusual settings, of fast spin, and of changes that users make while a world runs.
 #include "scene_tools.h"
 
 #include <string>
@@ -9,7 +9,7 @@ using namespace cairn;
 
 namespace {
 
-// Balls and bricks on a springy field and in a wind, by the explicit Euler method: free motion gains energy.
+// Balls and bricks in a spring field and in a wind, with the explicit Euler method: free motion gains energy.
 struct ExplicitEuler : Scene {
     WorldDef settings() const override {
         WorldDef def;
@@ -45,7 +45,7 @@ struct ExplicitEuler : Scene {
     }
 };
 
-// What spins fast while it touches, so that steps are split; and a heavy box on light ones, which asks for substeps.
+// Bodies that spin fast in contact, and a heavy box on light ones, which needs more substeps.
 struct Whirl : Scene {
     void build(World& world) override {
         add_fixed(world, Plane{});
@@ -69,7 +69,7 @@ struct Whirl : Scene {
     }
 };
 
-// What a user may change while a world runs.
+// All changes that a user may make while a world runs.
 class Changes final : public Scene {
     static Body named(World& world, const std::string& name) { return world.body(*world.find_body(name)); }
 

@@ -116,8 +116,8 @@ class AllJoints final : public Scene {
     }
 };
 
-// Chains with a weight, solved directly and one joint after the other; a ring; a machine that is driven and reversed;
-// joints that break, are taken away and made while the world runs.
+// Chains with a weight, in the direct and in the iterative solver; a ring; a machine that is driven and reversed;
+// joints that break, are destroyed and created while the world runs.
 class Chains final : public Scene {
     static void hang_chain(World& world, const Position& top, JointSolver solver, float break_force) {
         BodyId last{};
@@ -146,7 +146,7 @@ class Chains final : public Scene {
         hang_chain(world, {0, 7, 0}, JointSolver::direct, std::numeric_limits<float>::infinity());
         hang_chain(world, {0, 7, 3}, JointSolver::iterative, std::numeric_limits<float>::infinity());
         hang_chain(world, {0, 7, 6}, JointSolver::automatic, 15000);
-        std::vector<BodyId> ring; // eight boxes, each turned against the last, and the gap closed by a rope
+        std::vector<BodyId> ring; // eight boxes, each rotated against the last, the ring closed by a rope
         for (int i = 0; i < 8; ++i) {
             BodyDef def;
             def.position = {9 + 0.8 * (i % 4), 3 + 0.9 * (i / 4), 0};
@@ -189,8 +189,8 @@ class Chains final : public Scene {
     }
 };
 
-// Arms whose joints are solved directly: servos of little and of great force, friction, soft limits, motors, and links
-// of 1 kg among others of 20 g. They fall on the ground; every 20 steps the servos get other targets.
+// Arms in the direct solver: servos of small and large force, friction, soft limits, motors, and links of 1 kg between
+// others of 20 g. They fall on the ground; every 20 steps the servos get new targets.
 class Robots final : public Scene {
     static HingeJoint hinge(int kind, int i) {
         HingeJoint hinge;
@@ -229,7 +229,7 @@ class Robots final : public Scene {
     void before_step(World& world) override {
         if (world.step_count() % 20 != 0) return;
         const std::vector<JointId> joints = world.joints();
-        for (std::size_t i = 0; i < 10; ++i) { // of the first two
+        for (std::size_t i = 0; i < 10; ++i) { // joints of the first two arms
             HingeJoint hinge = std::get<HingeJoint>(world.joint_def(joints[i]).joint);
             hinge.angle.motor->position = (world.step_count() / 20 + i) % 2 ? 0.4f : -0.4f;
             world.set_joint(joints[i], hinge);

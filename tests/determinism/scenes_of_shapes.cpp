@@ -10,7 +10,7 @@ using namespace cairn;
 
 namespace {
 
-// All shapes on a height field and a mesh, one beside the other, with a conveyor, a trigger and two layers.
+// All shapes on a height field and on a mesh beside it, with a conveyor, a trigger and two collision layers.
 struct AllShapes : Scene {
     void build(World& world) override {
         Numbers numbers(23);
@@ -44,13 +44,13 @@ struct AllShapes : Scene {
                                     rocks[i % 3],     Cylinder{size, 0.3f, {}},  Capsule{size, 0.3f, 0.15f},
                                     cone(0.4f, size), Cylinder{size, 0.3f, 0.2f}};
             ShapeDef shape;
-            if (i % 16 == 5) shape.filter = {2, 1}; // they do not meet each other
+            if (i % 16 == 5) shape.filter = {2, 1}; // these do not collide with each other
             add(world, shapes[i % 8], def, shape);
         }
     }
 };
 
-// Rounded shapes on hills and on a sheet, and between walls that are strips.
+// Rounded shapes on hills and on a two-sided plane, and between walls that are strips.
 class RoundedShapes final : public Scene {
     void build(World& world) override {
         Numbers numbers(23);
@@ -76,13 +76,13 @@ class RoundedShapes final : public Scene {
     }
 };
 
-// Surfaces from both sides and in motion: a hammock, a turning disc of triangles, a belt that is a mesh, a plate, a
-// trigger of each kind that has an inside; and compounds of hulls, capsules and cylinders on them.
+// Two-sided and moving surfaces: a hammock, a rotating disc of triangles, a belt that is a mesh, a rectangle, a trigger
+// of each kind that has an interior; and compounds of hulls, capsules and cylinders on them.
 class Surfaces final : public Scene {
     static Mesh fan(int corners, float radius) {
         std::vector<Vec3> vertices{{0, 0, 0}};
         std::vector<std::uint32_t> indices;
-        for (int i = 0; i < corners; ++i) { // around the circle by rational arithmetic: a tangent of half the angle
+        for (int i = 0; i < corners; ++i) { // around the circle, with t the tangent of half the angle
             const float t = std::abs(8.0f * float(i) / float(corners) - 4) - 2, sign = 2 * i < corners ? 1.0f : -1.0f;
             const float c = (1 - t * t / 4) / (1 + t * t / 4), s = t / (1 + t * t / 4);
             vertices.emplace_back(radius * s, 0.05f * float(i % 3), sign * radius * c);

@@ -1,4 +1,4 @@
-// A restored world goes on, bit for bit, as the one that was saved.
+// A restored world continues, bit for bit, like the world that was saved.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ class SnapshotOfScene : public testing::TestWithParam<NamedScene> {
   protected:
     static constexpr int save_at = 97, steps_after = 150;
 
-    // The hash after each further step.
+    // The state hash after each further step.
     static std::vector<std::uint64_t> go_on(Scene& scene, World& world) {
         std::vector<std::uint64_t> hashes{world.state_hash()};
         for (int i = 0; i < steps_after; ++i) {
@@ -55,7 +55,7 @@ TEST_P(SnapshotOfScene, SavingChangesNothing) {
     EXPECT_EQ(saved.save().bytes.size(), plain.save().bytes.size());
 }
 
-// The scene's stacks are asleep between their fall and step 120, when a ball comes.
+// The stacks of the scene sleep from the end of their fall to step 120, when a ball arrives.
 TEST(SnapshotWhileAsleep, ContinuesAndWakesAlike) {
     Scene& scene = find_scene("sleep_and_wake")->make();
     World world{scene.settings()};
@@ -80,7 +80,7 @@ TEST(SnapshotWhileAsleep, ContinuesAndWakesAlike) {
     EXPECT_TRUE(awake);
 }
 
-// Half of the quiet time before sleep has passed at the save.
+// At the save, half of the quiet time before sleep has passed.
 TEST(SnapshotWhileFallingAsleep, FallsAsleepInTheSameStep) {
     Scene& scene = find_scene("sleep_and_wake")->make();
     World world{scene.settings()};

@@ -1,4 +1,4 @@
-// The same inputs give the same bits: in every instruction set, in every run, and as recorded.
+// The same inputs give the same bits: with every instruction set, in every run, and as recorded.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct ChildResult {
     std::string instruction_set, hash;
 };
 
-// Runs cairn_hashes, which ./dev determinism builds for other machines too.
+// Runs cairn_hashes, which ./dev determinism also builds for other machines.
 ChildResult run_child(const std::string& instruction_set, const std::string& scene) {
     const std::string command = "CAIRN_ISA=" + instruction_set + " '" CAIRN_HASHES "' --steps " +
                                 std::to_string(golden_steps) + " " + scene + " 2>&1";

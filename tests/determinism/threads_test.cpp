@@ -1,4 +1,4 @@
-// The number of threads changes nothing: neither the state, nor the events and their order.
+// The number of threads changes neither the state nor the events and their order.
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,11 @@ TEST_P(Threads, AnyNumberGivesTheSameState) {
         EXPECT_EQ(hash_after(GetParam().make(), golden_steps, threads), alone) << threads << " threads";
 }
 
-// Balls, cubes and bricks that fall on a heap, some of them bouncing, and a paddle that turns in it: an island so large
-// that all threads work on it, beside small ones, with what only happens now and then.
+// Balls, cubes and bricks, some with restitution, that fall on a heap in which a paddle rotates: an island so large
+// that all threads work on it, beside small ones, with the paths of the solver that are seldom taken.
 struct Heap {
     World world;
-    std::vector<std::uint64_t> events; // in order, as numbers
+    std::vector<std::uint64_t> events; // in order, encoded as numbers
 
     explicit Heap(int threads) {
         world.set_threads(threads);

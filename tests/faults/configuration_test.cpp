@@ -1,4 +1,4 @@
-// Configurations that break engines: rows 33 to 40 of the list of faults.
+// Configurations that break physics engines: rows 33 to 40 of the list of faults.
 #include "../api/test_world.h"
 #include "../unit/allocation_count.h"
 #include "measures.h"
@@ -16,7 +16,7 @@ float fastest(const World& world) {
     return most;
 }
 
-// Pushing apart is capped; what is above the cap by more than this is an explosion.
+// A separation speed above `min_explosion` times the recovery speed, which limits the push-out, is an explosion.
 constexpr float min_explosion = 2.0f;
 
 TEST(Row33, TwoSpheresAtOneCenterPartWithoutExploding) {
@@ -35,7 +35,7 @@ TEST(Row34, HundredBoxesInOnePoseSurvive) {
     for (int i = 0; i < 100; ++i) add_crate(world, {0.0, 0.0, 0.0});
     for (int i = 0; i < 240; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
-        // Each of a hundred may be pushed by its neighbor at the capped speed; bombs send them off much faster.
+        // Each of the hundred may be pushed by its neighbor at the recovery speed; an explosion is much faster.
         ASSERT_LE(fastest(world), 100 * world.settings().recovery_speed) << "step " << i;
     }
     const glm::dvec3 momentum = world.linear_momentum();
@@ -76,8 +76,8 @@ struct Overlap {
     const char* name;
     Shape first, second;
     bool first_fixed;
-    Position apart; // second from first; deep inside each other
-    Position way;   // along which they part
+    Position apart; // position of second relative to first, with deep penetration
+    Position way;   // direction in which they separate
 };
 std::ostream& operator<<(std::ostream& out, const Overlap& overlap) { return out << overlap.name; }
 
@@ -98,12 +98,12 @@ TEST_P(Row36, DeepOverlapPartsNoFasterThanTheCap) {
     for (int i = 0; i < 120; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
         const double now = distance();
-        // The sweeps over the points of a contact overshoot by some percent.
+        // The sweeps over the contact points overshoot by some percent.
         ASSERT_LE(now - last, 1.05 * double(cap) * double(frame)) << "step " << i;
         last = now;
     }
     EXPECT_GT(last, start + 0.1) << "must come apart";
-    // The speed of parting is not kept.
+    // The speed of the push-out is not kept.
     const glm::vec3 parting = world.body(second).linear_velocity() - world.body(first).linear_velocity();
     EXPECT_LT(glm::length(parting), 0.1f * cap);
 }
@@ -162,7 +162,8 @@ TEST(Row38, StackOfMassRatioAHundredThousandSurvives) {
     const double energy = mechanical_energy(world) * (1 + 1e-6);
     for (int i = 0; i < 600; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
-        // The light one may be squeezed out like a stone, but by no more than the heavy one lost by sinking.
+        // The light body may be squeezed out sideways, but its energy must not exceed that lost by the sinking heavy
+        // body.
         ASSERT_LE(mechanical_energy(world), energy) << "step " << i;
         ASSERT_GT(world.body(above).position().y, 0.4);
         ASSERT_GT(world.body(below).position().y, -0.1);

@@ -15,9 +15,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Bodies of one place that cannot collide make no pairs, and cost no more than if they were spread out.
+// Bodies in one place that cannot collide make no pairs, and cost no more than if they were spread out.
 void crowd_without_pairs(BodyType type) {
-    constexpr double max_seconds = 5; // spread out it takes a tenth of one
+    constexpr double max_seconds = 5; // spread out, they take a tenth of a second
     {
         World world;
         const std::size_t memory = resident_memory();
@@ -40,20 +40,20 @@ void crowd_without_pairs(BodyType type) {
 TEST(Row39, HundredThousandStaticBodiesInOnePlaceMakeNoPairs) { crowd_without_pairs(BodyType::static_); }
 TEST(Row39, HundredThousandKinematicBodiesInOnePlaceMakeNoPairs) { crowd_without_pairs(BodyType::kinematic); }
 
-// Where all may collide with all, there are n (n - 1) / 2 pairs: the time and the memory of one must not grow with n.
+// If all can collide with all, there are n (n - 1) / 2 pairs: the time and memory per pair must not grow with n.
 TEST(Row39, BodiesInOnePlaceCostAsMuchAsTheirPairs) {
     double least = 0;
     for (const int n : {100, 200, 400}) {
         World world(weightless());
         for (int i = 0; i < n; ++i) add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{});
         const std::size_t memory = resident_memory();
-        const std::clock_t start = std::clock(); // of this process, whatever else runs
+        const std::clock_t start = std::clock(); // processor time, whatever else runs
         ASSERT_TRUE(stays_sane(world, 1));
         const std::size_t pairs = std::size_t(n) * std::size_t(n - 1) / 2;
         EXPECT_EQ(world.statistics().contacts, pairs);
         const double each = double(std::clock() - start) / double(CLOCKS_PER_SEC) / double(pairs);
         if (!cairn_test::is_sanitized) {
-            EXPECT_LT(resident_memory(), memory + 4096 * pairs) << n; // or less, after other tests
+            EXPECT_LT(resident_memory(), memory + 4096 * pairs) << n; // less, if earlier tests left free memory
         }
         if (least > 0) {
             EXPECT_LT(each, 4 * least) << n;
@@ -62,14 +62,15 @@ TEST(Row39, BodiesInOnePlaceCostAsMuchAsTheirPairs) {
     }
 }
 
-// The time that the contacts of the next step take, ms.
+// The time of the narrow phase of the next step, ms.
 double narrow_phase_time(World& world) {
     world.step(frame);
     return world.statistics().times.narrow_phase;
 }
 
-// The least times of steps of two worlds, step by step: as much in one place, and in many. They wait for memory alike,
-// however slow it is. Five steps, and up to 40 as long as one world seems slower: others run on this machine, too.
+// The least narrow-phase times of two worlds with equal numbers of contacts, in one place and in many, stepped
+// alternately, so that memory latency affects both alike. Five steps, and up to 40 as long as one world seems slower,
+// since other programs run on this machine.
 struct Times {
     double together = 1e9, apart = 1e9;
 };
@@ -92,7 +93,7 @@ void add_tiled_floor(World& world, glm::dvec3 middle, int side) {
     add_body(world, body_at(middle + glm::dvec3(0, 0.25, 0)), Box{{float(half), 0.25f, float(half)}});
 }
 
-// Each contact was held against all others of the body: 16,000 tiles took 220 times as long as 1,000.
+// When each contact was compared with all others of the body, 16,000 tiles took 220 times as long as 1,000.
 TEST(Row39, SlabOnManyTilesCostsAsMuchAsItsTiles) {
     World together, apart;
     add_tiled_floor(together, {}, 128);
@@ -103,7 +104,7 @@ TEST(Row39, SlabOnManyTilesCostsAsMuchAsItsTiles) {
     EXPECT_LT(times.together, 4 * times.apart);
 }
 
-// Boxes of one place, with one body among them.
+// Static boxes in one place, with one dynamic body among them.
 void add_crowd(World& world, glm::dvec3 middle, int n, const Shape& shape, bool is_turned, std::mt19937& random) {
     std::uniform_real_distribution<float> any(-1, 1);
     for (int i = 0; i < n; ++i) {
@@ -114,9 +115,9 @@ void add_crowd(World& world, glm::dvec3 middle, int n, const Shape& shape, bool 
     add_body(world, body_at(middle + glm::dvec3(0.1, 0.2, 0)), shape);
 }
 
-// Likewise where all contacts are of one place: 20,000 took 0.28 s. Turned by steps of 90 degrees and not at all, as
-// levels have their tiles, and at random, which makes every plane another one. Beside a world with as many contacts in
-// 16 places, step by step: both wait for memory as long.
+// The same if all contacts are in one place, where 20,000 took 0.28 s: for boxes without rotation, as the tiles of game
+// levels, and with random ones, which make every plane different. Compared with a world that has as many contacts in 16
+// places.
 TEST(Row39, OneBodyAmongManyInOnePlaceCostsAsMuchAsItsPairs) {
     std::mt19937 random(7);
     for (const bool is_turned : {false, true})

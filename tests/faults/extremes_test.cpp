@@ -1,5 +1,4 @@
-// Extreme but legal values: rows 20 to 27 of the list of faults. The world stays finite, and no energy comes from
-// nowhere.
+// Extreme but legal values: rows 20 to 27 of the list of faults. The state stays finite, and no energy is created.
 #include "../api/test_world.h"
 #include "measures.h"
 
@@ -26,7 +25,7 @@ BodyDef with_mass(const Position& position, float mass) {
 
 class FarAway : public testing::TestWithParam<double> {};
 
-// A drop onto a box that far from the origin, in each direction, ends as it does at the origin.
+// A drop onto a box at the given distance from the origin, in each direction, ends as it does at the origin.
 TEST_P(FarAway, BoxDropsAndRestsAsAtTheOrigin) {
     const double far = GetParam();
     auto drop = [](const Position& origin) {
@@ -60,7 +59,7 @@ TEST(Row20, ShapesFarFromTheirBodyStayFinite) {
     for (const float offset : {1e7f, 1e12f, 1e15f})
         add_body(world, body_at({0.0, 1.0, 0.0}), Sphere{}, shape_at({offset, 0.0f, 0.0f}));
     EXPECT_TRUE(stays_sane(world, 60));
-    // Two that are farther from each other than numbers reach have no pose.
+    // A shape so far from its body that the position is not representable is refused.
     EXPECT_THROW(add_body(world, body_at({0.0, 1.0, 0.0}), Sphere{}, shape_at({3e38f, 0.0f, 0.0f})), Error);
 }
 
@@ -111,7 +110,7 @@ TEST(Row21, SpeedIsClampedAndCountedWhereverItComesFrom) {
     }
 }
 
-// The speed that can be read is never above the limit, not even before the first step.
+// The speed that can be read never exceeds the limit, not even before the first step.
 TEST(Row21, SpeedIsClampedFromTheVeryBeginning) {
     World world(weightless());
     const BodyId body = add_body(world, moving({0.0, 0.0, 0.0}, {1e6f, 0.0f, 0.0f}), Sphere{});
@@ -185,7 +184,7 @@ TEST(Row22, ImmovableDynamicBodiesStayWhereTheyAre) {
     EXPECT_TRUE(std::isfinite(world.potential_energy()));
 }
 
-// A mass of zero is refused (row 6): it must not come in by a density either.
+// A mass of zero is refused (row 6), and must not result from a density either.
 TEST(Row22, MassBeyondTheRangeDoesNotComeInByTheDensity) {
     struct Case {
         Shape shape;
@@ -235,8 +234,8 @@ TEST(Row23, SlabOfAspectAMillionFallingOnItsEdgeGainsNoEnergy) {
     }
 }
 
-// With the limit of the default, and with one that lets it turn thirty times in a substep: then its energy grows, of 40
-// random spins up to 1e8 times.
+// With the default limit of angular speed, and with one that allows thirty rotations per substep. With the latter the
+// energy grows, in 40 random spins by a factor of up to 1e8.
 TEST(Row24, NeedleSpinningAtAHundredThousandRadiansASecond) {
     struct Case {
         float limit;
@@ -262,7 +261,7 @@ TEST(Row24, NeedleSpinningAtAHundredThousandRadiansASecond) {
         }
 }
 
-// The same on its end and spinning about its axis, for as long as it takes to fall over.
+// A thin rod that stands on its end and spins about its axis, until it has fallen over.
 TEST(Row24, RodThatSpinsOnItsEndLosesEnergyOnly) {
     World world;
     add_ground(world);
@@ -286,7 +285,7 @@ TEST(Row25, StepOfTenSeconds) {
         add_ground(world);
         for (int i = 0; i < 5; ++i) add_crate(world, {0.0, 0.5 + 1.1 * i, 0.0});
         add_body(world, moving({5.0, 3.0, 0.0}, {1.0f, 2.0f, 3.0f}, {4.0f, 5.0f, 6.0f}), Box{{0.1f, 0.4f, 0.9f}});
-        // Gravity makes a body faster by 98 m/s in a step: no more than twice that is gained.
+        // Gravity changes the speed by 98 m/s per step: the energy may grow by at most that of twice this speed.
         double energy = mechanical_energy(world);
         for (const BodyId id : world.bodies())
             if (world.body(id).type() == BodyType::dynamic) energy += 0.5 * world.body(id).mass() * 196.0 * 196.0;
@@ -306,7 +305,7 @@ TEST(Row25, StepsOfEverySizeInTurn) {
             ASSERT_TRUE(stays_sane(world, 1, dt)) << "dt " << dt;
 }
 
-// A step of 1e38 s took a body to 1e41 m, where no bounds are around it, and its world could not be saved.
+// A step of 1e38 s moved a body to 1e41 m, beyond all bounds of the broad phase, and its world could not be saved.
 TEST(Row25, WhatFliesInEndlessStepsStaysSomewhere) {
     WorldDef def;
     def.gravity = {0.0f, 0.0f, 0.0f};
@@ -320,7 +319,7 @@ TEST(Row25, WhatFliesInEndlessStepsStaysSomewhere) {
     fly({5.0, 0.0, 0.0}, BodyType::kinematic);
     const BodyId a = fly({10.0, 0.0, 0.0}, BodyType::dynamic), b = fly({10.0, 1.0, 0.0}, BodyType::dynamic);
     world.create_joint(world.joint_at(a, b, {10.0, 0.5, 0.0}, {0.0f, 1.0f, 0.0f}, BallJoint{}));
-    fly({20.0, 0.0, 0.0}, BodyType::dynamic), fly({20.0, 0.39, 0.0}, BodyType::dynamic); // which touch
+    fly({20.0, 0.0, 0.0}, BodyType::dynamic), fly({20.0, 0.39, 0.0}, BodyType::dynamic); // in contact
     for (int i = 0; i < 40; ++i)
         for (const float dt : {3e38f, 1e30f, 1e27f, frame}) {
             world.step(dt);
@@ -339,13 +338,13 @@ TEST(Row26, GravityOfTenToTheThirty) {
     for (int i = 0; i < 3; ++i) add_crate(world, {0.0, 0.5 + 1.1 * i, 0.0});
     add_body(world, moving({5.0, 3.0, 0.0}, {0.0f, 0.0f, 0.0f}, {4.0f, 5.0f, 6.0f}), Sphere{});
     EXPECT_TRUE(stays_sane(world, 120));
-    // It is over when gravity is as usual again: what moves then gains no more than what pushes it out of the ground.
+    // Under normal gravity again, the energy may grow by no more than the push-out from the ground adds.
     world.set_settings({});
-    run(world, 60); // the impulses of before wear off
+    run(world, 60); // the impulses of before decay
     const double energy = mechanical_energy(world);
     for (int i = 0; i < 600; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
-        // Positions lag behind velocities by half a substep, at most half a step; what is in the ground rises at 3 m/s.
+        // Positions lag behind velocities by half a substep, at most half a step; a penetrating body rises at 3 m/s.
         double allowed = 0;
         for (const BodyId id : world.bodies()) {
             const Body body = world.body(id);

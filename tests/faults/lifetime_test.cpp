@@ -1,4 +1,4 @@
-// Handles that name nothing, and worlds that are gone: rows 42 to 48 of the list of faults.
+// Invalid handles, and worlds that are gone: rows 42 to 48 of the list of faults.
 #include "../api/test_world.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 struct Call {
     const char* name;
     std::function<void(World&, BodyId, ShapeId, ForceFieldId)> call;
-    const char* field; // the kind of handle that it names
+    const char* field; // the handle type in the error message
 };
 
 template <class F> Call with_body(const char* name, F&& f) {
@@ -101,7 +101,7 @@ std::vector<std::pair<const char*, std::function<void(Body)>>> calls_of_body() {
     };
 }
 
-// Every call refuses these handles of a body, a shape and a field, and changes nothing.
+// Expects every call to refuse these handles of a body, a shape and a field, and to change nothing.
 void expect_all_refuse(World& world, BodyId body, ShapeId shape, ForceFieldId field, const char* why) {
     const Snapshot before = world.save();
     EXPECT_FALSE(world.is_valid(body));
@@ -133,7 +133,7 @@ struct Stage {
         world.destroy_body(body);
         world.remove_force_field(field);
     }
-    // The same again, in the slots of what was removed if these are given out.
+    // Creates the same objects again, in the slots of the removed ones if slots are reused.
     void add_again() {
         for (int i = 0; i < 3; ++i) {
             world.add_shape(world.create_body(body_at({0.0, 0.5 + i, 0.0})), Box{});
@@ -244,8 +244,7 @@ TEST(Row44, HandlesOfAnotherWorldAreRefusedByEveryCall) {
     expect_all_refuse(here.world, there.body, there.shape, there.field, "must be of this world");
 }
 
-// --- row 45: nothing of the user's runs inside a step or a query, so there is nothing to call back from. What is left
-// is to change the world while reading what the last step left behind.
+// --- row 45: there are no user callbacks inside a step or query. A user can only change the world while reading events
 
 static_assert(std::is_trivially_copyable_v<ContactBegin> && std::is_trivially_copyable_v<ContactEnd> &&
               std::is_trivially_copyable_v<ContactHit> && std::is_trivially_copyable_v<SleepEvent> &&
@@ -303,8 +302,7 @@ TEST(Row45, EventsOfAStepChangeInNoCallBetweenSteps) {
 
 // --- row 48
 
-// The other thread's call comes while the step runs for certain: a step of a crowd takes much longer than its threads
-// take to start.
+// A step of a crowd takes much longer than its threads take to start, so the other thread's call comes during the step.
 TEST(Row48, CallsFromAnotherThreadDuringAStepAreRefused) {
     World world(WorldDef{});
     for (int i = 0; i < 500; ++i) {
@@ -381,12 +379,12 @@ TEST(Row46, WorldsOutliveTheirPlacesByMoving) {
     EXPECT_TRUE(stays_sane(other, 10));
 }
 
-// Each of these read through a null pointer.
+// Without a check, each of these calls read through a null pointer.
 TEST(Row46, WorldsThatWereMovedFromRefuseEveryCall) {
     Stage stage;
     Body body = stage.world.body(stage.body);
     World moved = std::move(stage.world);
-    World& gone = stage.world; // NOLINT(bugprone-use-after-move): that is what is tested
+    World& gone = stage.world; // NOLINT(bugprone-use-after-move): use after move is what is tested
     EXPECT_FALSE(gone.is_valid(stage.body) || gone.is_valid(stage.shape) || gone.is_valid(stage.field));
     EXPECT_FALSE(gone.is_valid(JointId{}));
     const std::vector<std::function<void()>> calls{
@@ -439,7 +437,7 @@ TEST(Row46, WorldsThatWereMovedFromRefuseEveryCall) {
     EXPECT_TRUE(stays_sane(moved, 10));
 }
 
-// Slots were given back by steps alone: 610 bytes for each body that came and went before the next one.
+// When only steps freed slots, each body that was created and destroyed between steps took 610 bytes.
 TEST(Row43, BodiesThatComeAndGoBetweenStepsTakeNoMoreMemory) {
     World world;
     add_ground(world);
@@ -461,7 +459,7 @@ TEST(Row43, BodiesThatComeAndGoBetweenStepsTakeNoMoreMemory) {
         ASSERT_FALSE(world.is_valid(body));
     }
     EXPECT_LT(greatest, 2000u);
-    for (int i = 0; i < 100'000; ++i) { // shapes of a body that stays
+    for (int i = 0; i < 100'000; ++i) { // shapes of a body that remains
         const ShapeId shape = world.add_shape(pile[0], Sphere{0.1f});
         greatest = std::max(greatest, shape.index());
         world.remove_shape(shape);

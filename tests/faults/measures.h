@@ -1,5 +1,5 @@
 /// \file measures.h
-/// What the tests of faults measure.
+/// Measures shared by the tests of faults.
 #pragma once
 
 #include <cairn/cairn.h>

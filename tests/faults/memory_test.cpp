@@ -1,5 +1,5 @@
-// Memory that runs out at the k-th allocation: row 47 of the list of faults. Whatever call it hits, either the world is
-// as it was, or it refuses everything until it is restored.
+// The k-th allocation fails: row 47 of the list of faults. Whatever call it hits, the world is either unchanged, or
+// refuses everything until it is restored.
 #include "../sanitized.h"
 #include "../unit/allocation_count.h"
 
@@ -108,11 +108,11 @@ const Call calls[] = {
     {"restore", [](Stage& s) { s.world.restore(s.world.save()); }},
 };
 
-void PrintTo(const Call& call, std::ostream* out) { *out << call.name; } // else: its bytes, anew in each run
+void PrintTo(const Call& call, std::ostream* out) { *out << call.name; } // otherwise its bytes, different in each run
 
 class Row47 : public testing::TestWithParam<Call> {};
 
-// What the world says of itself, or that it refuses to.
+// A summary of the world, or that it refuses to answer.
 std::string state_of(World& world) {
     try {
         return std::to_string(world.state_hash()) + " " + std::to_string(world.bodies().size()) + " " +
@@ -140,7 +140,7 @@ TEST_P(Row47, AllocationThatFailsLeavesTheWorldAsItWasOrRefused) {
             failed = true;
         }
         ended = !stop_failing();
-        if (!failed) continue; // at the end, or asked for memory that it can do without (std::stable_sort)
+        if (!failed) continue; // at the end, or the allocation was optional (std::stable_sort)
         const std::string after = state_of(stage.world);
         if (after == "refused") {
             ++refused;

@@ -1,5 +1,5 @@
 /// \file refusals.h
-/// Calls with bad arguments, each with what the error must say, and a world to make them in.
+/// Calls with bad arguments, each with the expected error, and a world for these calls.
 #pragma once
 
 #include "../api/test_world.h"

@@ -1,4 +1,4 @@
-// Refused of bodies: where they are, how they move, what they weigh, and what their type does not allow.
+// Refused arguments of bodies: positions, velocities, masses, and calls that the type of the body does not allow.
 #include "refusals.h"
 
 namespace cairn::test {

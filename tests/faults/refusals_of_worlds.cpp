@@ -1,4 +1,4 @@
-// Refused of shapes, materials, settings, force fields and steps.
+// Refused arguments of shapes, materials, settings, force fields and steps.
 #include "refusals.h"
 
 namespace cairn::test {

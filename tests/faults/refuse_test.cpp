@@ -1,5 +1,5 @@
-// Bad arguments are refused: rows 1 to 19 of the list of faults. Each call must name the field, the value and what was
-// expected, and must leave the world as it was, to the last bit of what a snapshot holds.
+// Bad arguments are refused: rows 1 to 19 of the list of faults. Each call must name the field, the value and the
+// expectation, and must leave the world unchanged, to the last bit of its snapshot.
 #include "refusals.h"
 
 namespace cairn::test {
@@ -30,7 +30,7 @@ TEST_P(Refused, NamesFieldValueAndExpectationAndLeavesTheWorldAsItWas) {
     EXPECT_EQ(after.definitions, before.definitions) << "the refused call has changed something";
 }
 
-// Row, running number, and what the call was, in letters that a test name may have.
+// The test name: row, index, and the name of the call with only valid characters.
 std::string test_name(const testing::TestParamInfo<Refusal>& info) {
     std::string name = "Row" + std::to_string(info.param.row) + "_" + std::to_string(info.index) + "_";
     for (const char* c = info.param.name; *c; ++c) name += *c == ' ' || *c == ':' ? '_' : *c;
@@ -60,13 +60,13 @@ TEST(Accepted, RotationsOfAnyLengthAreNormalized) {
     }
 }
 
-// A refusal within a world that goes on leaves no trace in what follows.
+// A refused call has no effect on the further course of a world.
 TEST(Accepted, AWorldGoesOnAsIfARefusedCallHadNotBeen) {
     Stage plain, tried;
     for (const auto& rows : {positions(), velocities_and_rotations(), masses(), shapes(), materials(),
                              settings_and_steps(), wrong_states()})
         for (const Refusal& refusal : rows) EXPECT_THROW(refusal.call(tried), Error) << refusal.name;
-    // Worlds are numbered, so handles differ; what moves does not.
+    // Worlds are numbered, so handles differ; the motion does not.
     run(plain.world, 60);
     run(tried.world, 60);
     EXPECT_EQ(plain.world.state_hash(), tried.world.state_hash());

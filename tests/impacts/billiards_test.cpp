@@ -1,4 +1,4 @@
-// The exact motion of elastic balls, which Cairn is measured against, on what is known of it.
+// The exact motion of elastic balls, the reference for Cairn, checked against known results.
 #include "validation/billiards.h"
 
 #include "bodies.h"
@@ -18,7 +18,7 @@ TEST(Billiards, HeadOnAndObliqueAreThoseOfTheTextbook) {
     EXPECT_NEAR(head_on.balls()[0].velocity.x, 0, 1e-12);
     EXPECT_NEAR(head_on.balls()[1].velocity.x, 2, 1e-12);
     EXPECT_FALSE(head_on.to_next_impact());
-    // The line of centers is 30 degrees off.
+    // The line of centers is at 30 degrees to the velocity.
     Billiards oblique({{{-1, 0.1, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, 0.1);
     ASSERT_TRUE(oblique.to_next_impact());
     const glm::dvec3 first = oblique.balls()[0].velocity, second = oblique.balls()[1].velocity;

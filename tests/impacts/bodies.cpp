@@ -16,7 +16,7 @@ Position Random::direction_near(const Position& axis, double degrees) {
 }
 
 Quat Random::rotation() {
-    // Shoemake's uniform rotations.
+    // Shoemake's method for uniformly distributed rotations.
     const double u = uniform(), a = between(0, 2 * pi), b = between(0, 2 * pi);
     const double s = std::sqrt(1 - u), c = std::sqrt(u);
     return glm::normalize(
@@ -36,7 +36,7 @@ const char* name_of(Kind kind) {
 
 namespace {
 
-// Ten corners on a ball: no face is parallel to another.
+// Ten vertices on a sphere: no two faces are parallel.
 Hull make_hull(double radius) {
     Random random(7);
     std::vector<Vec3> points;
@@ -132,7 +132,7 @@ BodyId add_bullet(World& world, const Bullet& bullet, const BodyDef& def, const 
     ShapeDef shape_def;
     shape_def.material = material;
     for (const Shape& shape : bullet.shapes) world.add_shape(body, shape, shape_def);
-    // With the shapes the center of mass moved, which is what has these velocities.
+    // Adding shapes has moved the center of mass, to which these velocities refer.
     if (def.type == BodyType::dynamic) {
         world.body(body).set_linear_velocity(def.linear_velocity);
         world.body(body).set_angular_velocity(def.angular_velocity);

@@ -1,4 +1,4 @@
-// Other ways to fall through than being shot at a wall: being struck or pushed in mid-step, a room, what turns.
+// Other ways to tunnel than a shot at a wall: a hit or force within a step, a closed room, rotating bodies.
 #include "cells.h"
 
 namespace cairn_test {
@@ -16,7 +16,7 @@ BodyId add_static(World& world, const Shape& shape, const Position& position, co
 // Kinetic energy of all, J.
 double energy(const World& world) { return world.kinetic_energy(); }
 
-// Six walls around the origin.
+// Adds six walls around the origin.
 void add_room(World& world, const Room& cell, const Material& material) {
     const double half = cell.width / 2, thick = cell.thickness / 2;
     for (int axis = 0; axis < 3; ++axis)
@@ -29,7 +29,7 @@ void add_room(World& world, const Room& cell, const Material& material) {
         }
 }
 
-// Bodies in a grid, each randomly turned, with the same speed in random directions.
+// Adds bodies in a grid, each randomly rotated, with the same speed in random directions.
 std::vector<BodyId> fill_room(World& world, const Room& cell, Random& random, const Material& material) {
     const Bullet bullet = make_bullet(cell.kind, cell.size);
     const int n = int(std::ceil(std::cbrt(double(cell.bodies))));
@@ -80,7 +80,7 @@ Bounced bounce_between_walls(const Chance& cell) {
     for (int shot = 0; shot < cell.shots; ++shot) {
         World world(without_gravity());
         const Material elastic = surface(0, 1);
-        const double side = 0.5 + wall_thickness / 2, free = 0.5 - ball_radius; // m: the center goes so far
+        const double side = 0.5 + wall_thickness / 2, free = 0.5 - ball_radius; // m; free: for the center
         for (const double sign : {-1.0, 1.0})
             add_static(world, Box{{2, float(wall_thickness / 2), 2}}, {0, sign * side, 0}, elastic);
         BodyDef def;
@@ -94,7 +94,7 @@ Bounced bounce_between_walls(const Chance& cell) {
             ++bounced.escaped;
             continue;
         }
-        // Unfolded, the way is a line; a period is there and back.
+        // Unfolded, the path is a line; a period is one round trip.
         const double period = 4 * free, phase = std::fmod(start + free + cell.speed * world.time(), period);
         const double expected = (phase < 2 * free ? phase : period - phase) - free;
         const bool is_up = phase < 2 * free, is_near_wall = free - std::fabs(expected) < 0.05;
@@ -146,7 +146,7 @@ int push_through_floor(const Chance& cell) {
         World world(without_gravity());
         add_static(world, Box{{2, float(wall_thickness / 2), 2}}, {0, 0, 0}, surface(0.6f));
         BodyDef def;
-        // The first step takes it 0.25 to 0.3 m: some meet the floor in it, some in the next.
+        // The ball moves 0.25 to 0.3 m in the first step: some hit the floor in it, some in the next.
         def.position = {0, wall_thickness / 2 + ball_radius + random.between(0.05, 0.3), 0};
         Body ball = world.body(add_body(world, Sphere{float(ball_radius)}, def, surface(0.6f)));
         const Position direction = random.direction_near({0, -1, 0}, 30);
@@ -171,19 +171,19 @@ int swing_paddle(const Chance& cell) {
         BodyDef def;
         def.type = BodyType::kinematic;
         def.angular_velocity = {0, 0, float(rate)};
-        def.mass_properties = MassProperties{}; // it turns about its end, not about its middle
+        def.mass_properties = MassProperties{}; // it rotates about its end, not its center
         const BodyId paddle = world.create_body(def);
         ShapeDef shape;
         shape.position = {float(length / 2), 0, 0};
         world.add_shape(paddle, Box{{float(length / 2), float(thickness / 2), float(depth / 2)}}, shape);
-        // The paddle begins along x and comes round; the ball rests somewhere in its way.
+        // The paddle begins along x and sweeps around; the ball rests somewhere in its path.
         const double at = random.between(0.3, 0.9) * length;
-        const double furthest = std::min(2.5, 2 * rate * double(frame)); // rad: less than half a turn ahead
+        const double furthest = std::min(2.5, 2 * rate * double(frame)); // rad; at most half a turn ahead
         const double angle = 0.2 + ball_radius / at + random.between(0, furthest);
         def = {};
         def.position = {at * std::cos(angle), at * std::sin(angle), random.between(-0.05, 0.05)};
         const Body ball = world.body(add_body(world, Sphere{float(ball_radius)}, def));
-        // The ball is in front until it has left the paddle's reach.
+        // The ball counts as in front until it has left the reach of the paddle.
         bool is_behind = false, is_away = false;
         for (int i = 0; i < int((angle + 3) / (rate * double(frame))) && !is_away && !is_behind; ++i) {
             world.step(frame);
@@ -202,7 +202,7 @@ int swing_rod(const Chance& cell) {
     int past = 0;
     for (int shot = 0; shot < cell.shots; ++shot) {
         World world(without_gravity());
-        const double turn = cell.speed * double(frame), at = random.between(0.3, 0.9) * length; // rad a step; m
+        const double turn = cell.speed * double(frame), at = random.between(0.3, 0.9) * length; // rad per step; m
         const double before = random.between(0.1, 0.1 + turn);
         BodyDef def;
         def.rotation = glm::angleAxis(float(-before), Vec3(0, 0, 1));
@@ -213,7 +213,7 @@ int swing_rod(const Chance& cell) {
             add_body(world, Box{{float(length / 2), float(thickness / 2), float(thickness / 2)}}, def, surface(0.6f));
         world.create_joint(world.joint_at(BodyId{}, rod, {0, 0, 0}, {0, 0, 1}, BallJoint{}));
         add_static(world, Box{{float(pole / 2), float(pole / 2), 0.5f}}, {at, 0, 0}, surface(0.6f));
-        // Within the first steps it can have come no farther than half a turn.
+        // In these first steps the rod cannot have rotated by more than half a turn.
         bool is_past = false;
         for (int i = 0; i < 1 + int((before + 2) / turn) && !is_past; ++i) {
             world.step(frame);

@@ -1,4 +1,4 @@
-// Bodies against each other: whether they meet at all, where the impact sends them, and what it does to the energy.
+// Bodies that collide with each other: whether they do, the velocities after the impact, and the energy.
 #include "cells.h"
 #include "validation/billiards.h"
 
@@ -14,7 +14,7 @@ WorldDef awake() {
     return settings;
 }
 
-// The same balls in a world, smooth and elastic.
+// Adds the same balls to a world, frictionless and elastic.
 std::vector<BodyId> add_balls(World& world, const std::vector<BilliardBall>& balls, double radius) {
     std::vector<BodyId> ids;
     for (const BilliardBall& ball : balls) {
@@ -32,7 +32,7 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / radians(1);
 }
 
-// At random places of a unit cube, with a little air between them.
+// Draws balls at random positions in a unit cube, without contact.
 std::vector<BilliardBall> draw_gas(const GasCell& cell, Random& random) {
     std::vector<BilliardBall> balls;
     while (int(balls.size()) < cell.balls) {
@@ -45,10 +45,10 @@ std::vector<BilliardBall> draw_gas(const GasCell& cell, Random& random) {
     return balls;
 }
 
-// How far two outcomes differ.
+// The difference of two outcomes.
 struct Difference {
-    double angle = 0; // degrees, of what is not slow
-    double speed = 0; // relative, of what is not slow; for the rest over what counts as slow
+    double angle = 0; // degrees, of balls that are not slow
+    double speed = 0; // relative; for slow balls relative to the slow speed
 
     void add(const glm::dvec3& expected, const glm::dvec3& measured, double slow) {
         const double length = glm::length(expected);
@@ -61,11 +61,11 @@ struct Difference {
     }
 };
 
-constexpr double slow_ball = 0.05; // of the cue ball's speed: below it neither angle nor relative speed say much
+constexpr double slow_ball = 0.05; // of the cue ball's speed; slower balls have no meaningful angle
 constexpr int counted_impacts = 10;
 constexpr double angle_bar = 0.5, speed_bar = 0.005; // degrees; relative
 
-// Fifteen balls at rest, loosely spaced, and one that comes.
+// Fifteen balls at rest, loosely spaced, and a cue ball.
 std::vector<BilliardBall> draw_game(const BilliardsCell& cell, double radius, Random& random) {
     std::vector<BilliardBall> balls;
     const double pitch = 3 * radius, loose = 0.35 * radius;
@@ -82,8 +82,8 @@ std::vector<BilliardBall> draw_game(const BilliardsCell& cell, double radius, Ra
     return balls;
 }
 
-// Whether the game is one that single precision can play: the exact game, begun a little aside, ends within a tenth
-// of the bar, and no impact is so near the time when the two are compared that one may have had it and the other not.
+// Whether single precision can play the game: the slightly disturbed exact game ends within a tenth of the bar, and no
+// impact is so close to the time of comparison that only one of the two may have had it.
 bool is_well_conditioned(const std::vector<BilliardBall>& start, double radius, const Billiards& end, double slow,
                          double disturbance, Random& random) {
     std::vector<BilliardBall> aside = start;
@@ -97,7 +97,7 @@ bool is_well_conditioned(const std::vector<BilliardBall>& start, double radius, 
     Difference difference;
     for (std::size_t i = 0; i < start.size(); ++i)
         difference.add(end.balls()[i].velocity, other.balls()[i].velocity, slow);
-    const double margin = 0.01 * radius / (slow / slow_ball); // s: in which the cue ball goes a hundredth of its radius
+    const double margin = 0.01 * radius / (slow / slow_ball); // s in which the cue ball moves a hundredth of its radius
     const bool is_clear = end.until_next() > margin && end.time() - end.impacts().back() > margin;
     return is_clear && difference.angle < angle_bar / 10 && difference.speed < speed_bar / 10;
 }
@@ -128,7 +128,7 @@ Changes step_gas(const GasCell& cell) {
 }
 
 Oblique hit_obliquely(const Chance& cell) {
-    constexpr double radius = 0.05, offset = 0.6; // m; over the diameter
+    constexpr double radius = 0.05, offset = 0.6; // m; relative to the diameter
     Random random(cell.seed);
     Oblique worst;
     for (int shot = 0; shot < cell.shots; ++shot) {
@@ -229,7 +229,7 @@ BilliardsResult play_billiards(const BilliardsCell& cell) {
         Billiards exact(start, radius);
         bool has_all = true;
         for (int i = 0; i < counted_impacts && has_all; ++i) has_all = exact.to_next_impact();
-        // Compared at the end of the step with the last of the impacts.
+        // Compared at the end of the step that contains the last impact.
         const int steps = int(std::ceil(exact.time() / double(frame)));
         exact.advance_to(steps * double(frame));
         if (!has_all || !is_well_conditioned(start, radius, exact, slow, cell.disturbance, random)) {

@@ -10,11 +10,11 @@
 namespace cairn_test {
 namespace {
 
-// Of the inner radius. The solver may press shapes into each other by half of it.
+// Depth of a heart, as a fraction of the inner radius. The solver may press shapes into each other by half of it.
 constexpr double heart_share = 0.6;
-constexpr double way_share = 0.1; // of what a core is smaller by: how well ways are known
+constexpr double way_share = 0.1; // accuracy of paths, as a fraction of the core inset
 
-// Where a way is at a time.
+// The pose on a path at a given time.
 Knot knot_at(const std::vector<Knot>& way, double time) {
     std::size_t k = 1;
     while (k + 1 < way.size() && way[k].time <= time) ++k;
@@ -99,7 +99,7 @@ void CoreWatch::bound_static(Member& member) {
     }
 }
 
-// `dt` 0: it is put there.
+// `dt` 0: the body is placed there.
 void CoreWatch::move(Member& member, const BodyState& to, double dt, int impacts) {
     const Knot end{1, to.center, to.rotation};
     member.way = {};
@@ -107,7 +107,7 @@ void CoreWatch::move(Member& member, const BodyState& to, double dt, int impacts
         member.way.knots = {{0, to.center, to.rotation}, end};
     else if (dt > 0)
         member.way = find_way(member.free, member.state, to, dt);
-    // Several impacts may look like one whose place is beyond what they struck.
+    // Several impacts may look like a single one at a place beyond the body that was hit.
     if (member.way.is_broken && impacts != 1) member.way = {};
     member.state = to;
     if (member.is_static) return bound_static(member);
@@ -174,7 +174,8 @@ void CoreWatch::judge(const World& world, std::size_t i, std::size_t k, CoresMet
     const auto tell = [&](const char* what) {
         met.worst = "bodies " + std::to_string(a.id.index()) + " and " + std::to_string(b.id.index()) + what;
     };
-    // Whether the solver moved what an impact struck, or what touches, too, its states do not tell.
+    // The states before and after the step do not show whether the solver, too, moved a body that had an impact or a
+    // contact.
     const bool is_free = is_known && !a.way.is_broken && !b.way.is_broken && !overlapped && !touched_[pair];
     if (is_free && do_meet_on_way(a, b, &Part::core)) {
         ++met.passed;
@@ -205,7 +206,7 @@ CoresMet CoreWatch::look(const World& world, double dt) {
             impacts += hit.body_a == member.id || hit.body_b == member.id;
         move(member, state_of(world, member.id), dt, impacts);
     }
-    // What touches at the end has been touched in the step.
+    // A pair in contact at the end counts as in contact during the step.
     const std::vector<bool> touch_now = touching(world);
     for (std::size_t i = 0; i < touched_.size(); ++i) touched_[i] = touched_[i] || touch_now[i];
     CoresMet met;

@@ -1,4 +1,4 @@
-// Watches the bodies of a world from step to step, and asks the oracle of every pair whether their cores met.
+// Watches the bodies of a world from step to step, and asks the oracle for every pair whether their cores met.
 #pragma once
 
 #include "flown_way.h"
@@ -9,28 +9,29 @@
 
 namespace cairn_test {
 
-// Pairs of bodies in one step. What a joint holds together without colliding does not count; filters do not matter.
+// Counts of pairs of bodies in one step. Pairs whose joint disables their collision do not count; filters are ignored.
 struct CoresMet {
-    int overlapping = 0; // their cores overlap at the end
-    // The ways of both are known (flown_way.h), nothing struck them, they did not touch, and their cores met.
+    int overlapping = 0; // cores overlap at the end of the step
+    // The paths of both are known (flown_way.h), without impact or contact, and their cores met.
     int passed = 0;
-    // Their hearts overlap at the end, or met on ways that are known: a heart is what is deeper inside of a shape than
-    // half of its inner radius. What the solver presses into something does not get so far.
+    // Their hearts overlap at the end, or met on known paths. The heart is the part of a shape deeper than half of its
+    // inner radius, where the pressing of the solver does not reach.
     int deep = 0;
-    std::string worst{}; // of the last that passed or is deep: which, and how
+    std::string worst{}; // the last that passed or is deep: the pair, and how
 };
 
 class CoreWatch {
   public:
-    // Of all its bodies, as they are now. Its `hit_speed` should be 0, so that every impact is told.
+    // Watches all bodies of the world, from their present state. Its `hit_speed` should be 0, so that every impact is
+    // reported.
     explicit CoreWatch(const cairn::World& world);
-    // What happened since the last look, one step of `dt` seconds ago. The world must have the same bodies and shapes.
+    // Evaluates the one step of `dt` seconds since the last call. The world must have the same bodies and shapes.
     CoresMet look(const cairn::World& world, double dt);
 
   private:
-    struct Inside {               // what is left of a shape
-        double depth = 0;         // m: how far inside of the shape it ends
-        Core at_rest{}, on_way{}; // the latter smaller by what is not known of the way
+    struct Inside {               // an inset part of a shape
+        double depth = 0;         // inset from the surface, m
+        Core at_rest{}, on_way{}; // on_way: smaller by the error of the path
     };
     struct Part { // a shape of a body
         cairn::Shape shape;
@@ -42,11 +43,11 @@ class CoreWatch {
         cairn::BodyId id;
         bool is_static = false;
         std::vector<Part> parts{};
-        glm::dvec3 center{0, 0, 0}; // of mass, in the body's frame, m
+        glm::dvec3 center{0, 0, 0}; // center of mass in the body's frame, m
         FreeBody free{};
         BodyState state{};
         FlownWay way{};
-        glm::dvec3 low{0, 0, 0}, high{0, 0, 0}; // of where it was in the step
+        glm::dvec3 low{0, 0, 0}, high{0, 0, 0}; // bounds over the step
     };
 
     static Member make_member(const cairn::World& world, cairn::BodyId id);
@@ -61,7 +62,7 @@ class CoreWatch {
     void judge(const cairn::World& world, std::size_t a, std::size_t b, CoresMet& met);
 
     std::vector<Member> members_;
-    std::vector<bool> overlapped_, touched_; // of a pair of members, at the last look
+    std::vector<bool> overlapped_, touched_; // per pair of members, at the last call
 };
 
 } // namespace cairn_test

@@ -1,4 +1,4 @@
-// A room of mixed bodies whose cores are watched, in every step and of every pair, by the oracle.
+// A room of mixed bodies whose cores the oracle watches, in every step and for every pair.
 #include "cells.h"
 #include "core_watch.h"
 

@@ -1,4 +1,4 @@
-// What fast bodies cost: worlds at rest, with and without them. tools/impact_cost.py counts the instructions.
+// The cost of fast bodies: worlds at rest, with and without projectiles. tools/impact_cost.py counts the instructions.
 //
 // usage: cairn_impact_cost BODIES PROJECTILES STEPS asleep|awake   Prints time and statistics of a step, means.
 #include <cairn/cairn.h>
@@ -14,9 +14,9 @@ using namespace cairn;
 
 namespace {
 
-constexpr double pitch = 1.5; // m: between bodies, which are boxes of 1 m on the ground
+constexpr double pitch = 1.5; // m, spacing of the bodies, which are boxes of 1 m on the ground
 constexpr float speed = 200;  // m/s, of the projectiles
-constexpr int warm_up = 40;   // steps: what may sleep does then
+constexpr int warm_up = 40;   // steps; bodies that may sleep fall asleep
 
 int columns_of(int bodies) { return int(std::ceil(std::sqrt(double(bodies)))); }
 
@@ -33,13 +33,13 @@ void add_bodies(World& world, int bodies, bool may_sleep) {
     }
 }
 
-// Balls that fly into it from above.
+// Adds balls that fly into the boxes from above.
 void add_projectiles(World& world, int projectiles, double width) {
     for (int i = 0; i < projectiles; ++i) {
         BodyDef body;
         const double along = width * ((i * 389) % 1000) / 1000;
         body.position = {along, 2 + 0.02 * (i % 50), width * ((i * 619 + 7) % 1000) / 1000};
-        const double turn = 2.399963 * i; // the golden angle: no two the same way
+        const double turn = 2.399963 * i; // the golden angle, so that no two directions agree
         body.linear_velocity = speed * glm::normalize(Vec3(std::cos(turn), -0.15, std::sin(turn)));
         world.add_shape(world.create_body(body), Sphere{0.05f});
     }
@@ -47,7 +47,7 @@ void add_projectiles(World& world, int projectiles, double width) {
 
 } // namespace
 
-// What is counted.
+// The function whose instructions are counted.
 extern "C" [[gnu::noinline]] void measured_steps(World& world, int steps, std::vector<Statistics>& seen) {
     for (int i = 0; i < steps; ++i) {
         world.step(1.0f / 60);

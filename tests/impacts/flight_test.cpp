@@ -1,4 +1,4 @@
-// Impacts of what flies, against exact answers and conserved quantities.
+// Impacts within a step (flights), against exact references and conserved quantities.
 #include "cells.h"
 #include "core_watch.h"
 
@@ -10,10 +10,10 @@
 namespace cairn_test {
 namespace {
 
-constexpr unsigned seed = 7; // other shots than those of the table
+constexpr unsigned seed = 7; // differs from that of the table
 
-// But for two impacts that come nearly at once, one game in a thousand. What had bounced in the step before counted as
-// touching: then five of 400 games differ at 3 m/s, two at 10 m/s.
+// Except for two impacts that nearly coincide: one game in a thousand. When balls that had bounced in the step before
+// counted as in contact, five of 400 games differed at 3 m/s, and two at 10 m/s.
 TEST(Flight, BilliardsAreTheExactGame) {
     for (const double speed : {3.0, 10.0, 30.0})
         for (const bool is_planar : {true, false}) {
@@ -30,7 +30,7 @@ TEST(Flight, GasHasAllItsImpactsAndNoOthers) {
         EXPECT_GT(changes.right, 100);
         EXPECT_EQ(changes.false_, 0) << speed;
         EXPECT_EQ(changes.missing, 0) << speed;
-        EXPECT_LT(changes.worst_error, 0.01) << speed; // of what has several impacts in the step
+        EXPECT_LT(changes.worst_error, 0.01) << speed; // of balls with several impacts in the step
     }
 }
 
@@ -46,18 +46,18 @@ TEST(Flight, TumblingPlanksKeepTheirEnergy) {
     for (const double speed : {3.0, 10.0}) {
         const Range meeting = energy_of_meeting(Kind::plank, {speed, 100, seed});
         EXPECT_GT(meeting.least, -0.01) << speed;
-        EXPECT_LT(meeting.most, 0.05) << speed; // 1.5 when all that is struck was struck once in a step
+        EXPECT_LT(meeting.most, 0.05) << speed; // 1.5 when every body had one impact per step at most
     }
     for (const double size : {0.5, 0.05}) {
         const Range bouncing = energy_of_bouncing({Kind::plank, size, 20, 5, seed});
         EXPECT_GT(bouncing.least, -0.01) << size;
-        EXPECT_LT(bouncing.most, 0.01) << size; // 7 then
+        EXPECT_LT(bouncing.most, 0.01) << size; // 7 in that case
     }
 }
 
-// Two balls get to a third over mirrors, within one step. The first knocks it away: the second flies through where it
-// was. Pairs with a body at rest that was found under way stayed as they were when it was struck, and the second ball
-// was deflected by nothing.
+// Two balls reach a third via mirrors within one step. The first knocks it away, and the second passes through its
+// former place. When pairs with a body at rest that were found within the step were not updated after its impact, the
+// second ball was deflected by nothing.
 TEST(Flight, WhatWasKnockedAwayIsNotHitWhereItWas) {
     constexpr float speed = 300, radius = 0.05f, half = 0.5f, quarter = 0.25f * glm::pi<float>();
     Random random(seed);
@@ -71,7 +71,7 @@ TEST(Flight, WhatWasKnockedAwayIsNotHitWhereItWas) {
             def.linear_velocity = turned * velocity;
             return world.body(add_body(world, Sphere{radius}, def, elastic));
         };
-        // What comes along x to `place` leaves it at a right angle, along `to`.
+        // A mirror at `place` deflects a ball that moves along x by a right angle, to the direction `to`.
         const auto mirror = [&](Vec3 place, Vec3 to) {
             const Vec3 x(1, 0, 0), normal = glm::normalize(to - x);
             BodyDef def;
@@ -92,7 +92,7 @@ TEST(Flight, WhatWasKnockedAwayIsNotHitWhereItWas) {
     }
 }
 
-// They were let in by half of their own width, as if the wall were as thick as they are.
+// When the allowed depth was half of the width of the bodies, instead of that of the wall, they penetrated the wall.
 TEST(Flight, WideBodiesStayOutOfThinWalls) {
     for (const Kind kind : {Kind::box, Kind::capsule, Kind::cylinder, Kind::cone, Kind::hull})
         for (const double speed : {30.0, 100.0, 300.0, 1000.0}) {
@@ -103,8 +103,8 @@ TEST(Flight, WideBodiesStayOutOfThinWalls) {
         }
 }
 
-// What is stopped by another is not let in at its next step, nor what turns over by the contact it had: 28 of 400 were.
-// Those that are left roll off each other, held by the solver.
+// Cones that another stops, or that turn over on the contact that they have, must not penetrate in the next step: 28 of
+// 400 did. The remaining ones roll on each other, held by the solver.
 TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
     int through = 0;
     for (const double speed : {100.0, 300.0})
@@ -116,8 +116,9 @@ TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
     EXPECT_LE(through, 8);
 }
 
-// A corner, or a rim, of A touches a face of B, and both go on: against the second difference of the gap. Where nobody
-// says which has the face, and A's turn asks for more, as if it were A's, that is taken.
+// A vertex or rim of A touches a face of B, and both move on: the acceleration of the gap against its second
+// difference. If it is not known which body has the face, the greater acceleration is used, that with the face on A
+// included.
 TEST(Rebounds, TheAccelerationOfTheGapIsFoundAndNeverTooSmall) {
     using cairn::math::cross, cairn::math::dot, cairn::math::DVec3;
     Random random(4);
@@ -131,7 +132,7 @@ TEST(Rebounds, TheAccelerationOfTheGapIsFoundAndNeverTooSmall) {
         const cairn::MovingState a{middle - vector(0.3), {}, vector(3), k % 2 ? vector(20) : DVec3{}};
         const cairn::MovingState b{middle + vector(0.3), {}, vector(3), vector(20)};
         const DVec3 pull = vector(10), change = vector(300);
-        const auto turned = [](DVec3 v, DVec3 w, DVec3 change, double t) { // to second order in the time
+        const auto turned = [](DVec3 v, DVec3 w, DVec3 change, double t) { // to second order in time
             return v + t * cross(w, v) + (0.5 * t * t) * (cross(change, v) + cross(w, cross(w, v)));
         };
         const auto gap = [&](double t) {
@@ -152,9 +153,9 @@ TEST(Rebounds, TheAccelerationOfTheGapIsFoundAndNeverTooSmall) {
     }
 }
 
-// A ball is thrown down beside a box that stands there: something that the ground holds. The contact of the two was the
-// solver's, and the ball no free body any more, which was asked for its core alone as it met the ground: of 2,000 balls
-// 330 went 6 to 119 mm into it.
+// A ball is thrown down beside a standing box. The contact of the two was held by the solver, so the ball was not
+// treated as a free body, and only its core was tested against the ground: of 2,000 balls 330 penetrated it by 6 to 119
+// mm.
 TEST(Flight, WhatLandsBesideSomethingDoesNotSinkIn) {
     Random random(5);
     double deepest = 0;
@@ -181,9 +182,9 @@ TEST(Flight, WhatLandsBesideSomethingDoesNotSinkIn) {
     EXPECT_LT(deepest, 0.001);
 }
 
-// At walking speed, by less than the margin of contacts. What came nearer by less than that in the step was held by a
-// contact whose plane has no end: at 1 m/s one of 60 was deflected, at 8 m/s one of 400. And cones overlap by
-// millimeters along the normal of their cores that are apart.
+// Bodies pass at walking speed, with gaps below the speculative margin. A body that approached by less than the gap in
+// the step was held by a contact with an infinite plane: at 1 m/s one of 60 was deflected, at 8 m/s one of 400. In
+// addition, cones overlap by millimeters along the normal of their separated cores.
 TEST(Flight, WhatPassesSlowlyIsNotDeflected) {
     int shots = 0, deflected = 0;
     for (const Kind kind : {Kind::sphere, Kind::box, Kind::capsule, Kind::cylinder, Kind::hull, Kind::cone})
@@ -198,8 +199,9 @@ TEST(Flight, WhatPassesSlowlyIsNotDeflected) {
     EXPECT_EQ(deflected, 0);
 }
 
-// Two that spin and meet without a bounce turn on, each on the other, for the rest of the step. The solver turned 50 of
-// 6,400 boxes and cones into each other by more than a core; impacts that stopped them where they were, 13.
+// Two spinning bodies that collide without restitution rotate on, in contact, for the rest of the step. The solver
+// rotated 50 of 6,400 boxes and cones into each other by more than a core inset; with impacts that stopped them where
+// they were, it was 13.
 TEST(Flight, WhatTurnsOnAfterItMetStaysOutOfEachOther) {
     int nearer = 0;
     for (const Kind kind : {Kind::box, Kind::cone, Kind::capsule, Kind::cylinder, Kind::hull})
@@ -211,11 +213,11 @@ TEST(Flight, WhatTurnsOnAfterItMetStaysOutOfEachOther) {
                     cell.seed = seed;
                     nearer += shoot(cell).through;
                 }
-    EXPECT_LE(nearer, 3); // of 16,000; seen: 1
+    EXPECT_LE(nearer, 3); // of 16,000; measured: 1
 }
 
-// What meets obliquely and does not bounce rolls on the other for the rest of the step, and gets a little into it, as
-// both are round: that was stopped again and again, up to 64 times of one meeting.
+// Bodies that collide obliquely without restitution roll on each other for the rest of the step, and penetrate
+// slightly, as both are round. This caused up to 64 impacts of one collision.
 TEST(Flight, WhatDoesNotBounceMeetsOnce) {
     Random random(seed);
     const Kind kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box};
@@ -242,7 +244,7 @@ TEST(Flight, WhatDoesNotBounceMeetsOnce) {
         if (kinds[k % 4] == Kind::sphere) {
             EXPECT_EQ(own, 1) << k;
         }
-        most = std::max(most, own); // of one that rolls, or whose other corners follow
+        most = std::max(most, own); // of bodies that roll, or whose other corners follow
     }
     EXPECT_LE(most, 20);
 }
@@ -266,7 +268,7 @@ TEST(Flight, EventsTellWhatBouncedWithinAStep) {
         begun += int(world.contact_begins().size());
         ended += int(world.contact_ends().size());
         hits += int(world.contact_hits().size());
-        EXPECT_GE(world.statistics().impacts, 3u) << i; // 3.3 m in a step, 0.9 m between impacts
+        EXPECT_GE(world.statistics().impacts, 3u) << i; // 3.3 m per step, 0.9 m between impacts
         for (const ContactHit& hit : world.contact_hits()) {
             EXPECT_NEAR(hit.approach_speed, 200, 0.01);
             EXPECT_NEAR(std::fabs(hit.normal.y), 1, 1e-6);
@@ -284,9 +286,9 @@ struct StruckBodies {
     std::vector<math::DSym3> inertia;
     std::vector<ImpactPair> pairs;
     std::vector<ImpactPoint> points;
-    ImpactMaterial material; // of all of them
+    ImpactMaterial material; // the same for all of them
 };
-// Two that meet, and up to three others on which they lie.
+// Two bodies that collide, and up to three others in contact with them.
 StruckBodies random_impact(Random& random, int shot) {
     const auto draw = [&](double most) {
         return math::DVec3{random.between(-most, most), random.between(-most, most), random.between(-most, most)};
@@ -316,7 +318,7 @@ StruckBodies random_impact(Random& random, int shot) {
     return s;
 }
 
-// Random bodies, points, friction and restitution: what no impact may do.
+// Laws that every impact must obey, with random bodies, points, friction and restitution.
 TEST(ImpactLaw, NeverGainsEnergyKeepsMomentumAndSeparates) {
     Random random(seed);
     ImpactBuffer buffer;
@@ -343,7 +345,7 @@ TEST(ImpactLaw, NeverGainsEnergyKeepsMomentumAndSeparates) {
         if (is_closed) {
             ASSERT_LT(math::length(momentum), 1e-9 * std::sqrt(scale) + 1e-9) << shot;
         }
-        // With friction, again at the same moment.
+        // With friction, bodies may approach again, for another impact at the same moment.
         if (!(outcome.approach > 0) || s.material.friction > 0) continue;
         std::size_t next = 0;
         for (const ImpactPair& pair : s.pairs)
@@ -354,16 +356,16 @@ TEST(ImpactLaw, NeverGainsEnergyKeepsMomentumAndSeparates) {
                     return math::dot(p.normal, (a.v + math::cross(a.w, p.position - a.x)) -
                                                    (b.v + math::cross(b.w, p.position - b.x)));
                 };
-                // What is pushed may not be at once where something bounces.
+                // Resting contacts may remain approaching for this moment if restitution acts elsewhere.
                 if (pair.rests ? s.material.restitution == 0 : approach(s.bodies) > 0) {
-                    const double part = s.pairs.size() == 1 ? 1e-4 : 2e-2; // of several, as far as sweeps get
+                    const double part = s.pairs.size() == 1 ? 1e-4 : 2e-2; // several: accuracy of the sweeps
                     ASSERT_LT(approach(after), part * std::max(outcome.approach, 1.0)) << shot;
                 }
             }
     }
 }
 
-// Eight flat boxes in a closed room, without restitution and with much friction.
+// Eight flat boxes in a closed room, without restitution and with high friction.
 World room_of_plates(Random& random, double half) {
     WorldDef settings = without_gravity();
     settings.hit_speed = 0;
@@ -392,8 +394,8 @@ World room_of_plates(Random& random, double half) {
     return world;
 }
 
-// The solver held it where it slid along at 30 m/s, friction turned it over within the step, and only a ball in its
-// middle was kept out of the wall: of 1,100 rooms four had a body deep in a wall, now one.
+// A plate that slides along a wall at 30 m/s is held by the solver, and friction turns it over within the step. When
+// only a ball in its center was kept out of the wall, four of 1,100 rooms had a body deep in a wall, now one.
 TEST(Flight, WhatTurnsOverInContactStaysOutOfWalls) {
     for (const unsigned room : {411u, 433u, 1042u}) {
         Random random(room);
@@ -406,8 +408,8 @@ TEST(Flight, WhatTurnsOverInContactStaysOutOfWalls) {
     }
 }
 
-// A smooth ball turns on at its rate, whatever it bounces off: 20 balls between two walls, 1 s. It was taken not to
-// have turned up to the first impact of a step in which it turns by more than half a turn.
+// A frictionless ball keeps its angular velocity whatever it bounces off: 20 balls between two walls, 1 s. In steps
+// with more than half a turn, the rotation before the first impact was lost.
 TEST(Flight, BallsTurnOnAsTheyBounce) {
     Random random(seed);
     for (int k = 0; k < 20; ++k) {
@@ -440,8 +442,8 @@ TEST(Flight, BallsTurnOnAsTheyBounce) {
     }
 }
 
-// Theory: half of the tangent of their lean, a little less for what is as thick as these. Where the normal was that of
-// one of the faces that meet at the top, they needed the tangent itself.
+// Theory: the least friction is half of the tangent of the inclination, a little less for cards as thick as these. With
+// the normal of one of the faces that meet at the top, they needed the full tangent.
 TEST(Cards, ThatLeanOnEachOtherStandWhereTheirFrictionHolds) {
     Random random(seed);
     for (int i = 0; i < 12; ++i) {
@@ -451,8 +453,8 @@ TEST(Cards, ThatLeanOnEachOtherStandWhereTheirFrictionHolds) {
     }
 }
 
-// Balls, cubes and capsules, whatever numbers they have. When all were pushed out by the same direction, ten flew apart
-// at 8 to 16 m/s, and 20 balls at 32. Of 400 starts 1 or 2 are above 6 m/s, at most 6.1.
+// Balls, cubes and capsules, independent of their indices. When all were pushed out in the same direction, ten
+// separated at 8 to 16 m/s, and 20 balls at 32 m/s. Of 400 starts 1 or 2 are above 6 m/s, at most 6.1 m/s.
 TEST(OnePlace, WhatIsMadeThereFliesApartAboutAsFastAsOverlapsArePushedOut) {
     Random random(seed);
     const double recovery = double(WorldDef{}.recovery_speed);

@@ -9,9 +9,9 @@
 namespace cairn_test {
 namespace {
 
-constexpr double finest_turn = 0.05; // rad: of a step of the integration
-constexpr double longest_turn = 2;   // rad: between knots; a longer one would be taken for the shorter way round
-constexpr double bend_share = 0.1;   // of the tolerance: what one rotation between knots may be off
+constexpr double finest_turn = 0.05; // rad, per step of the integration
+constexpr double longest_turn = 2;   // rad between knots; a longer rotation would be taken for the shorter way around
+constexpr double bend_share = 0.1;   // of the tolerance: greatest error of one rotation between knots
 
 glm::dvec3 inertia_times(const FreeBody& body, const glm::dquat& rotation, const glm::dvec3& spin) {
     const glm::dquat axes = rotation * body.principal;
@@ -30,7 +30,7 @@ double angle_between(const glm::dquat& a, const glm::dquat& b) {
     return 2 * std::atan2(glm::length(glm::dvec3(turn.x, turn.y, turn.z)), std::fabs(turn.w));
 }
 
-// The rotation after `duration` seconds at a constant angular momentum, by the rule of Runge and Kutta.
+// The rotation after `duration` seconds with constant angular momentum, by the classical Runge-Kutta method.
 glm::dquat turned_freely(const FreeBody& body, const glm::dquat& q, const glm::dvec3& momentum, double duration) {
     const auto rate = [&](const glm::dquat& at) {
         const glm::dvec3 w = spin_at(body, at, momentum);
@@ -53,7 +53,7 @@ class Flight {
         state_.spin = body_.inertia.x > 0 ? spin_at(body_, state_.rotation, momentum) : momentum;
     }
 
-    // To a time of 0 to 1.
+    // Advances to a time in 0 to 1.
     void go_to(double time) {
         const double duration = (time - time_) * dt_;
         if (!(duration > 0)) return;
@@ -113,7 +113,7 @@ FlownWay find_way(const FreeBody& body, const BodyState& from, const BodyState& 
     Flight straight(body, dt, from);
     straight.go_to(1);
     if (is_at(body, straight.state(), to)) return {ended_at(straight, to), false};
-    // Where the line from the start meets the line to the end.
+    // The intersection of the line from the start with the line to the end.
     const glm::dvec3 change = from.velocity - to.velocity, left = to.center - from.center - dt * to.velocity;
     const double change2 = glm::dot(change, change);
     if (!(change2 > 0)) return {};

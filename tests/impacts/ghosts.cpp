@@ -1,4 +1,4 @@
-// What flies past something with air between keeps its velocity, whatever the time within the step.
+// A body that passes another without contact keeps its velocity, whatever the phase of the step.
 #include "cells.h"
 
 namespace cairn_test {
@@ -30,8 +30,8 @@ class Tally {
     double sum_ = 0;
 };
 
-// How far before the nearest point of its way a body begins: anywhere in a step, so that it passes in the second or
-// third.
+// The distance, m, from the start of a body to the closest point of its path: random within a step, so that it passes
+// in the second or third step.
 double run_up(Random& random, const PassBy& cell) {
     return cell.speed * double(frame) * random.between(1, 2) + 8 * cell.size;
 }
@@ -63,7 +63,7 @@ Ghosts pass_by(const PassBy& cell) {
         reach += cell.spin > 0 ? bullet.reach + glm::length(bullet.center)
                                : support(bullet, Position(glm::conjugate(def.rotation) * Vec3(-up)));
         const double start = run_up(random, cell);
-        // Singles have an error of a millionth: that much more air is no matter.
+        // The relative error of float, 1e-6, adds a gap that does not matter.
         def.position = (reach + cell.gap) * up - start * along;
         def.linear_velocity = Vec3(cell.speed * along);
         def.angular_velocity = Vec3(cell.spin * random.direction());
@@ -85,7 +85,8 @@ Ghosts pass_edge(const PassBy& cell) {
         def.type = BodyType::static_;
         add_body(world, Box{{0.5f, 0.5f, 0.5f}}, def);
         def.type = BodyType::dynamic;
-        // Past the edge x = 0.5, y = 0.5, along a line that is at right angles to it and to what leads away from it.
+        // Past the edge at x = 0.5, y = 0.5, along a line perpendicular to the edge and to the shortest connection with
+        // it.
         const double angle = random.between(0.1, pi / 2 - 0.1);
         const Position away(std::cos(angle), std::sin(angle), 0), along(-std::sin(angle), std::cos(angle), 0);
         const double start = run_up(random, cell);

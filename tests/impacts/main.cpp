@@ -1,4 +1,4 @@
-// Prints the table of impacts: what Cairn does with fast things, the bars that it should keep, and which it does.
+// Prints the table of impacts: measurements of fast motion, their bars, and whether each passes.
 //
 // usage: cairn_impacts [--list] [--shots N] [ROW...]   All rows by default; exit status 1 if any fails.
 #include "table.h"
@@ -30,7 +30,7 @@ const char* sign_of(Bar kind) {
     }
 }
 
-// How many of its lines fail.
+// Prints a row of the table; returns the number of its lines that fail.
 int print(const ImpactRow& row, int shots) {
     const double start = processor_seconds();
     const std::vector<Row> lines = row.measure(shots);

@@ -9,17 +9,17 @@
 namespace cairn_test {
 namespace {
 
-constexpr double fineness = 1e-5; // of the size: how far what moves may go between two looks
+constexpr double fineness = 1e-5; // of the size: greatest motion between two samples
 constexpr int most_iterations = 200;
 
-// Up to four points of the difference of two solids, and the point of their hull that is nearest to the origin.
+// Up to four points of the Minkowski difference of two solids, and the point of their convex hull closest to the
+// origin.
 struct Simplex {
     std::array<glm::dvec3, 4> points{};
     std::size_t count = 0;
     glm::dvec3 nearest{0, 0, 0};
 
-    // Leaves the points whose hull has the nearest point within it. The origin of every face is tried: slow, but it
-    // cannot go wrong.
+    // Reduces to the points whose hull contains the closest point. All subsets are tried: slow, but robust.
     void reduce() {
         double least = std::numeric_limits<double>::infinity();
         Simplex best;
@@ -38,7 +38,7 @@ struct Simplex {
     }
 
   private:
-    // Sets `nearest` to the foot of the origin on what the points span; false if that is outside of their hull.
+    // Sets `nearest` to the projection of the origin on the span of the points; false if it lies outside of their hull.
     bool project() {
         // Normal equations of the edges from the first point, solved by elimination.
         const std::size_t n = count - 1;
@@ -50,7 +50,7 @@ struct Simplex {
         }
         for (std::size_t i = 0; i < n; ++i) {
             const double size = glm::dot(points[i + 1] - points[0], points[i + 1] - points[0]);
-            if (!(rows[i][i] > 1e-14 * size)) return false; // flat: a smaller part does
+            if (!(rows[i][i] > 1e-14 * size)) return false; // degenerate: a smaller subset suffices
             for (std::size_t k = 0; k < n; ++k) {
                 if (k == i) continue;
                 const double factor = rows[k][i] / rows[i][i];
@@ -69,11 +69,11 @@ struct Simplex {
     }
 };
 
-// How a step moves a shape.
+// The motion of a shape in a step.
 struct Way {
     const Moving* moving;
     const Core& core;
-    glm::dvec3 start, end; // of the center, m
+    glm::dvec3 start, end; // m, of the center
     double turn;           // rad
     double reach;          // m
 };
@@ -82,7 +82,7 @@ Pose to_pose(const cairn::Transform& transform) {
     return {transform.position, glm::normalize(glm::dquat(transform.rotation))};
 }
 
-// The shorter turn from one rotation to another: the vector part is the axis times the sine of half the angle.
+// The shorter rotation between two poses: its vector part is the axis times the sine of half the angle.
 glm::dquat turn_between(const Pose& from, const Pose& to) {
     const glm::dquat turn = to.rotation * glm::conjugate(from.rotation);
     return turn.w < 0 ? -turn : turn;
@@ -100,14 +100,14 @@ Way way_of(const Moving& moving, const Core& core) {
     return way;
 }
 
-// Of a solid from the half-space behind a plane; < 0 where it is in it.
+// The height of a solid above a half-space; negative if it penetrates.
 double height_over(const glm::dvec3& normal, const Pose& plane, const CorePiece& piece, const Pose& pose) {
     const glm::dvec3 up = plane.rotation * normal;
     const glm::dvec3 lowest = pose.apply(piece.support(glm::conjugate(pose.rotation) * -up));
     return glm::dot(up, lowest - plane.position);
 }
 
-// The distance of two cores at a time of their step, 0 where they overlap.
+// The distance of two cores at a time of the step, 0 if they overlap.
 double distance_at(const Way& a, const Way& b, double time) {
     const Pose pose_a = a.moving->at(time), pose_b = b.moving->at(time);
     double least = std::numeric_limits<double>::infinity();
@@ -123,10 +123,10 @@ double distance_at(const Way& a, const Way& b, double time) {
     return std::max(0.0, least);
 }
 
-// How far points of the two that could meet move against each other in the whole step, at most.
+// An upper bound of the relative motion in the whole step of any points of the two bodies that could meet.
 double greatest_motion(const Way& a, const Way& b) {
     const double apart = std::max(glm::length(a.start - b.start), glm::length(a.end - b.end));
-    // Where they meet is within reach of both.
+    // A meeting point is within reach of both.
     const double arm_a = std::min(a.reach, apart + b.reach), arm_b = std::min(b.reach, apart + a.reach);
     double motion = glm::length((a.end - a.start) - (b.end - b.start));
     if (a.turn > 0) motion += a.turn * arm_a;
@@ -183,16 +183,16 @@ double separation(const CorePiece& a, const Pose& pose_a, const CorePiece& b, co
     double bound = 0;
     for (int i = 0; i < most_iterations; ++i) {
         const double length = glm::length(simplex.nearest);
-        // At the origin as nearly as the numbers of the two poses tell.
+        // The closest point is the origin within the precision of the poses.
         if (length <= 1e-14 * (1 + glm::length(simplex.points[0]))) return 0;
         const glm::dvec3 direction = -simplex.nearest / length, next = support(direction);
-        // No point is farther along the direction: the difference is beyond this plane.
+        // No point is farther in this direction, so the difference lies beyond this plane.
         bound = std::max(bound, -glm::dot(next, direction));
         if (length - bound <= 1e-9 * length) break;
         const glm::dvec3 before = simplex.nearest;
         simplex.points[simplex.count++] = next;
         simplex.reduce();
-        if (simplex.count == 4) return 0; // the origin is inside
+        if (simplex.count == 4) return 0; // contains the origin
         if (!(glm::dot(simplex.nearest, simplex.nearest) < glm::dot(before, before))) break;
     }
     return bound;

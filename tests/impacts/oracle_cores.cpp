@@ -16,7 +16,7 @@ struct HalfSpace { // dot(normal, p) <= offset
     double offset;
 };
 
-// The corners of the polyhedron that these leave: every three planes' common point that is behind all others.
+// The vertices of the polyhedron bounded by these planes: the intersections of three planes that lie behind all others.
 std::vector<CorePiece::Ball> corners_of(const std::vector<HalfSpace>& planes) {
     std::vector<CorePiece::Ball> corners;
     for (std::size_t i = 0; i < planes.size(); ++i)
@@ -43,7 +43,7 @@ std::vector<HalfSpace> planes_of(const Hull& hull) {
     std::vector<HalfSpace> planes;
     for (std::size_t i = 0; i < hull.face_count(); ++i) {
         const auto face = hull.face(i);
-        // Newell's normal, which is that of all corners.
+        // Newell's normal, which takes all vertices of the face into account.
         glm::dvec3 normal(0), middle(0);
         for (std::size_t k = 0; k < face.size(); ++k) {
             const glm::dvec3 a(hull.vertices()[face[k]]), b(hull.vertices()[face[(k + 1) % face.size()]]);
@@ -60,7 +60,7 @@ CorePiece triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return {{{a, 0}, {b, 0}, {c, 0}}, {}, 0};
 }
 
-// What is left of a shape's rounding, and how far its sharp part shrinks.
+// The remaining rounding of a shape, and the inset of its sharp part.
 struct Shrink {
     double rounding, sharp;
 };
@@ -97,10 +97,10 @@ void add(Core& core, const Cylinder& cylinder, double shrink) {
     const Shrink part = share(cylinder.rounding, shrink);
     const double half = double(cylinder.half_height), low = double(cylinder.radius);
     const double slope = (double(cylinder.radius_top.value_or(cylinder.radius)) - low) / (2 * half);
-    // The sides move in at right angles to themselves.
+    // The sides move inward along their normals.
     const double middle = low + slope * half - part.sharp * std::sqrt(1 + slope * slope);
     CorePiece::Round round{part.sharp - half, half - part.sharp, 0, 0};
-    if (slope < 0) round.high = std::min(round.high, -middle / slope); // a cone's new tip
+    if (slope < 0) round.high = std::min(round.high, -middle / slope); // new tip of a cone
     if (slope > 0) round.low = std::max(round.low, -middle / slope);
     round.radius_low = std::max(0.0, middle + slope * round.low);
     round.radius_high = std::max(0.0, middle + slope * round.high);
@@ -165,7 +165,7 @@ double inner_radius_of(const Capsule& capsule) {
 double inner_radius_of(const Cylinder& cylinder) {
     const double half = double(cylinder.half_height), low = double(cylinder.radius);
     const double high = double(cylinder.radius_top.value_or(cylinder.radius));
-    // The ball touches the side and the wider end.
+    // The ball touches the side and the larger base.
     const double slope = std::fabs(high - low) / (2 * half);
     const double beside = std::max(low, high) / (slope + std::sqrt(1 + slope * slope));
     return std::min(half, beside) + double(cylinder.rounding);

@@ -1,4 +1,4 @@
-// The oracle of cores along motions, on cases whose answer is known.
+// The oracle of cores along motions, on cases with known results.
 #include "bodies.h"
 #include "oracle.h"
 
@@ -39,7 +39,7 @@ TEST(CoreSeparation, IsThatOfClosedForms) {
     }
 }
 
-// Whether two boxes overlap, by the fifteen axes that can part them.
+// Whether two boxes overlap, by the fifteen separating axes.
 bool do_boxes_overlap(const Box& a, const Pose& pose_a, const Box& b, const Pose& pose_b) {
     std::array<glm::dvec3, 6> edges;
     for (int i = 0; i < 3; ++i) {
@@ -81,14 +81,14 @@ TEST(CoreSeparation, IsNoneWhereBoxesOverlap) {
 
 TEST(CoresMeet, WhereBallsDoWithinTheStep) {
     const Shape ball = Sphere{0.05f};
-    // At the ends of the step they are 2 m apart, and 0.1 m beside each other.
+    // At the ends of the step their distance is 2 m along x, with an offset of 0.1 m.
     for (const double more : {-0.001, 0.001}) {
         const Position from(-1, 0.1 + more, 0), to(1, 0.1 + more, 0);
         EXPECT_EQ(cores_meet(ball, at(from), at(to), ball, at({0, 0, 0}), at({0, 0, 0}), 0), more < 0);
         EXPECT_FALSE(cores_meet(ball, at(from), at(to), ball, at({0, 0, 0}), at({0, 0, 0}), 0.001));
     }
     EXPECT_TRUE(cores_meet(ball, at({-1, 0.0975, 0}), at({1, 0.0975, 0}), ball, at({0, 0, 0}), at({0, 0, 0}), 0.001));
-    // They meet in the middle if both move.
+    // If both move, they meet in the middle.
     EXPECT_TRUE(cores_meet(ball, at({-1, 0, 0}), at({1, 0, 0}), ball, at({0, 1, 0}), at({0, -1, 0}), 0));
     EXPECT_FALSE(cores_meet(ball, at({-1, 0, 0}), at({1, 0, 0}), ball, at({0, 1, 0}), at({0, 0.2, 0}), 0));
     const Moving flying{&ball, at({-1, 0, 0}), at({1, 0, 0})};
@@ -99,16 +99,18 @@ TEST(CoresMeet, WhereBallsDoWithinTheStep) {
 
 TEST(CoresMeet, WhereARodTurnsThroughSomething) {
     const Shape rod = Box{{0.5f, 0.01f, 0.01f}}, ball = Sphere{0.02f};
-    // The rod turns by 90 degrees about its middle, its end along an arc of 0.5 m: nothing at the ends of the step.
+    // The rod rotates by 90 degrees about its center, its end along an arc of 0.5 m: no overlap at the ends of the
+    // step.
     const Transform from = at({0, 0, 0}), to = at({0, 0, 0}, turn_about_z(pi / 2));
     const auto place = [](double radius) { return at({radius * std::sqrt(0.5), radius * std::sqrt(0.5), 0}); };
     EXPECT_TRUE(cores_meet(rod, from, to, ball, place(0.45), place(0.45), 0.001));
     EXPECT_TRUE(cores_meet(rod, from, to, ball, place(0.517), place(0.517), 0.001));
     EXPECT_FALSE(cores_meet(rod, from, to, ball, place(0.523), place(0.523), 0.001));
     EXPECT_FALSE(cores_meet(rod, to, from, ball, at({-0.2, 0.2, 0}), at({-0.2, 0.2, 0}), 0.001));
-    // It turns with the rod, in front of it.
+    // The ball moves around with the rod, in front of it.
     EXPECT_FALSE(cores_meet(rod, from, at({0, 0, 0}, turn_about_z(0.5)), ball, place(0.4), at({0.1, 0.4, 0}), 0.001));
-    // About its end: the other end goes twice as far, and comes by where the middle would not.
+    // Rotation about one end: the other end moves twice as far, and reaches places that a rotation about the center
+    // does not.
     const Moving swinging{&rod, at({0.5, 0, 0}), at({0, 0.5, 0}, turn_about_z(pi / 2)), {-0.5, 0, 0}, 0.001};
     EXPECT_TRUE(cores_meet(swinging, still(ball, place(0.95), 0.001)).has_value());
     EXPECT_FALSE(cores_meet(swinging, still(ball, place(1.05), 0.001)).has_value());
@@ -133,12 +135,12 @@ TEST(CoresMeet, SurfacesThatAreFlownThrough) {
             EXPECT_TRUE(flies({0.2, 7, 0.3}, {-0.1, -5, -0.2}, turn_about_z(2)));
             EXPECT_FALSE(flies({-1, 0.05, 0}, {1, 0.05, 0}, turn_about_z(2)));
             if (!std::holds_alternative<Plane>(surface) || std::get<Plane>(surface).half_extents) {
-                EXPECT_FALSE(flies({1.2, 7, 0}, {1.2, -5, 0})); // past the edge
+                EXPECT_FALSE(flies({1.2, 7, 0}, {1.2, -5, 0})); // beyond the edge
             }
         }
 }
 
-// A cube as a hull has the same core, and the same answers.
+// A box given as a hull has the same core, and the same results.
 TEST(CoresMeet, HullsAsTheBoxesThatTheyAre) {
     const Vec3 half(0.3f, 0.2f, 0.1f);
     std::vector<Vec3> corners;
@@ -163,7 +165,7 @@ TEST(CoresMeet, HullsAsTheBoxesThatTheyAre) {
     EXPECT_LT(met, 180);
 }
 
-// What is found by halving is what many looks find.
+// The search by bisection agrees with dense sampling.
 TEST(CoresMeet, AsManyLooksSay) {
     const Shape a = cone(0.2f, 0.3f), b = Box{{0.05f, 0.4f, 0.05f}, 0.02f};
     const CorePiece core_a = make_core(a, 0.01).pieces[0], core_b = make_core(b, 0.01).pieces[0];
@@ -176,7 +178,7 @@ TEST(CoresMeet, AsManyLooksSay) {
         for (int k = 0; k <= 300; ++k)
             least = std::min(least, separation(core_a, moving.at(k / 300.0), core_b, other.at(k / 300.0)));
         const bool is_met = cores_meet(moving, other).has_value();
-        // Between two looks they come nearer by 2 cm at most.
+        // Between two samples they approach by 2 cm at most.
         if (least <= 0) {
             EXPECT_TRUE(is_met) << i;
         }
@@ -190,7 +192,7 @@ TEST(CoresMeet, AsManyLooksSay) {
 }
 
 TEST(Core, EndsInsideOfTheShape) {
-    // The ball in a cone touches base and side, and is all that is left when nearly as much is taken away.
+    // The inscribed ball of a cone touches base and side; the core vanishes when the inset is its radius.
     const Shape sharp = cone(0.3f, 0.2f);
     const double radius = 0.3 * 0.4 / (0.3 + 0.5);
     EXPECT_NEAR(inner_radius(sharp), radius, 1e-7);
@@ -198,7 +200,7 @@ TEST(Core, EndsInsideOfTheShape) {
     const Core last = make_core(sharp, radius - 1e-6);
     ASSERT_EQ(last.pieces.size(), 1u);
     EXPECT_LT(last.reach_from({0, radius - 0.2, 0}), 1e-5);
-    // Of rounded shapes first the rounding goes.
+    // The inset of a rounded shape first reduces its rounding.
     const Core rounded = make_core(Box{{0.1f, 0.1f, 0.1f}, 0.05f}, 0.02);
     EXPECT_NEAR(rounded.pieces[0].rounding, 0.03, 1e-7);
     EXPECT_NEAR(rounded.pieces[0].support({1, 0, 0}).x, 0.13, 1e-7);

@@ -1,4 +1,4 @@
-// What stands, slides and rolls, under gravity.
+// Standing, sliding and rolling under gravity.
 #include "cells.h"
 
 #include "validation/measures.h"
@@ -12,7 +12,7 @@ double mean_height(const World& world, const std::vector<BodyId>& ids) {
     return sum / double(ids.size());
 }
 
-// Boxes one upon the other without a gap, the lowest so high above the ground.
+// Adds a stack of boxes without gaps, the lowest `height` m above the ground.
 std::vector<BodyId> add_stack(World& world, int boxes, double edge, double height) {
     std::vector<BodyId> ids;
     for (int i = 0; i < boxes; ++i) {
@@ -39,7 +39,7 @@ double rebound_of_stack(int boxes, double height) {
 }
 
 double turn_of_sliding_box(double offset) {
-    constexpr double friction = 0.3, way = 14, side = 0.5, height = 0.2; // m
+    constexpr double friction = 0.3, way = 14, side = 0.5, height = 0.2; // friction; m
     World world;
     add_ground(world, surface(float(friction)));
     MassProperties mass;
@@ -54,7 +54,7 @@ double turn_of_sliding_box(double offset) {
     def.mass_properties = mass;
     const Body box = world.body(
         add_body(world, Box{{float(side / 2), float(height / 2), float(side / 2)}}, def, surface(float(friction))));
-    // The turns of the steps, added up: it may turn more than half round.
+    // Rotations of the steps are summed, as the box may rotate by more than half a turn.
     double turned = 0, heading = 0;
     for (int i = 0; i < 360; ++i) {
         world.step(frame);
@@ -73,8 +73,8 @@ bool do_cards_stand(double degrees, double friction, double heading) {
     add_ground(world, surface(float(friction)));
     std::vector<BodyId> cards;
     for (const double sign : {-1.0, 1.0}) {
-        // Seen from the front, the left card's top leans to the right. Its lowest edge is on the ground, its rightmost
-        // in the middle.
+        // Seen from the front, the top of the left card leans to the right. Its lowest edge is on the ground, its
+        // rightmost one in the middle.
         const double x = length / 2 * std::sin(lean) + thickness / 2 * std::cos(lean);
         const double y = length / 2 * std::cos(lean) + thickness / 2 * std::sin(lean);
         BodyDef def;
@@ -90,7 +90,7 @@ bool do_cards_stand(double degrees, double friction, double heading) {
 }
 
 double least_friction_of_cards(double degrees, double heading) {
-    // From above: what stands is looked for below 1.
+    // Searched from above, among the values below 1.
     return -last_where(-1.0, -0.05, 0.002, [=](double less) { return do_cards_stand(degrees, -less, heading); });
 }
 
@@ -102,8 +102,8 @@ double energy_of_disk(double degrees, double seconds) {
     material.torsional_friction = 0;
     add_ground(world, material);
     BodyDef def;
-    // The disk's axis leans towards +x, so that its lowest point is there. It rolls such that its center stays:
-    // it turns about the line from the center to the lowest point, and that line goes round once in 2 pi / rate.
+    // The axis of the disk leans toward +x, so that its lowest point is there. It rolls with a fixed center: it rotates
+    // about the line from the center to the lowest point, which revolves with the period 2 pi / rate.
     def.rotation = glm::angleAxis(float(-lean), Vec3(0, 0, 1));
     def.position = {0, radius * sine + half_height * cosine, 0};
     const double rate = std::sqrt(4 * gravity / (radius * sine));

@@ -17,7 +17,7 @@ std::string number(double value) {
     return text;
 }
 
-// What should not be there at all.
+// A row whose count should be zero.
 Row none(const std::string& quantity, double measured, const std::string& note = {}) {
     return {quantity, step_seconds, 0, measured, 0, Bar::at_most, note};
 }
@@ -309,7 +309,7 @@ Rows billiards(int shots) {
     return rows;
 }
 
-// --- what stands, slides and rolls
+// --- standing, sliding and rolling
 
 Rows dropped_stack(int) { return {at_most("10 boxes from 1 m: rises at, m/s", rebound_of_stack(10, 1), 0.05)}; }
 

@@ -1,4 +1,4 @@
-// The table of impacts: rows by name, each of which measures something with the cells and says how it is judged.
+// The table of impacts: named rows, each of which measures something with the cells and states how it is judged.
 #pragma once
 
 #include "validation/validation.h"
@@ -10,8 +10,8 @@ namespace cairn_test {
 
 struct ImpactRow {
     const char* name;
-    const char* about; // what is done, in a line
-    // Runs it. `shots` is the number of worlds of each cell; 0: the row's own.
+    const char* about; // description in one line
+    // Runs the row. `shots`: the number of worlds per cell; 0: the default of the row.
     std::vector<cairn::validation::Row> (*measure)(int shots);
 };
 

@@ -1,4 +1,4 @@
-// Bodies shot at things that they must not get through.
+// Bodies shot at walls that they must not pass.
 #include "cells.h"
 
 #include <array>
@@ -6,17 +6,17 @@
 namespace cairn_test {
 namespace {
 
-constexpr double half_width = 2;      // m, of static walls; plates have a half
-constexpr double aim = 0.3;           // m: shots go to within this of the middle, along x and z
+constexpr double half_width = 2;      // m, of static walls; plates have half of it
+constexpr double aim = 0.3;           // m; shots hit within this distance of the middle, in x and z
 constexpr double hill = 0.05;         // m: the height field lies between -hill and 0
 constexpr int columns = 17;           // of the height field, 0.25 m apart
 constexpr double fastest_wall = 30;   // m/s
-constexpr double greatest_turn = 0.5; // rad: a plate that turns more within a step is not judged by its poses
-constexpr double plate_mass = 0.12;   // kg for each N s of the bullet: turned at its edge, it turns by half of that
+constexpr double greatest_turn = 0.5; // rad; a plate that rotates by more within a step is not judged by its poses
+constexpr double plate_mass = 0.12;   // kg per N s of the bullet: hit at its edge, it rotates by half of that
 
 float height_at(int column, int row) { return float(-hill * (0.5 + 0.5 * std::sin(1.7 * column + 2.3 * row))); }
 
-// Of the height field's triangles, m.
+// The height of the field's triangles at a place, m.
 double height_of_field(double x, double z) {
     const double spacing = 2 * half_width / (columns - 1);
     const double u = (x + half_width) / spacing, v = (z + half_width) / spacing;
@@ -39,7 +39,7 @@ Shape make_field() {
     return HeightField(columns, columns, {spacing, spacing}, heights);
 }
 
-// Flat, of triangles of all forms.
+// A flat mesh of triangles of all shapes.
 Shape make_mesh() {
     Random random(3);
     constexpr std::uint32_t n = 9;
@@ -91,7 +91,7 @@ class Wall {
     struct Pose {
         Position position;
         glm::dquat rotation;
-        // Where something is as seen from the wall.
+        // A point in the frame of the wall.
         Position seen(const Position& point) const { return glm::conjugate(rotation) * (point - position); }
     };
     Pose pose(World& world) const {
@@ -99,7 +99,7 @@ class Wall {
         return {body.position(), glm::dquat(body.rotation())};
     }
 
-    // A center that goes from one place to another, as seen from the wall, within a step.
+    // Whether a center that moves between two places, in the frame of the wall, passes it within a step.
     bool is_passed(const Position& from, const Position& to) const {
         const bool is_field = cell_.target == Target::height_field;
         const double middle = is_field ? -hill : 0.0;
@@ -108,7 +108,7 @@ class Wall {
         if (!(from.y > middle && to.y <= middle)) return false;
         return covers(from + (to - from) * ((from.y - middle) / (from.y - to.y)));
     }
-    // Whether a ball of that radius, its center in front, is in the wall.
+    // Whether a ball of the given radius, with its center in front, is in the wall.
     bool has_in(const Position& center, double radius) const {
         if (!covers(center)) return false;
         const bool is_thick =
@@ -132,8 +132,8 @@ class Wall {
 
 enum class Fate : std::uint8_t { held, core_in, through };
 
-// Whether a center passed the wall in a step, as both go straight and the wall turns evenly: what leaves a plate past
-// its edge may be behind it before the step is over.
+// Whether a center passed the wall in a step in which both move uniformly: a body that leaves a plate past its edge may
+// be behind it at the end of the step.
 bool passes(const Wall& wall, const Wall::Pose& first, const Position& from, const Wall::Pose& last,
             const Position& to) {
     constexpr int looks = 256;
@@ -161,7 +161,7 @@ Fate follow(World& world, const Wall& wall, const Body& body, double core, int s
         if (2 * std::acos(std::min(1.0, cosine)) > greatest_turn) return fate;
         if (passes(wall, first, from, last, to)) return Fate::through;
         const Position now = last.seen(to);
-        if (now.y < 0) return fate; // past the wall's edge
+        if (now.y < 0) return fate; // beyond the edge of the wall
         if (wall.has_in(now, core)) fate = Fate::core_in;
         from = to;
         first = last;
@@ -171,15 +171,15 @@ Fate follow(World& world, const Wall& wall, const Body& body, double core, int s
 
 struct Shot {
     Quat rotation{1, 0, 0, 0};
-    Position direction{0, -1, 0}; // of the bullet's velocity against the target's
-    double way = 0;               // m, to the target
+    Position direction{0, -1, 0}; // of the velocity of the bullet relative to the target
+    double way = 0;               // m, distance to the target
     Vec3 spin{0, 0, 0};
 };
 
 Shot draw(Random& random, const Shooting& cell, const Bullet& bullet) {
     Shot shot;
     shot.direction = random.direction_near({0, -1, 0}, cell.steepest);
-    // Not in touch with the wall at the start, however it is turned.
+    // Without contact with the wall at the start, whatever the rotation.
     const double clear = (bullet.reach + cell.thickness / 2 + 0.01) / -shot.direction.y;
     shot.way = clear + cell.speed * double(frame) * random.between(0, 2);
     const Quat rotation = random.rotation();
@@ -208,7 +208,7 @@ Fate shoot_wall(Random& random, const Shooting& cell, const Bullet& bullet) {
     return follow(world, wall, body, core, steps_of(shot, cell));
 }
 
-// Two bullets that fly at each other, each at half of the speed.
+// Two bullets that move toward each other, each at half of the speed.
 Fate shoot_bullet(Random& random, const Shooting& cell, const Bullet& bullet) {
     const Shot first = draw(random, cell, bullet), second = draw(random, cell, bullet);
     World world(without_gravity());

@@ -1,4 +1,4 @@
-// Who watches the cores: ways that are known in closed form, and worlds in which something does pass.
+// Tests of the watch on cores: paths known in closed form, and worlds in which a body does pass.
 #include "cells.h"
 #include "core_watch.h"
 
@@ -15,11 +15,12 @@ double angle_between(const glm::dquat& a, const glm::dquat& b) {
     return 2 * std::acos(std::min(1.0, std::fabs(glm::dot(a, b))));
 }
 
-// A top of moments 1, 1, 2 turns about its axis at w3 and goes around its angular momentum: both at constant rates.
+// A symmetric top with the moments 1, 1, 2 spins about its axis at w3 and precesses about its angular momentum, both at
+// constant rates.
 TEST(FlownWay, OfASymmetricTopIsThatOfPoinsot) {
     const double dt = 1.0 / 60, w1 = 40, w3 = 30;
     const FreeBody top{{1, 1, 2}, {1, 0, 0, 0}, 0.1, 1e-4};
-    const glm::dvec3 momentum(w1, 0, 2 * w3); // the body begins in the rotation 1
+    const glm::dvec3 momentum(w1, 0, 2 * w3); // the body begins with the identity rotation
     const auto rotation_at = [&](double t) { return turn(t * momentum) * turn({0, 0, -w3 * t}); };
     const auto spin_at = [&](double t) {
         const glm::dvec3 local = glm::conjugate(rotation_at(t)) * momentum;
@@ -52,7 +53,7 @@ TEST(FlownWay, HasTheImpactWhereTheLinesMeet) {
     EXPECT_NEAR(way.knots[1].center.y, 0.15, 1e-9);
 }
 
-// It meets nothing.
+// Adds a body that collides with nothing.
 BodyId add_ghost(World& world, const std::vector<Shape>& shapes, const BodyDef& def) {
     const BodyId id = world.create_body(def);
     ShapeDef shape_def;
@@ -67,7 +68,7 @@ WorldDef telling() {
     return def;
 }
 
-// Nothing stops these: neither their first poses nor their last overlap.
+// These bodies pass through the wall; neither their first nor their last poses overlap it.
 TEST(CoreWatch, SeesWhatPassesThroughAWall) {
     for (const Kind kind : all_kinds) {
         World world(telling());
@@ -87,7 +88,7 @@ TEST(CoreWatch, SeesWhatPassesThroughAWall) {
     }
 }
 
-// The ghost stands beside the line from the ball's first pose to its last, and in the way that it goes.
+// The ghost is off the line from the first to the last pose of the ball, but on its actual path.
 TEST(CoreWatch, SeesWhatPassesAfterAnImpact) {
     World world(telling());
     Material elastic = surface(0, 1);

@@ -1,5 +1,5 @@
-// Islands are solved 8 contacts or joints at a time, and those of several islands share a block: none may notice. Each
-// island must move as it does in a world of its own, to the last bit.
+// Islands are solved eight contacts or joints at a time in SIMD lanes, and contacts of several islands share a block.
+// Each island must nevertheless move, to the last bit, as it does in a world of its own.
 #include "support.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t islands = 20;
 constexpr int steps = 90;
-constexpr double spacing = 64; // m; a power of two, so that places round alike
+constexpr double spacing = 64; // m; a power of two, so that positions round alike in every island
 
 class RandomStart {
   public:
@@ -43,7 +43,7 @@ Shape shape_of(int type, RandomStart& random) {
     case 0:
         return Sphere{a};
     case 1:
-        return random.below(2) ? Box{{a, b, 0.15f}} : Box{{a, a, a}}; // a cube turns as a ball does
+        return random.below(2) ? Box{{a, b, 0.15f}} : Box{{a, a, a}}; // a cube has isotropic inertia, like a ball
     case 2:
         return Capsule{a, 0.1f, {}};
     default:
@@ -51,7 +51,7 @@ Shape shape_of(int type, RandomStart& random) {
     }
 }
 
-// Of each kind of rows some: with and without limits, rigid and soft, motors, springs and friction.
+// A random mix of all kinds of constraint rows: limits or none, rigid or soft ones, motors, springs and friction.
 JointControl control(RandomStart& random) {
     JointControl control;
     const JointSpring spring{random.between(5, 50), random.between(0, 1)};
@@ -79,13 +79,13 @@ Joint joint_of(RandomStart& random) {
     }
 }
 
-// Joined and loose bodies that fall, quickly turning, onto the ground and each other. None so quickly that the step is
-// split: that is done for the whole world.
+// An island of jointed and loose bodies that fall, rotating fast, onto the ground and each other. No body is so fast
+// that the step is split, because a split applies to the whole world.
 Island add_island(World& world, int seed, float restitution) {
     RandomStart random(seed);
     Island island;
     const Position origin(spacing * seed, 0, 0);
-    BodyDef floor; // of its own, so that arms are short
+    BodyDef floor; // an own floor close by, so that arms are short
     floor.type = BodyType::static_;
     floor.position = origin;
     add_body(world, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(20)}, floor, surface(0.5f, restitution));
@@ -112,7 +112,7 @@ Island add_island(World& world, int seed, float restitution) {
     return island;
 }
 
-// The islands of these seeds, in that order, in one world.
+// One world that holds the islands of the given seeds, in the given order.
 struct Together {
     World world;
     std::vector<Island> members;
@@ -160,7 +160,7 @@ TEST_P(BlockMates, DoNotNoticeEachOther) {
     }
 }
 
-// Contacts and joints of one color are in another order then, in other lanes of other blocks.
+// With the islands created in reverse order, contacts and joints of one graph color lie in other lanes and blocks.
 TEST_P(BlockMates, DoNotNoticeTheirOrder) {
     Together forward(def, seeds, restitution);
     std::reverse(seeds.begin(), seeds.end());

@@ -1,4 +1,5 @@
-// What stands is as stiff as it must be so as not to buckle under its own weight, however small its parts are.
+// Contacts must be stiff enough that standing structures do not buckle under their own weight, however small the boxes
+// are.
 #include "structure.h"
 
 #include <cmath>
@@ -6,7 +7,7 @@
 namespace cairn_test {
 namespace {
 
-// The boxes of a structure of so many layers, each aside by up to a ten-thousandth of its size.
+// Adds the boxes of a structure of `layers` layers, each displaced sideways by up to 1e-4 of its size.
 void build(Structure& made, RandomStart& start, int kind, int layers, double size) {
     const auto put = [&](double x, double y, const glm::dvec3& extents) {
         const double off = 1e-4 * size;
@@ -14,7 +15,7 @@ void build(Structure& made, RandomStart& start, int kind, int layers, double siz
     };
     for (int row = 0; row < layers; ++row) {
         if (kind == 0) put(0, row + 0.5, {1, 1, 1});
-        if (kind == 1) { // bricks, half ones at the ends of every other row
+        if (kind == 1) { // bricks, with half bricks at the ends of every other row
             for (int i = 0; i < 6 - row % 2; ++i) put(2 * i + row % 2, 0.5 * row + 0.25, {2, 0.5, 1});
             if (row % 2 == 1)
                 for (const double x : {-0.5, 10.5}) put(x, 0.5 * row + 0.25, {1, 0.5, 1});
@@ -24,8 +25,8 @@ void build(Structure& made, RandomStart& start, int kind, int layers, double siz
     }
 }
 
-// A pyramid of 20 rows of cubes of 10 cm used to lean out of its plane, and of 30 to fall, as did walls of bricks of 10
-// cm and towers of 20 cubes of 2.5 cm, unless they had fallen asleep in time.
+// With softer contacts, a pyramid of 20 rows of 10 cm cubes leaned out of its plane and one of 30 rows fell over, as
+// did walls of 10 cm bricks and towers of 20 cubes of 2.5 cm, unless they fell asleep first.
 TEST(Buckling, ColumnsWallsAndPyramidsOfAnySizeStandAwake) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         RandomStart start(400 + seed);
@@ -41,10 +42,10 @@ TEST(Buckling, ColumnsWallsAndPyramidsOfAnySizeStandAwake) {
     }
 }
 
-// A column of n cubes of side a, pressed by its own weight, buckles if its contacts are softer than Greenhill's law
-// says. One of two cubes of mass m is a spring of m omega^2 / 2, with omega = 2 pi 7.5 Hz for each substep of 1/60 s
-// from 8 on, at four corners, a / 2 from the middle: E I = m omega^2 a^3 / 8. It stands if q H^3 < 7.84 E I, with the
-// weight q = m g / a of a meter.
+// A column of n cubes of side a buckles under its own weight if its contacts are softer than Greenhill's formula
+// allows. A contact between two cubes of mass m is a spring of stiffness m omega^2 / 2, with omega = 2 pi 7.5 Hz per
+// substep of a step of 1/60 s (from 8 substeps on), distributed over four corners at a / 2 from the middle: E I = m
+// omega^2 a^3 / 8. The column stands if q H^3 < 7.84 E I, where q = m g / a is the weight per meter.
 TEST(Buckling, BeginsWhereTheTheoryOfColumnsHasIt) {
     for (const auto& [count, side] : {std::pair{20, 0.05}, {20, 0.025}, {30, 0.1}, {40, 0.2}}) {
         const double omega = std::sqrt(8 * 9.81 * count * count * count / (7.84 * side)), exact = omega / (15 * pi);

@@ -1,4 +1,4 @@
-// Shapes that become other ones while the world runs: ground that is edited, bodies that grow, crouch or change kind.
+// Shapes whose geometry or kind changes while the world runs: edited ground, bodies that grow, crouch or change type.
 #include "convex_shapes.h"
 #include "support.h"
 
@@ -23,7 +23,7 @@ WorldDef with_gravity(const Vec3& gravity) {
     return def;
 }
 
-// A field of nine by nine heights, a meter apart.
+// A height field of 9 x 9 samples, spaced 1 m apart.
 constexpr int grid = 9;
 HeightField field_of(const std::function<float(int, int)>& height) {
     std::vector<float> heights;
@@ -104,7 +104,7 @@ TEST(ChangedShapes, GroundThatRisesCarriesWhatIsOnIt) {
     }
 }
 
-// What changes its kind in flight goes on like one that had always been what it is now.
+// A body whose shape changes type in flight continues as a body that has had the new shape from the beginning.
 TEST(ChangedShapes, WhatChangesInFlightLandsAsIfItHadAlwaysBeenSo) {
     std::vector<double> off;
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
@@ -138,7 +138,7 @@ TEST(ChangedShapes, WhatChangesInFlightLandsAsIfItHadAlwaysBeenSo) {
             now.angular_velocity = body.angular_velocity();
             fresh_bodies.push_back(fresh.create_body(now));
             fresh.add_shape(fresh_bodies.back(), next[i], def);
-            // That of the center of mass, which has moved.
+            // The velocity is that of the center of mass, which the new shape has moved.
             fresh.body(fresh_bodies.back()).set_linear_velocity(body.linear_velocity());
             EXPECT_EQ(changed.body(bodies[i]).mass(), fresh.body(fresh_bodies[i]).mass());
         }
@@ -146,7 +146,8 @@ TEST(ChangedShapes, WhatChangesInFlightLandsAsIfItHadAlwaysBeenSo) {
         for (std::size_t i = 0; i < bodies.size(); ++i)
             off.push_back(glm::length(changed.body(bodies[i]).position() - fresh.body(fresh_bodies[i]).position()));
     }
-    // Rotations are given to the other world as floats: what tumbles on its edges may go either way.
+    // The fresh world receives rotations as floats, so a body that tumbles on its edges may take another path: the bars
+    // hold for quantiles only.
     std::sort(off.begin(), off.end());
     EXPECT_LT(off[off.size() / 2], 1e-4);
     EXPECT_LT(off[off.size() * 3 / 4], 2e-3);
@@ -195,7 +196,7 @@ TEST(ChangedShapes, WhatGrowsInAHeapPushesTheRestAwayGently) {
 }
 
 TEST(ChangedShapes, WhatStandsOnGroundThatIsTakenAwayFalls) {
-    WorldDef settings; // with sleep
+    WorldDef settings; // with sleeping enabled
     World world(settings);
     const ShapeId ground = world.add_shape(world.create_body({.type = BodyType::static_}), Box{{50, 0.5f, 50}});
     const BodyId here = world.create_body({.position = {0, 1, 0}}), there = world.create_body({.position = {30, 1, 0}});
@@ -206,7 +207,7 @@ TEST(ChangedShapes, WhatStandsOnGroundThatIsTakenAwayFalls) {
     run(world, dt, 60);
     EXPECT_LT(world.body(there).position().y, -3);
     EXPECT_NEAR(world.body(here).position().y, 1, 1e-3);
-    // And falls on what becomes ground again.
+    // The body lands on the ground again once the ground shape covers its position.
     world.set_shape(ground, Plane{});
     world.body(there).set_position({30, 5, 0});
     run(world, dt, 180);
@@ -233,10 +234,10 @@ TEST(ChangedShapes, BecomeTriggersAndSolidAgain) {
     def.is_trigger = false;
     world.set_shape_def(floor, def);
     run(world, dt, 60);
-    EXPECT_NEAR(world.body(ball).position().y, 1, 1e-3); // pushed out again
+    EXPECT_NEAR(world.body(ball).position().y, 1, 1e-3); // the floor pushes the ball out again
 }
 
-// A walker goes below a beam only when it has crouched, and its feet stay where they are.
+// A character passes below a beam only after it has crouched, and its feet stay at their height.
 TEST(ChangedShapes, ACharacterCrouchesBelowABeam) {
     for (const bool crouches : {false, true}) {
         World world;
@@ -332,7 +333,7 @@ TEST(ChangedShapes, ASnapshotBringsTheOldOneBack) {
     ASSERT_TRUE(std::holds_alternative<Sphere>(world.shape(shape)));
 }
 
-// What a call is given may be a part of the world that it makes grow.
+// The arguments of a call may refer to storage of the world that the same call reallocates.
 TEST(ChangedShapes, CopiesOfWhatIsThereAreWhole) {
     World world;
     const BodyId body = world.create_body(), other = world.create_body({.position = {3, 0, 0}});

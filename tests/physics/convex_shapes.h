@@ -1,4 +1,4 @@
-// One convex shape of each kind, about as large as a ball of that radius, m.
+// One convex shape of each of `convex_kinds` kinds, about as large as a ball of radius `size`, m.
 #pragma once
 
 #include "support.h"

@@ -1,5 +1,5 @@
-// Servos, motors, friction, soft limits and impacts of what is solved directly: what is light between heavy bodies must
-// not matter.
+// Servos, motors, friction, soft limits and impacts of joints in the direct solver: light bodies between heavy ones
+// must not degrade the result.
 #include "support.h"
 #include "validation/random_starts.h"
 
@@ -10,8 +10,8 @@
 namespace cairn_test {
 namespace {
 
-// Some links of 20 cm, one on the other, the first one of 10 kg, the others down to a part of that, on hinges about
-// random axes.
+// A serial arm of 4 to 10 links of 20 cm, connected by hinges about random axes. The first link has 10 kg, the others
+// down to 10 kg / `mass_ratio`.
 struct Arm {
     World world;
     std::vector<BodyId> links;
@@ -43,13 +43,13 @@ struct Arm {
         }
     }
 
-    // `stored` (angle): J in the spring of a joint.
+    // `stored` (angle): the energy in the spring of a joint, J.
     template <class Stored> double energy(Stored&& stored) const {
         double sum = world.kinetic_energy() + world.potential_energy();
         for (const JointId joint : joints) sum += stored(double(world.joint_state(joint).positions[0]));
         return sum;
     }
-    // By how much energy grows at most in 3 s, as part of what there was above the ground.
+    // The greatest increase of the energy within 3 s, as a fraction of the initial energy above the ground.
     template <class Stored> double gain(Stored&& stored) {
         double least = energy(stored), most = 0;
         const double all = least;
@@ -63,7 +63,7 @@ struct Arm {
     }
 };
 
-// `spring_of` (stiffness, damping): the hinge. `stretch` (angle): rad, that its spring is stretched by.
+// `hinge_of` (spring): makes the hinge. `stretch` (angle): the deflection of its spring, rad.
 template <class HingeOf, class Stretch> void expect_no_gains(HingeOf&& hinge_of, Stretch&& stretch, double bar) {
     for (const double stiffness : {1e2, 1e3, 1e4, 1e5})
         for (const double mass_ratio : {3.0, 30.0, 300.0})
@@ -83,7 +83,8 @@ template <class HingeOf, class Stretch> void expect_no_gains(HingeOf&& hinge_of,
             }
 }
 
-// They gained up to 1e8 times their energy: a servo turned the light link that it sat on alone.
+// With each servo as a constraint row of its own, which acts on its two bodies alone and rotates the light link next to
+// it by far too much, such arms gained up to 1e8 times their energy.
 TEST(DirectDrives, ArmsOfServosGainNothing) {
     const auto servo = [](const JointSpring& spring) {
         HingeJoint hinge;
@@ -94,7 +95,7 @@ TEST(DirectDrives, ArmsOfServosGainNothing) {
         servo, [](double angle) { return angle; }, 0.01);
 }
 
-// Likewise, up to 1e8 times.
+// With each soft limit as a constraint row of its own, such arms gained up to 1e8 times their energy.
 TEST(DirectDrives, ArmsOfSoftLimitsGainNothing) {
     const auto limited = [](const JointSpring& spring) {
         HingeJoint hinge;
@@ -121,8 +122,9 @@ JointDrive spring_about(int axis, float stiffness, float damping) {
     return drive;
 }
 
-// As hips and shoulders of robots in USD: one rotation of the joint is locked, servos turn about one or both of the
-// others. In a third of the starts they gained up to 2e7 times their energy while the lock was solved by itself.
+// Like the hips and shoulders of robots in USD files: one rotation of the joint is locked, servos act about one or both
+// of the others. With the lock as a constraint row of its own, a third of the starts gained up to 2e7 times their
+// energy.
 TEST(DirectDrives, ServosBesideALockGainNothing) {
     for (int lock = 0; lock < 3; ++lock)
         for (int drives = 1; drives < 3; ++drives)
@@ -162,8 +164,8 @@ TEST(DirectDrives, ServosBesideALockGainNothing) {
             }
 }
 
-// A ball on springs about one to three axes of its joint, which turns by up to half a turn: with pulls along the axes
-// themselves energy grew by up to 8.6 times, at any step.
+// A ball on torsion springs about one to three axes of its joint, rotated by up to half a turn. With spring torques
+// along the axes themselves, energy grew by a factor of up to 8.6, at any step length.
 TEST(GeneralSprings, AboutAnyAxesKeepTheEnergy) {
     for (const JointSolver solver : {JointSolver::iterative, JointSolver::direct})
         for (int drives = 1; drives <= 3; ++drives)
@@ -195,13 +197,13 @@ TEST(GeneralSprings, AboutAnyAxesKeepTheEnergy) {
             }
 }
 
-// An arm of three links of 40 cm from a wall, level, of which the last has 10 kg.
+// A horizontal arm of three links of 40 cm on a wall; the last link has 10 kg, the others `light` kg.
 struct Shelf {
     World world{without_sleep()};
     std::vector<BodyId> links;
     std::vector<JointId> joints;
 
-    // `make_hinge` (N m of its load)
+    // `make_hinge` (static load torque of the hinge, N m)
     template <class MakeHinge> Shelf(double light, JointSolver solver, MakeHinge&& make_hinge) {
         BodyDef wall;
         wall.type = BodyType::static_;
@@ -222,7 +224,7 @@ struct Shelf {
     double angle(std::size_t i) const { return double(world.joint_state(joints[i]).positions[0]); }
 };
 
-// It flailed about, by up to 4 rad.
+// With friction as a constraint row of its own, the arm flailed by up to 4 rad.
 TEST(DirectDrives, FrictionHoldsWhatHangsOnALightLink) {
     for (const double light : {10.0, 1.0, 0.1, 0.01})
         for (const double part : {1.02, 1.5}) {
@@ -237,7 +239,8 @@ TEST(DirectDrives, FrictionHoldsWhatHangsOnALightLink) {
         }
 }
 
-// A bob of 10 kg at 1 m that a motor or friction of T N m cannot hold: from level, sin(a) m g r - T a is its energy.
+// A bob of 10 kg at r = 1 m that a motor or joint friction of at most T N m cannot hold. Falling from horizontal
+// through the angle a, it has the kinetic energy m g r sin(a) - T a.
 TEST(DirectDrives, GiveNoMoreThanTheyMay) {
     for (const bool is_friction : {false, true})
         for (const double light : {1.0, 0.05})
@@ -279,7 +282,7 @@ TEST(DirectDrives, GiveNoMoreThanTheyMay) {
             }
 }
 
-// m/s at which the middle of ten capsules in a row, upright, rises after they fell 2 m onto one end.
+// The greatest upward speed of the mean of ten capsules, m/s: an upright chain that is dropped 2 m onto one end.
 double rise_of_chain(JointSolver solver) {
     World world(without_sleep());
     add_ground(world);
@@ -304,13 +307,14 @@ double rise_of_chain(JointSolver solver) {
     return rise;
 }
 
-// Solved directly it flew back at 3.4 to 6 m/s.
+// When the passes of an impact did not include the direct solver, the chain rebounded at 3.4 to 6 m/s.
 TEST(DirectImpacts, AChainThatIsDroppedLengthwiseStops) {
     EXPECT_LT(rise_of_chain(JointSolver::iterative), 0.11);
     EXPECT_LT(rise_of_chain(JointSolver::direct), 0.05);
 }
 
-// m/s at which the lowest of five upright links rises that are held straight by servos, after a fall at 2.6 m/s.
+// The greatest upward speed of the lowest of five upright links, m/s, which servos hold straight, after a landing at
+// 2.6 m/s.
 double rise_of_straight_leg(float mass_of_every_other, float dt) {
     World world(without_sleep());
     add_ground(world);
@@ -334,14 +338,14 @@ double rise_of_straight_leg(float mass_of_every_other, float dt) {
     return rise;
 }
 
-// With light links it rose at 0.6 m/s, as a humanoid's leg of MJCF does.
+// With light links the lowest one rebounded at 0.6 m/s, as the leg of a humanoid from an MJCF file did.
 TEST(DirectImpacts, ALegWithLightLinksStaysWhereItLands) {
     for (const float dt : {1.0f / 60, 0.005f, 0.001f})
         for (const float mass : {1.0f, 0.3f, 0.05f, 0.01f})
             EXPECT_LT(rise_of_straight_leg(mass, dt), 0.2) << mass << " kg, " << dt << " s";
 }
 
-// Trees of links with limits, thrown down at 1 to 8 m/s: at 500 Hz 23 of 60 gained more than 2 % of their energy.
+// Arms of links with limits that land at 1 to 8 m/s. At 500 Hz, 23 of 60 gained more than 2 % of their energy.
 TEST(DirectImpacts, WhatLandsGainsNothing) {
     for (std::uint32_t seed = 0; seed < 24; ++seed) {
         RandomStart start(seed);

@@ -1,4 +1,4 @@
-// Limits of joints that are solved directly: what is light between a heavy body and its limit must not matter.
+// Limits of joints in the direct solver: a light body between a heavy one and its limit must not degrade the result.
 #include "support.h"
 
 #include <algorithm>
@@ -36,7 +36,8 @@ BodyId add_solid(World& world, const Position& at, float mass, const Vec3& cente
 
 double energy_of(const World& world) { return world.kinetic_energy() + world.potential_energy(); }
 
-// The head of a public robot (romeo): 2 kg on a ring of 0.16 kg, which nods about z and rolls about x.
+// The head of a public robot model (romeo): 2 kg on a ring of 0.16 kg, with a pitch joint about z and a roll joint
+// about x.
 struct Head {
     World world;
     BodyId ring, head;
@@ -50,12 +51,12 @@ struct Head {
     }
 };
 
-// It gained 600 J in 5 s at 60 Hz, 9e4 at 240: a limit stopped the ring alone.
+// When the limit stopped the ring alone, the head gained 600 J in 5 s at 60 Hz, and 9e4 J at 240 Hz.
 TEST(DirectLimits, AHeadOnALightRingStopsAtThem) {
     for (const int hertz : {60, 240, 960}) {
         Head robot;
         double least = energy_of(robot.world), gain = 0;
-        for (int i = 0; i < 2 * hertz; ++i) { // then it falls over aside
+        for (int i = 0; i < 2 * hertz; ++i) { // later the head falls over sideways
             robot.world.step(1.0f / float(hertz));
             least = std::min(least, energy_of(robot.world));
             gain = std::max(gain, energy_of(robot.world) - least);
@@ -69,7 +70,7 @@ TEST(DirectLimits, AHeadOnALightRingStopsAtThem) {
 TEST(DirectLimits, GiveTheTorqueOfWhatTheyBear) {
     Head robot;
     run(robot.world, 1.0f / 60, 120);
-    double moment = 0; // of the weights about z
+    double moment = 0; // torque of the weights about z, N m
     for (const BodyId body : {robot.ring, robot.head}) {
         moment +=
             double(robot.world.body(body).mass_properties().mass) * gravity * robot.world.body(body).center_of_mass().x;
@@ -77,8 +78,8 @@ TEST(DirectLimits, GiveTheTorqueOfWhatTheyBear) {
     EXPECT_NEAR(double(robot.world.joint_state(robot.nod).torque.z), moment, 0.001 * moment);
 }
 
-// Arms of six links whose masses differ by up to a thousand, thrown about between limits: they gained up to 4e8 times
-// their energy.
+// Arms of six links with mass ratios of up to 1,000 that swing between their limits. When limits acted on one body
+// alone, such arms gained up to 4e8 times their energy.
 TEST(DirectLimits, ArmsThatAreThrownAgainstThemGainNothing) {
     std::mt19937 dice(5);
     const auto random = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(dice); };
@@ -113,7 +114,7 @@ TEST(DirectLimits, ArmsThatAreThrownAgainstThemGainNothing) {
 
 TEST(DirectLimits, SameBitsFromSnapshots) {
     Head robot;
-    run(robot.world, 1.0f / 60, 25); // at a limit
+    run(robot.world, 1.0f / 60, 25); // by now a limit is active
     const Snapshot snapshot = robot.world.save();
     run(robot.world, 1.0f / 60, 60);
     const std::uint64_t hash = robot.world.state_hash();

@@ -1,4 +1,4 @@
-// What stands one upon the other and falls stops where it lands: all of it is struck at once.
+// A falling stack stops where it lands: the impact is solved for all of its contacts simultaneously.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -11,12 +11,12 @@ namespace cairn_test {
 namespace {
 
 struct Fall {
-    double rise = 0;  // the greatest speed of the middle of all, upward, as part of that at which it fell
-    double aside = 0; // how far the topmost box went aside, as part of its edge
+    double rise = 0;  // greatest upward speed of the mean of all boxes, as a fraction of the landing speed
+    double aside = 0; // greatest horizontal displacement of the topmost box, in edge lengths
 };
 
-// Boxes with an edge of 0.1 to 1 m, each up to 2 % of that beside the one below, dropped from 0.2 to 3 m without
-// restitution.
+// Drops a stack of boxes with edges of 0.1 to 1 m from 0.2 to 3 m, without restitution. Each box is displaced by up to
+// 2 % of the edge.
 Fall drop_stack(int boxes, RandomStart& random) {
     World world(without_sleep());
     add_ground(world, surface(0.6f));
@@ -41,7 +41,8 @@ Fall drop_stack(int boxes, RandomStart& random) {
     return fall;
 }
 
-// How fast the middle of so many rises at most.
+// Checks mean and greatest rebound speed, as fractions of the landing speed, and the sideways displacement over 24
+// drops.
 void expect_stops(int boxes, RandomStart& random, double mean_rise, double greatest_rise, double aside) {
     double sum = 0;
     for (int i = 0; i < 24; ++i) {
@@ -68,7 +69,8 @@ TEST(DroppedStack, OfFortyHardlyRises) {
     expect_stops(40, random, 0.06, 0.15, 0.1);
 }
 
-// What its contacts are to bear follows from its weights: it does not sink into itself until passes have found that.
+// The initial contact impulses are estimated from the weights, so that a stack that is created at once does not sink
+// into itself until the solver has converged, and then spring back.
 TEST(DroppedStack, ThatIsMadeAtOnceDoesNotSpringBack) {
     RandomStart random(10);
     for (const int boxes : {10, 20, 40})
@@ -94,8 +96,9 @@ TEST(DroppedStack, ThatIsMadeAtOnceDoesNotSpringBack) {
         }
 }
 
-// Cylinders, half of them with rounded edges, that are let go one above the other with a little air between them. All
-// of the four points of a contact are where they hold the most, not where it is deepest.
+// Stacks of cylinders, half of them with rounded edges, released with a small gap between each two. The four contact
+// points of each pair must span a wide area: when only the deepest ones were chosen, all four lay on the side that was
+// pressed in, and columns fell.
 TEST(DroppedStack, OfCylindersStands) {
     RandomStart random(2411);
     for (int i = 0; i < 40; ++i) {

@@ -1,4 +1,4 @@
-// What bounces off something that joints hold bounces off all that they hold together.
+// A body that bounces off a jointed body bounces off the effective mass of the whole joint structure.
 #include "support.h"
 #include "validation/random_starts.h"
 
@@ -20,10 +20,10 @@ Quat attitude(RandomStart& start) {
                                float(start.uniform(-1, 1))));
 }
 
-// A rod on a hinge at one of its ends is hit by a ball, across the rod and the hinge's axis. With the rod's moment I
-// about the hinge, at the distance d from it, angular momentum about the hinge and Newton's law of restitution give the
-// ball the speed v (m d^2 - e I) / (m d^2 + I). It had been that of a rod that nothing holds: 0.31 to 1.65 times the
-// energy.
+// A ball hits a rod that is hinged at one end, perpendicular to the rod and to the hinge axis. With the rod's moment of
+// inertia I about the hinge and the hit at distance d from it, conservation of angular momentum about the hinge and
+// Newton's law of restitution give the ball the speed v (m d^2 - e I) / (m d^2 + I). Without the joint in the impact,
+// the ball rebounded as from a free rod, with 0.31 to 1.65 times the energy.
 void expect_rebounds(JointSolver solver) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         RandomStart start(seed);
@@ -53,7 +53,7 @@ void expect_rebounds(JointSolver solver) {
         while (time < 0.33) {
             world.step(1.0f / 60);
             time += 1.0 / 60;
-            if (glm::length(Vec3(world.body(ball).linear_velocity()) - came) > 0.001f) break; // no second hit
+            if (glm::length(Vec3(world.body(ball).linear_velocity()) - came) > 0.001f) break; // before a second hit
         }
         const double moment = rod_mass * (length * length / 3 + width * width / 3),
                      seen = double(glm::dot(world.body(ball).linear_velocity(), q * Vec3(0, 1, 0))),
@@ -63,7 +63,7 @@ void expect_rebounds(JointSolver solver) {
         const double turning = double(glm::dot(world.body(rod).angular_velocity(), q * Vec3(0, 0, 1))),
                      turns = (1 + restitution) * ball_mass * distance * speed / (lever + moment);
         EXPECT_NEAR(turning / turns, 1, 0.01) << "start " << seed;
-        // It turned back when it met the rod, not at the beginning of the substep.
+        // The ball reversed at the time of impact, not at the beginning of the substep.
         const double place = glm::dot(world.body(ball).position(), glm::dvec3(q * Vec3(0, 1, 0))),
                      left = -(width + radius) + seen * (time - gap / speed);
         EXPECT_NEAR(place, left, 0.0002 * speed) << "start " << seed;
@@ -72,7 +72,7 @@ void expect_rebounds(JointSolver solver) {
 TEST(ElasticJoints, ABallBouncesOffAHingedRod) { expect_rebounds(JointSolver::iterative); }
 TEST(ElasticJoints, ABallBouncesOffAHingedRodThatIsSolvedDirectly) { expect_rebounds(JointSolver::direct); }
 
-// Two balls, each on two strings, that meet where both hang straight, over and over.
+// Two balls, each on two strings, that collide again and again at the lowest point.
 TEST(ElasticJoints, ACradleOfTwoKeepsItsEnergy) {
     RandomStart start(31);
     for (int i = 0; i < 20; ++i) {
@@ -86,7 +86,7 @@ TEST(ElasticJoints, ACradleOfTwoKeepsItsEnergy) {
             def.mass = 0.5f;
             def.position = yaw * (k > 0 ? low : low + glm::dvec3(-length * std::sin(angle), drop, 0));
             const BodyId ball = add_body(world, Sphere{float(radius)}, def, bouncy(1));
-            for (const double side : {-0.3, 0.3}) { // else they would swing out of their plane
+            for (const double side : {-0.3, 0.3}) { // two strings, so that the balls swing in their plane
                 JointDef string;
                 string.body_b = ball;
                 string.frame_a.position = yaw * (low + glm::dvec3(0, length, side));

@@ -1,4 +1,4 @@
-// More things of every day that are right: ladders, steps, pins, cradles, cars, books, wheelbarrows.
+// More everyday situations with known outcomes: ladders, steps, pins, cradles, cars, books, wheelbarrows.
 #include "starts.h"
 #include "support.h"
 
@@ -17,7 +17,7 @@ glm::dquat heading_of(Starts& starts) { return glm::angleAxis(starts.between(0, 
 
 double upright(const World& world, BodyId body) { return (glm::dquat(world.body(body).rotation()) * y_axis).y; }
 
-// A material whose friction counts, whatever the other one has that is higher.
+// A material whose friction applies even if the other material has a higher one (combined by the minimum).
 Material at_most(double friction) {
     Material material = surface(float(friction));
     material.friction_combine = CombineRule::minimum;
@@ -38,7 +38,7 @@ BodyId add_fixed(World& world, const Shape& shape, const glm::dvec3& position, c
     return add_body(world, shape, def, material);
 }
 
-// With friction m on the ground and w on the wall a ladder stands as long as tan(angle) >= (1 - m w) / (2 m).
+// With friction m on the ground and w at the wall, a ladder stands as long as tan(angle) >= (1 - m w) / (2 m).
 TEST(EverydayMore, ALadderSlipsWhereFrictionDoesNotHoldIt) {
     Starts starts(21);
     for (int i = 0; i < 48; ++i) {
@@ -50,7 +50,7 @@ TEST(EverydayMore, ALadderSlipsWhereFrictionDoesNotHoldIt) {
         add_plane(world, y_axis, at_most(below));
         add_plane(world, yaw * -x_axis, at_most(behind));
         const double half = starts.between(1, 3), r = 0.01, c = std::cos(angle), s = std::sin(angle);
-        const bool is_round = i % 4 < 2; // a box touches with its edges
+        const bool is_round = i % 4 < 2; // a box, in contrast, touches with its edges
         BodyDef def;
         def.position = yaw * glm::dvec3(-half * c - r * (is_round ? 1 : s), half * s + r * (is_round ? 1 : c), 0);
         def.rotation = Quat(yaw * glm::angleAxis(angle - pi / 2, z_axis));
@@ -66,8 +66,8 @@ TEST(EverydayMore, ALadderSlipsWhereFrictionDoesNotHoldIt) {
     }
 }
 
-// A stick that slides down a wall without friction leaves it where the sine of its angle is 2/3 of that at the start,
-// and keeps the horizontal speed that it has there.
+// A stick that slides down a wall without friction leaves the wall where the sine of its angle is 2/3 of its initial
+// value, and keeps the horizontal speed that it has there.
 TEST(EverydayMore, AStickThatSlidesDownLeavesTheWall) {
     Starts starts(22);
     for (const int hertz : {60, 240})
@@ -92,7 +92,8 @@ TEST(EverydayMore, AStickThatSlidesDownLeavesTheWall) {
         }
 }
 
-// What rolls into a step keeps its angular momentum about the edge, and climbs if the energy that is left suffices.
+// A body that rolls against a step conserves its angular momentum about the edge, and climbs the step if the remaining
+// energy suffices.
 TEST(EverydayMore, WhatRollsIntoAStepClimbsItFromTheRightSpeedOn) {
     Starts starts(23);
     for (int i = 0; i < 96; ++i) {
@@ -122,7 +123,7 @@ TEST(EverydayMore, WhatRollsIntoAStepClimbsItFromTheRightSpeedOn) {
     }
 }
 
-// Pins that nothing has touched stand where they stood, whatever flies about beside them.
+// Pins that nothing has touched stay where they are, whatever moves beside them.
 TEST(EverydayMore, PinsThatAreNotHitStandStill) {
     Starts starts(24);
     int untouched = 0;
@@ -168,8 +169,8 @@ TEST(EverydayMore, PinsThatAreNotHitStandStill) {
     EXPECT_GT(untouched, 60);
 }
 
-// Newton's cradle of five balls, each on two strings: the last one rises as high as the first one fell, the others
-// stay, and it goes on.
+// Newton's cradle of five balls, each on two strings: the last ball rises to the height from which the first was
+// released, the others stay at rest, and the motion continues.
 TEST(EverydayMore, ACradleOnStringsSwings) {
     Starts starts(25);
     for (int i = 0; i < 24; ++i) {
@@ -207,7 +208,7 @@ TEST(EverydayMore, ACradleOnStringsSwings) {
 
 enum class Road { mesh, field };
 
-// Flat, and cut into triangles of `spacing`.
+// Adds a flat road of triangles with the given spacing, m.
 void add_road(World& world, Road road, double spacing, const glm::dquat& yaw) {
     const int columns = int(240 / spacing), rows = int(30 / spacing) + 2;
     const std::vector<float> heights(std::size_t(columns) * std::size_t(rows));
@@ -228,7 +229,7 @@ void add_road(World& world, Road road, double spacing, const glm::dquat& yaw) {
     add_fixed(world, Mesh(corners, indices), {0, 0, 0}, yaw, surface(1));
 }
 
-// A car at 10 to 30 m/s with driven wheels does not notice the triangles of a flat road: it neither hops nor turns.
+// A car with driven wheels at 10 to 30 m/s is not disturbed by the triangles of a flat road: it neither hops nor yaws.
 TEST(EverydayMore, ACarDoesNotHopOnAFlatRoadOfTriangles) {
     Starts starts(26);
     for (int i = 0; i < 24; ++i) {
@@ -271,7 +272,8 @@ TEST(EverydayMore, ACarDoesNotHopOnAFlatRoadOfTriangles) {
     }
 }
 
-// A book in a pile of six moves, with all above it, from the friction below it on.
+// A book in a pile of six, when pulled, moves together with all books above it once the pull exceeds the friction below
+// it.
 TEST(EverydayMore, ABookThatIsPulledTakesThoseAboveAlong) {
     Starts starts(27);
     for (int i = 0; i < 48; ++i) {
@@ -302,7 +304,8 @@ TEST(EverydayMore, ABookThatIsPulledTakesThoseAboveAlong) {
     }
 }
 
-// A plank with a wheel at one end and a foot near the other is lifted at its handle by the force of the lever.
+// A plank with a wheel at one end and a foot near the other is lifted at its handle from the force on that the lever
+// law gives.
 TEST(EverydayMore, AWheelbarrowIsLiftedByTheForceOfTheLever) {
     Starts starts(28);
     for (int i = 0; i < 48; ++i) {

@@ -1,4 +1,4 @@
-// Things of every day that are right: a free wedge, a load on a truck, what falls down a shaft.
+// Everyday situations with known outcomes: a free wedge, a load on a truck, bodies that fall down a shaft.
 #include "starts.h"
 #include "support.h"
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double gravity = double(9.81f);
 
-// A block slides down a wedge that slides away, nothing rubs: the wedge of mass M, at an angle a, is accelerated by
-// m g sin a cos a / (M + m sin^2 a).
+// Without friction, a block slides down a wedge that slides away below it. A wedge of mass M and angle a has the
+// acceleration m g sin a cos a / (M + m sin^2 a).
 TEST(Everyday, AWedgeSlidesAwayUnderABlock) {
     Starts starts(5);
     for (int i = 0; i < 24; ++i) {
@@ -41,7 +41,7 @@ TEST(Everyday, AWedgeSlidesAwayUnderABlock) {
     }
 }
 
-// A load of 10 kg on a truck of a ton that is pulled for two seconds: stays up to mu g, and is left behind beyond.
+// A load of 10 kg on a truck of 1,000 kg that accelerates for two seconds: the load stays up to mu g, and slips beyond.
 TEST(Everyday, ALoadStaysOnATruckAsLongAsFrictionHolds) {
     Starts starts(6);
     for (int i = 0; i < 24; ++i) {
@@ -70,7 +70,7 @@ TEST(Everyday, ALoadStaysOnATruckAsLongAsFrictionHolds) {
     }
 }
 
-// Down a shaft of boxes with 0.3 to 10 mm of air on each side, without friction: falls freely.
+// A body in a shaft of boxes, with 0.3 to 10 mm clearance on each side and without friction, is in free fall.
 TEST(Everyday, WhatFitsIntoAShaftFallsFreely) {
     constexpr float half = 0.2f;
     Starts starts(7);

@@ -1,4 +1,5 @@
-// What is fast passes through nothing, and stands still nowhere. Random forms, directions, phases and offsets.
+// Fast bodies pass through nothing, and never stay frozen in the air. Shapes, directions, phases and offsets are
+// random.
 #include "support.h"
 
 #include <algorithm>
@@ -79,8 +80,8 @@ TEST(Fast, NothingPassesAThinWall) {
     }
 }
 
-// Two boxes, 6 cm apart, the second fixed: a heavy one hits the first, and would send it into the second in the same
-// step.
+// Two boxes with a gap of 6 cm, the second static: a heavy box hits the first, and would drive it into the second
+// within the same step.
 TEST(Fast, WhatIsHitFromTheSideStopsBeforeWhatIsBeside) {
     constexpr double gap = 0.06;
     for (const double speed : {20.0, 60.0, 200.0}) {
@@ -106,7 +107,7 @@ TEST(Fast, WhatIsHitFromTheSideStopsBeforeWhatIsBeside) {
     }
 }
 
-// Weightless and without friction, and the impact is elastic: its energy is to stay.
+// Without gravity and friction, an elastic impact conserves energy.
 TEST(Fast, RodThatSpinsKeepsItsEnergyAtAnElasticImpact) {
     for (const float spin : {10.0f, 20.0f, 40.0f}) {
         WorldDef settings = without_gravity();
@@ -123,7 +124,8 @@ TEST(Fast, RodThatSpinsKeepsItsEnergyAtAnElasticImpact) {
     }
 }
 
-// A turn alone may close the gap: what was foretold of points along straight lines made some such impacts inelastic.
+// Rotation alone may close the gap. When contact points were predicted along straight lines, some such impacts became
+// inelastic.
 TEST(Fast, WhatSpinsKeepsItsEnergyAtAnElasticImpactWhateverItsShape) {
     const Shape shapes[] = {Box{{0.1f, 0.05f, 0.025f}}, Box{{0.15f, 0.02f, 0.02f}}, Capsule{0.1f, 0.03f, {}},
                             Cylinder{0.05f, 0.1f, {}}};
@@ -150,8 +152,8 @@ TEST(Fast, WhatSpinsKeepsItsEnergyAtAnElasticImpactWhateverItsShape) {
     }
 }
 
-// Small balls with friction went into each other: the spin that the impact gave them counted at arms that reached back
-// to where they were at the start of the step.
+// Small balls with friction penetrated each other: the spin from the impact was counted at arms that reached back to
+// the positions at the start of the step.
 TEST(Fast, BulletsThatMeetDoNotGoIntoEachOther) {
     Shots shots(3);
     for (int i = 0; i < 300; ++i) {
@@ -170,7 +172,7 @@ TEST(Fast, BulletsThatMeetDoNotGoIntoEachOther) {
             const auto apart = world.body(balls[1]).position() - world.body(balls[0]).position();
             ASSERT_GT(glm::length(apart), 1.9 * radius) << "radius " << radius << ", speed " << speed;
         }
-        // With restitution 0 and off center: nothing is left of the approach along the line of centers.
+        // Restitution is 0 and the hit off center: no approach speed remains along the line of centers.
         const auto line = world.body(balls[1]).position() - world.body(balls[0]).position();
         const auto velocity =
             glm::dvec3(world.body(balls[1]).linear_velocity() - world.body(balls[0]).linear_velocity());
@@ -203,8 +205,8 @@ TEST(Fast, WhatPassesAnEdgeOfAMeshIsNotDeflected) {
     }
 }
 
-// Balls that slide over boxes and fall between them are struck while they lie on something. Where one met a box that
-// hardly turned anew at once, and again and again, it stood still for the rest of the step: 16 times.
+// Balls that slide over boxes and fall between them are in contact when an impact occurs. A ball whose time of impact
+// with a hardly rotating box was zero again and again stood still for the rest of the step: 16 times.
 TEST(Fast, BallsThatSlideAlongBoxesHardlyStandStill) {
     World world;
     add_ground(world);
@@ -218,7 +220,7 @@ TEST(Fast, BallsThatSlideAlongBoxesHardlyStandStill) {
     for (int i = 0; i < 200; ++i) {
         BodyDef def;
         def.position = {0.03 * ((i * 389) % 1000), 2 + 0.02 * (i % 50), 0.03 * ((i * 619 + 7) % 1000)};
-        const double turn = 2.399963 * i; // the golden angle: no two the same way
+        const double turn = 2.399963 * i; // the golden angle, so that no two directions agree
         def.linear_velocity = 200.0f * glm::normalize(Vec3(std::cos(turn), -0.15, std::sin(turn)));
         balls.push_back(add_body(world, Sphere{0.05f}, def));
     }
@@ -230,10 +232,10 @@ TEST(Fast, BallsThatSlideAlongBoxesHardlyStandStill) {
     EXPECT_LE(stopped, 12u);
 }
 
-// Of bodies that are thrown onto a heap, some are pressed into others beyond their cores. Wherever in a step such a
-// pair was asked anew, it met at once, although it parted; and two that the solver had moved came nearer on their ways,
-// but not by their velocities, so that no impact kept them apart. Both met 64 times, and stood still for the rest of
-// the step: 217 and 5,652 times in these heaps.
+// In a heap onto which bodies fall, some bodies penetrate others beyond their cores. A sweep of such a pair, from any
+// time in the step, reported an immediate impact although the bodies separated. Other pairs, which the solver had
+// moved, approached along their paths but not by their velocities, so that no impact kept them apart. Both kinds
+// reached the limit of 64 impacts and stood still for the rest of the step: 217 and 5,652 times in these heaps.
 TEST(Fast, HeapsThatAreThrownDownHardlyStandStill) {
     for (const auto& [round, most] : {std::pair(false, 12u), std::pair(true, 150u)}) {
         std::size_t stopped = 0;
@@ -264,9 +266,9 @@ TEST(Fast, HeapsThatAreThrownDownHardlyStandStill) {
     }
 }
 
-// A turn about its center brings the surface of a ball nowhere: one that spins and slides on the ground is deflected by
-// nothing that it passes, as it was where it turned by more than half a turn in a step; and no more is looked at beside
-// its way than if it did not spin.
+// Rotation about its center does not move the surface of a ball. A spinning ball that slides on the ground must not be
+// deflected by bodies beside its path, which happened when it rotated by more than half a turn per step, and no more
+// pairs are swept than for a ball without spin.
 TEST(Fast, ABallThatSpinsPassesByAsIfItDidNot) {
     Material smooth;
     smooth.static_friction = smooth.dynamic_friction = smooth.torsional_friction = 0;
@@ -296,7 +298,7 @@ TEST(Fast, ABallThatSpinsPassesByAsIfItDidNot) {
     }
 }
 
-// Bodies that were stopped by one that was stopped by them stood in the air for ever, and gained speed meanwhile.
+// Bodies that had stopped each other in a cycle stayed frozen in the air forever, and gained speed meanwhile.
 TEST(Fast, AHeapThatIsThrownDownIsNotFrozen) {
     Shots shots(2);
     for (int i = 0; i < 8; ++i) {

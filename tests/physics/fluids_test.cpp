@@ -1,5 +1,5 @@
-// Bodies in fluids: where they float, how they bob, turn, sink and drift, against hydrostatics and closed forms. From
-// random sides: gravity has any direction.
+// Bodies in fluids: how they float, bob, turn, sink and drift, against hydrostatics and closed forms. The direction of
+// gravity is random.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -20,8 +20,8 @@ ForceField still_water() {
     return field;
 }
 
-// A world with gravity in a random direction and a fluid through a random place: `random` turns and places what is
-// given with y up and the surface at 0.
+// A world with gravity in a random direction and a fluid at a random place. `random` transforms coordinates with y up
+// and the surface at 0 into the world.
 class Sea {
   public:
     explicit Sea(std::uint32_t seed, ForceField field = still_water()) : random(seed), world(with_gravity(random)) {
@@ -61,7 +61,7 @@ class Sea {
     }
 };
 
-// How deep the lowest point of a ball is where that much of its volume is wet.
+// The depth of the lowest point of a ball, m, of whose volume the fraction `part` is submerged.
 double depth_of_ball(double radius, double part) {
     double low = 0, high = 2 * radius;
     for (int i = 0; i < 60; ++i) {
@@ -90,7 +90,7 @@ TEST(Fluids, WhatFloatsIsAsDeepAsItsDensitySays) {
     }
 }
 
-// Without mass that is moved along the period is 2 pi sqrt(draft / g); without drag and waves nothing is lost.
+// Without added mass the period is 2 pi sqrt(draft / g); without drag and wave damping no energy is lost.
 TEST(Fluids, WhatBobsKeepsItsEnergyAndItsPeriod) {
     for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::explicit_euler, Integrator::rk4})
         for (const int substeps : {0, 1, 4}) {
@@ -137,7 +137,7 @@ TEST(Fluids, WhatSinksReachesItsTerminalSpeed) {
         }
 }
 
-// However light, fast and thin: nothing that meets the water gains energy, and all of it comes to rest on it.
+// However light, fast and thin a body is, it gains no energy when it enters the water, and comes to rest on it.
 TEST(Fluids, LightThingsThatAreThrownInComeToRest) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         Sea sea(seed + 200);
@@ -154,15 +154,15 @@ TEST(Fluids, LightThingsThatAreThrownInComeToRest) {
         double most = energy();
         for (int i = 0; i < 30 * 60; ++i) {
             sea.world.step(1 / 60.0f);
-            // It may have flown on by a step, below the surface.
+            // The body may have continued below the surface for one step.
             ASSERT_LT(sea.world.kinetic_energy(), 1.001 * most + mass * gravity * (4 * size + 1.1)) << seed << ' ' << i;
         }
         EXPECT_LT(glm::length(sea.velocity(body)), 0.3) << seed << ' ' << density << ' ' << size;
     }
 }
 
-// A long beam of square section floats flat if it is very light or very heavy, on edge if it is half as heavy as water
-// (the metacenter of its flat pose is below its center of mass between 0.211 and 0.789).
+// A long beam of square cross section floats flat if it is very light or very heavy, and on edge at half the density of
+// water. (The metacenter of its flat pose is below its center of mass at relative densities of 0.211 to 0.789.)
 TEST(Fluids, SquareLogsFloatFlatOrOnEdge) {
     for (const double part : {0.12, 0.5, 0.88})
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
@@ -172,14 +172,14 @@ TEST(Fluids, SquareLogsFloatFlatOrOnEdge) {
                 sea.add(Box{{0.2f, 0.2f, 2}}, part * water, {0, 0, 0}, {}, glm::angleAxis(float(start), Vec3{0, 0, 1}));
             sea.run(60);
             const glm::dvec3 side = sea.random.back(glm::dvec3(sea.world.body(log).rotation() * Vec3{1, 0, 0}));
-            double lean = std::fabs(std::atan2(side.y, side.x)); // of its sides, 0 to 45 degrees
+            double lean = std::fabs(std::atan2(side.y, side.x)); // inclination of its sides, 0 to 45 degrees
             lean = std::fmod(lean, pi / 2);
             lean = std::min(lean, pi / 2 - lean);
             EXPECT_NEAR(lean, part == 0.5 ? pi / 4 : 0, 0.03) << part << ' ' << seed;
         }
 }
 
-// What floats in a river comes to move with it, what is fixed by nothing else.
+// A body that floats in a current and is not held takes on the velocity of the current.
 TEST(Fluids, WhatFloatsGoesWithTheFlow) {
     ForceField field = still_water();
     field.direction = {1.5f, 0, 0};
@@ -193,7 +193,8 @@ TEST(Fluids, WhatFloatsGoesWithTheFlow) {
     for (const BodyId body : bodies) EXPECT_NEAR(sea.velocity(body).x, 1.5, 0.05);
 }
 
-// The part of a beam that is beyond the side of a pool is not lifted. Along the axes of the world, as the pool is.
+// The part of a beam beyond the side of a pool has no buoyancy. The beam is aligned with the world axes, as the pool
+// is.
 TEST(Fluids, OnlyWhatIsWithinTheSidesIsLifted) {
     ForceField field = still_water();
     field.half_extents = {2, 3, 4}, field.added_mass = 0;
@@ -210,22 +211,22 @@ TEST(Fluids, OnlyWhatIsWithinTheSidesIsLifted) {
         return std::pair<Vec3, Vec3>{v, w};
     };
     const Box beam{{1, 0.1f, 0.1f}};
-    const double twice = gravity; // upward, of what is half as heavy as water and all in it
+    const double twice = gravity; // upward, m/s^2, of a submerged body of half the density of water
     EXPECT_NEAR(in_one_step(beam, {0, -1, 0}).first.y, twice, 0.01);
     const auto [half_in, turned] = in_one_step(beam, {2, -1, 0});
-    EXPECT_NEAR(half_in.y, 0, 0.01); // half of it is lifted by twice of the weight of that
-    // That acts half a meter from the middle: m g x 0.5 m over m (4 + 0.04) / 12 m^2.
+    EXPECT_NEAR(half_in.y, 0, 0.01); // the submerged half has a lift of twice its weight
+    // The lift acts 0.5 m from the center: m g x 0.5 m over m (4 + 0.04) / 12 m^2.
     EXPECT_NEAR(turned.z, -gravity * 0.5 / (4.04 / 12), 0.05);
     EXPECT_NEAR(in_one_step(beam, {3.01, -1, 0}).first.y, -gravity, 0.01);
     EXPECT_NEAR(in_one_step(beam, {0, -1, 4}).first.y, 0, 0.01);
-    EXPECT_NEAR(in_one_step(beam, {0, -2.95, 0}).first.y, twice, 0.01); // through the bottom: all
+    EXPECT_NEAR(in_one_step(beam, {0, -2.95, 0}).first.y, twice, 0.01); // through the bottom: full lift
     EXPECT_NEAR(in_one_step(beam, {0, -3.05, 0}).first.y, -gravity, 0.01);
     EXPECT_NEAR(in_one_step(Sphere{0.5f}, {1.9, -1, 0}).first.y, twice, 0.01);
     EXPECT_NEAR(in_one_step(Sphere{0.5f}, {0, 0, 0}).first.y, 0, 0.01);
 }
 
-// What sleeps on the water and is woken goes on as if it had been awake: by a stone that is put down, and by one that
-// falls. In the impact that wakes it the raft does not have the mass that moves along yet.
+// A raft that sleeps on the water and is woken moves as if it had stayed awake, whether a stone is put down on it or
+// falls on it. In the impact that wakes it, the raft does not yet have its added mass.
 TEST(Fluids, WhatWakesOnTheWaterDoesNotFall) {
     for (const double height : {0.3995, 1.0}) {
         const auto raft_under_a_stone = [&](bool sleeps) {
@@ -238,7 +239,7 @@ TEST(Fluids, WhatWakesOnTheWaterDoesNotFall) {
             const BodyId stone = world.create_body({.position = {0, height, 0}});
             world.add_shape(stone, Sphere{0.2f}, ShapeDef{.density = 2000});
             std::vector<double> heights;
-            for (int i = 0; i < (height < 0.4 ? 25 : 45); ++i) { // it does not sleep again meanwhile
+            for (int i = 0; i < (height < 0.4 ? 25 : 45); ++i) { // before the raft falls asleep again
                 world.step(1 / 60.0f);
                 heights.push_back(world.body(raft).position().y);
             }
@@ -251,7 +252,7 @@ TEST(Fluids, WhatWakesOnTheWaterDoesNotFall) {
     }
 }
 
-// A wide ship rolls and heaves for long: it must not fall asleep where it turns around.
+// A wide ship rolls and heaves for a long time: it must not fall asleep at a turning point, where it is slow.
 TEST(Fluids, LargeThingsDoNotFallAsleepBesideTheirPlace) {
     WorldDef def;
     World world(def);
@@ -265,7 +266,8 @@ TEST(Fluids, LargeThingsDoNotFallAsleepBesideTheirPlace) {
     EXPECT_FALSE(world.body(body).is_awake());
 }
 
-// A ball moves half of the water along that it displaces; on a rope it pulls with all of its lift.
+// The added mass of a ball is half of the water that it displaces; a ball at rest on a rope pulls with its full
+// buoyancy less its weight.
 TEST(Fluids, WhatIsLightIsHeldBackByWhatItMovesAlong) {
     for (const double density : {3.0, 100.0, 500.0, 900.0}) {
         Sea sea(31);

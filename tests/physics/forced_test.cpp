@@ -1,4 +1,5 @@
-// What a force or a joint makes faster than a world allows within a step is still stopped by what is in its way.
+// A body that a force or joint accelerates within a step beyond the speed limit of the world is still stopped by
+// obstacles.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -10,7 +11,7 @@ namespace {
 
 enum class By { force_in_the_air, force_on_the_floor, servo };
 
-// A wall of 10 cm, 2 to 25 m ahead, in any direction.
+// Expects a wall of 10 cm, 2 to 25 m ahead in a random direction, to stop a body.
 void expect_stopped(By by) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         RandomStart random(seed);
@@ -40,7 +41,7 @@ void expect_stopped(By by) {
             joint.joint = servo;
             world.create_joint(joint);
         } else {
-            const double speed = std::exp(random.uniform(std::log(1500), std::log(1e6))); // without the wall
+            const double speed = std::exp(random.uniform(std::log(1500), std::log(1e6))); // m/s, without the wall
             world.body(box).add_force(Vec3(random.turned({mass * speed * 60, 0, 0})));
         }
         world.step(1.0f / 60);

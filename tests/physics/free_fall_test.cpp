@@ -1,4 +1,5 @@
-// Jointed bodies that fall side by side without turning move as free ones do; whatever pulls at one, the joint holds.
+// Jointed bodies that fall side by side without rotating move as free ones do; once anything acts on one body, the
+// joint holds.
 #include "support.h"
 
 #include <algorithm>
@@ -9,8 +10,8 @@ namespace {
 
 constexpr float dt = 1.0f / 60;
 
-// A rod of two halves in the air, of which the joint is solved with the contacts, and long enough for it to bear
-// nothing.
+// A rod of two halves in free fall, whose joint is in the iterative solver and has had zero impulse for long enough to
+// be skipped.
 struct Flying {
     World world;
     BodyId left, right;
@@ -28,7 +29,7 @@ struct Flying {
         def.position = {x, 1000, 0};
         return add_body(world, Box{{0.5f, 0.1f, 0.2f}}, def, surface(0.5f));
     }
-    // m, in a second.
+    // The greatest gap of the joint within a second, m.
     float greatest_error() {
         float greatest = 0;
         for (int i = 0; i < 60; ++i) {
@@ -49,17 +50,17 @@ TEST(JointedFall, OfJointedBodiesIsThatOfFreeOnes) {
     for (int i = 0; i < 10; ++i) {
         rod.world.step(dt);
         EXPECT_NEAR(rod.world.body(rod.left).linear_velocity().y, rod.world.body(alone).linear_velocity().y, 1e-5) << i;
-        // Their substeps differ, and with them what the integrator is off by: g dt h / 2 a step.
+        // The numbers of substeps differ, and with them the error of the integrator, g dt h / 2 per step.
         EXPECT_NEAR(rod.world.body(rod.left).position().y, rod.world.body(alone).position().y, 2e-3) << i;
     }
 }
 
-// Each of them within a step.
+// Each of these actions ends the free fall within a step.
 TEST(JointedFall, EndsByWhateverPulls) {
     struct Case {
         const char* what;
         std::function<void(Flying&)> change;
-        float bar; // m
+        float bar; // greatest gap of the joint, m
     };
     const Case cases[] = {
         {"nothing", [](Flying&) {}, 1e-5f},
@@ -108,14 +109,14 @@ TEST(JointedFall, EndsByWhateverPulls) {
     }
 }
 
-// In the step in which one half is stopped, the other one feels it.
+// In the step in which one half is stopped, the joint already transfers the impact to the other.
 TEST(JointedFall, EndsWithTheFirstContact) {
     Flying rod;
     BodyDef def;
     def.type = BodyType::static_;
     def.position = {0.7, 998, 0};
     add_body(rod.world, Box{}, def, surface(0.5f));
-    const float fall = 9.81f * dt; // in a step
+    const float fall = 9.81f * dt; // speed gained per step, m/s
     float right = rod.world.body(rod.right).linear_velocity().y, left = right;
     bool is_stopped = false;
     for (int i = 0; i < 60 && !is_stopped; ++i) {
@@ -148,14 +149,14 @@ TEST(JointedFall, EndsWhereAMotorIsSwitchedOn) {
     EXPECT_NEAR(turn, 2, 0.02);
 }
 
-// What is as slow as rounding is let go for some steps only.
+// A rotation as slow as rounding errors leaves the joint unsolved for a few steps only.
 TEST(JointedFall, DoesNotLetAJointTwist) {
     WorldDef weightless = without_sleep();
     weightless.gravity = {0, 0, 0};
     Flying rod(FixedJoint{}, weightless);
     rod.world.body(rod.left).set_angular_velocity({1.5e-4f, 0, 0});
     run(rod.world, dt, 600);
-    EXPECT_LT(rod.world.joint_state(rod.joint).angular_error, 2e-5f); // 1.5e-3 if it were not solved
+    EXPECT_LT(rod.world.joint_state(rod.joint).angular_error, 2e-5f); // it would be 1.5e-3 if the joint were not solved
 }
 
 TEST(JointedFall, GoesOnFromASnapshotAsItWould) {

@@ -1,4 +1,4 @@
-// Friction acts where a contact is pressed.
+// Friction acts where the contact pressure is.
 #include "support.h"
 
 #include <random>
@@ -7,11 +7,11 @@ namespace cairn_test {
 namespace {
 
 struct SlidingBox {
-    double turned = 0;   // degrees, about the vertical, signs apart
+    double turned = 0;   // rotation about the vertical, degrees, without sign
     double distance = 0; // m
 };
 
-// A box whose center of mass is beside its middle slides until it stops, in any direction and at any heading.
+// A box whose center of mass is off its center slides until it stops, in the given direction and heading.
 SlidingBox slide(glm::dvec2 offset, double direction, double heading, float friction, double speed) {
     World world;
     add_ground(world, surface(friction));
@@ -69,7 +69,8 @@ TEST(Friction, StopsWhatCannotTurn) {
     EXPECT_NEAR(world.body(id).linear_velocity().x, 0, 1e-4);
 }
 
-// A little too steep for the friction, in any direction; whether it lies alone or under others.
+// A stack on a slope slightly too steep for its friction, in the given direction; the lowest box lies alone or under
+// others.
 struct OnTooSteepASlope {
     World world;
     Slope slope;
@@ -101,7 +102,7 @@ TEST(Friction, WhatSlidesSlowlyDoesNotFallAsleep) {
         run(sliding.world, 1.0f / 60, 300);
         const double expected = 0.5 * gravity * (std::sin(steep) - friction * std::cos(steep)) * 25;
         EXPECT_GT(sliding.way() - start, 0.98 * expected);
-        EXPECT_LT(sliding.way() - start, 1.02 * expected + 0.1); // until friction holds at the start: 20 mm/s
+        EXPECT_LT(sliding.way() - start, 1.02 * expected + 0.1); // 20 mm/s from before friction builds up
         OnTooSteepASlope standing(friction, -0.25, heading, stack);
         run(standing.world, 1.0f / 60, 300);
         EXPECT_FALSE(standing.world.body(standing.boxes[0]).is_awake());

@@ -1,4 +1,4 @@
-// Sliding over seams: what slides over many surfaces side by side loses no more speed than on one.
+// Sliding over internal edges: a body that slides over many adjacent surfaces loses no more speed than on a single one.
 #include "starts.h"
 #include "support.h"
 
@@ -8,10 +8,11 @@ namespace cairn_test {
 namespace {
 
 constexpr float friction = 0.05f;
-constexpr float tile = 1.0f; // m
+constexpr float tile = 1.0f; // edge of a tile, m
 constexpr int tiles = 100;
 
-// Slides in +x from x = 0; how fast it is after 100 m, and how high it ever got above its start.
+// The result of sliding in +x from x = 0: speed after 100 m (m/s), greatest height above the start and greatest
+// sideways displacement (m).
 struct Slide {
     double speed = 0, highest = 0, sideways = 0;
 };
@@ -102,7 +103,7 @@ std::vector<Slider> sliders() {
             {"rounded hull", rounded_hull, 0.4, upright}};
 }
 
-// Of these speeds, some let a step end just beyond a seam, or with a line of contact right above one.
+// Some of these speeds, m/s, let a step end just beyond an internal edge, or with a line of contact right above one.
 constexpr std::array speeds = {14.0f, 12.0f, 11.7f, 11.0f, 10.3f};
 
 void expect_as_on_a_plane(Floor floor, const char* name, double sideways = 0.05) {
@@ -123,8 +124,8 @@ TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes",
 TEST(Seams, NothingBumpsOnAMesh) { expect_as_on_a_plane(mesh_floor, "a mesh"); }
 TEST(Seams, NothingBumpsOnAHeightField) { expect_as_on_a_plane(field_floor, "a height field"); }
 
-// The face that was nearest before it was passed is no longer the one that is met: in 4 of 14 such slides the box
-// stopped dead.
+// The face that was nearest before the box passed an edge is not the face that it meets afterwards. With that stale
+// face, the box stopped dead in 4 of 14 such slides.
 TEST(Seams, BoxThatHasJustPassedOneDoesNotRunIntoItsSide) {
     for (int i = 0; i < 40; ++i) {
         const float speed = 10.0f + 0.07f * float(i);
@@ -133,7 +134,7 @@ TEST(Seams, BoxThatHasJustPassedOneDoesNotRunIntoItsSide) {
 }
 
 void tile_floor(World& world) {
-    constexpr int count = 46; // in each direction
+    constexpr int count = 46; // tiles in each direction
     for (int i = -3; i < count; ++i)
         for (int k = -3; k < count; ++k) {
             BodyDef def;
@@ -143,7 +144,7 @@ void tile_floor(World& world) {
         }
 }
 
-// Turned by `yaw`, in the direction `towards`, for 4 s or 40 m.
+// Slides with the heading `yaw` in the direction `towards`, rad, for 4 s or 40 m.
 Slide slide_askew(const Slider& s, Floor floor, float speed, float towards, float yaw, float spin) {
     World world(without_sleep());
     floor(world);
@@ -162,8 +163,9 @@ Slide slide_askew(const Slider& s, Floor floor, float speed, float towards, floa
     return result;
 }
 
-// Edges that are still apart meet as if they were rounded, beside the plane of the floor: cylinders were thrown up by
-// 0.6 m. (Friction that is shared out among several tiles turns long round things a little.)
+// Edges that are still separated collide as if they were rounded, with normals off that of the floor: without a
+// correction, cylinders were thrown up by 0.6 m. (Friction that is distributed over several tiles yaws long round
+// shapes a little.)
 TEST(Seams, NothingBumpsAskewOverTiles) {
     for (const Slider& s : sliders())
         for (int i = 0; i < 12; ++i) {
@@ -176,8 +178,8 @@ TEST(Seams, NothingBumpsAskewOverTiles) {
         }
 }
 
-// A ball was tested with the tile behind in the middle of the step, and with the one ahead at its start: neither had
-// the normal of its face, and it lost 0.2 % at one seam of three.
+// When a ball was tested against the tile behind it in the middle of the step, and against the tile ahead at the start,
+// neither contact had the normal of its face, and the ball lost 0.2 % of its speed at every third edge.
 TEST(Seams, ASlowBallLosesNothingBetweenBoxes) {
     Starts starts(4);
     double least = 1;
@@ -202,7 +204,7 @@ TEST(Seams, ASlowBallLosesNothingBetweenBoxes) {
     EXPECT_GT(least, 0.9998);
 }
 
-// What stands out is no seam: a box on a floor of boxes stops at a wall of the same kind, and at a low curb.
+// A protruding edge is not internal: a box on a floor of boxes stops at a wall of the same shape, and at a low curb.
 TEST(Seams, WallsAndCurbsStandOut) {
     for (const float height : {0.02f, 0.3f, 2.0f}) {
         World world(without_sleep());
@@ -221,7 +223,7 @@ TEST(Seams, WallsAndCurbsStandOut) {
     }
 }
 
-// A box that lies with one edge in the corner between a floor and a wall sinks into neither.
+// A box with one edge in the corner between floor and wall penetrates neither.
 TEST(Seams, EdgeInACornerRestsOnBoth) {
     World world(without_sleep());
     add_ground(world, surface(0));

@@ -1,5 +1,4 @@
-// What does not yet do what it should, of fast motion, spin and memory: rows of docs/known_limits.md, as those in
-// known_limits_test.cpp.
+// Known limits of fast motion, spin and memory: rows of docs/known_limits.md, as in known_limits_test.cpp.
 #include "../sanitized.h"
 #include "support.h"
 
@@ -34,7 +33,7 @@ class Random {
     std::mt19937 random_;
 };
 
-// Rods of 1 m on a hinge at one end, which turn at 50 rad/s towards a pole of 1 cm: how many of 200 go on beyond it.
+// Rods of 1 m on a hinge at one end rotate at 50 rad/s towards a pole of 1 cm; `passed` counts how many of 200 pass it.
 TEST(Impacts, RodOnAHingePassedAPole) {
     Random random(3);
     int passed = 0;
@@ -58,7 +57,7 @@ TEST(Impacts, RodOnAHingePassedAPole) {
     EXPECT_EQ(passed, 0);
 }
 
-// Kinematic paddles of 1 cm with tips at 30 m/s: how many of 200 leave a ball of 5 cm where it is.
+// Kinematic paddles of 1 cm with tip speeds of 30 m/s; `passed` counts how many of 200 pass through a ball of 5 cm.
 TEST(Impacts, PaddleThatTurnedPassedABall) {
     Random random(5);
     int passed = 0;
@@ -72,13 +71,13 @@ TEST(Impacts, PaddleThatTurnedPassedABall) {
         BodyDef def;
         def.position = {at * std::cos(angle), at * std::sin(angle), 0};
         const BodyId ball = add_body(world, Sphere{0.05f}, def);
-        run(world, 1.0f / 60, 5); // 2.5 rad
+        run(world, 1.0f / 60, 5); // a rotation of 2.5 rad
         passed += glm::length(world.body(ball).linear_velocity()) < 1;
     }
     EXPECT_EQ(passed, 0);
 }
 
-// A brick that flies past another with 2 cm of air between balls around both: how many of 200 are deflected.
+// A brick that passes another with 2 cm between their bounding spheres: the number of 200 that are deflected.
 int deflected_with_joints(bool is_passed_one_jointed) {
     Random random(1);
     const double reach = 0.27, speed = 10, air = 0.02;
@@ -115,8 +114,8 @@ TEST(Passing, WhatIsOnJointsOrPassesWhatIsGoesStraightOn) {
     EXPECT_EQ(deflected_with_joints(false), 0);
 }
 
-// Eight boxes on hinges, every second of which is solved directly, the gap closed by a rope, lie on the ground and are
-// hit by a ball of a ton at 5 m/s: in how many of 20 runs one flies off more than four times as fast.
+// Eight boxes on hinges, every second of them in the direct solver, the ring closed by a rope, lie on the ground and
+// are hit by a ball of 1,000 kg at 5 m/s. The number of 20 runs in which a box flies off more than four times as fast.
 int rings_that_fly_apart(JointSolver second) {
     int apart = 0;
     RandomStart random(120);
@@ -159,14 +158,15 @@ int rings_that_fly_apart(JointSolver second) {
 TEST(KnownLimits, JointsOfARingThatAreSolvedInTwoWaysFlyApart) {
     EXPECT_GT(rings_that_fly_apart(JointSolver::iterative), 0) << "meant: none; then this is no limit any more";
 }
-// So they did where the second kind was left to the engine.
+// With the second kind of joints left to the engine, rings flew apart in the same way, until the engine took them into
+// the direct solve along with the others.
 TEST(DirectJoints, ThoseLeftToTheEngineBesideThemComeAlong) {
     EXPECT_EQ(rings_that_fly_apart(JointSolver::automatic), 0);
     EXPECT_EQ(rings_that_fly_apart(JointSolver::direct), 0);
 }
 
-// Bricks that are dropped spinning, without friction and restitution: the greatest rise of the energy of any of 40
-// above the least that it had, as a share of that at the start.
+// Bricks that are dropped spinning, without friction and restitution: the greatest increase of the energy of any of 40
+// above its previous minimum, as a fraction of the initial energy.
 double gain_of_bricks(float spin) {
     Random random(7);
     double gain = 0;
@@ -198,7 +198,7 @@ TEST(KnownLimits, BricksThatSpinInContactGainEnergy) {
     EXPECT_LT(gain_of_bricks(900), 0.002) << "meant: nothing";
 }
 
-// Boxes and cylinders that do not turn, at 10 to 2,000 m/s, with 0.5 mm of air between planes around both.
+// Boxes and cylinders without rotation, at 10 to 2,000 m/s, with 0.5 mm between the supporting planes of both.
 TEST(NearMiss, ShapesWithEdgesPassHalfAMillimeterOff) {
     Random random(11);
     int deflected = 0;
@@ -208,7 +208,7 @@ TEST(NearMiss, ShapesWithEdgesPassHalfAMillimeterOff) {
         const double speed = 10 * std::pow(200, random.between(0, 1));
         const bool is_box = i % 2 == 0;
         const Shape shape = is_box ? Shape(Box{{0.2f, 0.1f, 0.15f}}) : Shape(Cylinder{0.15f, 0.1f, {}});
-        const auto half_width = [&](const Quat& q) { // along `across`
+        const auto half_width = [&](const Quat& q) { // of the shape, along `across`
             const glm::dvec3 d = glm::conjugate(glm::dquat(q)) * across;
             if (is_box) return 0.2 * std::fabs(d.x) + 0.1 * std::fabs(d.y) + 0.15 * std::fabs(d.z);
             return 0.15 * std::fabs(d.y) + 0.1 * std::hypot(d.x, d.z);
@@ -242,7 +242,7 @@ TEST(KnownLimits, MemoryOfAPile) {
     constexpr int count = 2000, side = 10;
     Random random(2);
     World world;
-    world.set_threads(1); // what each keeps beside depends on which of them is free
+    world.set_threads(1); // one thread: the buffers that threads keep depend on which thread is free
     add_ground(world);
     for (int i = 0; i < count; ++i) {
         BodyDef def;
@@ -252,7 +252,7 @@ TEST(KnownLimits, MemoryOfAPile) {
     }
     run(world, 1.0f / 60, 60);
     const double bytes = (in_use() - before) / count;
-    EXPECT_LT(bytes, 5100); // 5,001 to 5,053, by how the pile falls
+    EXPECT_LT(bytes, 5100); // measured: 5,001 to 5,053, depending on how the pile falls
     EXPECT_GT(bytes, 4000) << "meant: 1,500";
 }
 #endif

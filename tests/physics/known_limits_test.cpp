@@ -1,5 +1,5 @@
-// What does not yet do what it should, as it is: rows of docs/known_limits.md. A bar that a better engine misses on the
-// good side is to be lowered, and the row with it.
+// Known limits of the engine as they are now: rows of docs/known_limits.md. A bar that an improved engine misses on the
+// good side is to be tightened, and the row with it.
 #include "support.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ TEST(KnownLimits, HeavyBodyDrivesALightOneBeyondItsLimit) {
     def.linear_velocity = {0, 4.4f, 0};
     def.mass = 15 * world.body(arm).mass();
     const BodyId heavy = add_body(world, Box{{0.05f, 0.1f, 0.1f}}, def);
-    double beyond = 0, back = 0; // m at the end of the arm, m/s
+    double beyond = 0, back = 0; // m at the end of the arm; rebound speed, m/s
     for (int i = 0; i < 120; ++i) {
         world.step(1.0f / 60);
         beyond = std::max(beyond, 0.6 * (double(world.joint_state(joint).positions[0]) - 0.3));
@@ -59,7 +59,8 @@ TEST(KnownLimits, HeavyBodyDrivesALightOneBeyondItsLimit) {
     EXPECT_GT(back, 0.1);
 }
 
-// The period of a ball of 0.1 m on an arm of 1 m over that of the pendulum, by the arithmetic-geometric mean, less 1.
+// The relative error of the period of a ball of radius 0.1 m on an arm of 1 m, against the exact period of the pendulum
+// by the arithmetic-geometric mean.
 double period_error(double degrees, JointSolver solver) {
     World world(without_sleep());
     const double amplitude = radians(degrees);
@@ -77,7 +78,7 @@ double period_error(double degrees, JointSolver solver) {
         mean = next;
     }
     const double period = 2 * pi * std::sqrt((1 + 0.4 * 0.1 * 0.1) / gravity) / mean;
-    std::vector<double> crossings; // s, from right to left
+    std::vector<double> crossings; // times of zero crossings from right to left, s
     double before = world.body(ball).position().x;
     for (int i = 1; i < 3000 && crossings.size() < 5; ++i) {
         world.step(1.0f / 60);
@@ -96,7 +97,8 @@ TEST(KnownLimits, PendulumOfLargeAmplitudeSwingsTooFast) {
     EXPECT_LT(std::fabs(period_error(170, JointSolver::direct)), 0.0012);
 }
 
-// Two wheels in mesh on an arm that turns at 1 rad/s. Nothing brakes them on it, so that they would turn with it.
+// Two meshing wheels on an arm that rotates at 1 rad/s. Nothing brakes them relative to the arm, so they should rotate
+// with it.
 TEST(KnownLimits, GearsCountAnglesAgainstTheWorld) {
     World world(without_gravity());
     BodyDef def;
@@ -116,7 +118,7 @@ TEST(KnownLimits, GearsCountAnglesAgainstTheWorld) {
     for (const BodyId wheel : wheels) EXPECT_NEAR(world.body(wheel).angular_velocity().y, 0, 1e-3) << "meant: 1 rad/s";
 }
 
-// Two bodies on a ball joint, one of them put a meter away.
+// Two bodies on a ball joint, one of them displaced by a meter.
 TEST(KnownLimits, JointsOfBodiesMetersApartPullHard) {
     const WorldDef settings = without_gravity();
     World world(settings);
@@ -134,8 +136,8 @@ TEST(KnownLimits, JointsOfBodiesMetersApartPullHard) {
     EXPECT_LT(glm::length(world.body(moved).linear_velocity()), 0.01f) << "without leaving a speed";
 }
 
-// A box put on a slope on which friction 0.5 nearly holds it. The friction of its first substep finds the box free to
-// tip, and takes 0.4 of what it should; what has slipped by then goes on.
+// A box is put on a slope on which friction 0.5 nearly holds it. In its first substep friction treats the box as free
+// to tip, and takes 0.4 of what it should; the velocity of that slip persists.
 TEST(KnownLimits, WhatIsPutOnASlopeSlipsForASubstep) {
     const double angle = std::atan(0.5) + 0.005, a = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
     World world;

@@ -1,5 +1,5 @@
-// Limits of joints are left out of the solver while they are out of reach. They hold all the same, whatever brings the
-// bodies to them.
+// Joint limits are omitted from the solver while they are out of reach. They must hold all the same, whatever brings
+// the bodies to them.
 #include "support.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr float cone = 0.8f, lower = -0.6f, upper = 0.7f; // rad
 
-// A rod that hangs on a post from its upper end, and has rested long enough for its limits to be out of reach.
+// A rod that hangs on a post from its upper end, at rest for long enough that its limits are out of reach.
 struct Hanging {
     World world;
     BodyId post, rod;
@@ -27,14 +27,14 @@ struct Hanging {
         def.type = BodyType::dynamic;
         def.position = {0, -0.5, 0};
         rod = add_body(world, Box{{0.05f, 0.45f, 0.08f}}, def, surface(0.5f));
-        // Swings and twists are about the rod, turns of the hinge across it.
+        // The joint axis lies along the rod for the swing and twist of a ball joint, and across it for a hinge.
         const bool is_ball = std::holds_alternative<BallJoint>(kind);
         joint =
             world.create_joint(world.joint_at(post, rod, {0, 0, 0}, is_ball ? Vec3{0, -1, 0} : Vec3{0, 0, 1}, kind));
         for (int i = 0; i < 10; ++i) world.step(1.0f / 60);
     }
 
-    // rad, beyond any of the limits.
+    // The angle beyond the most exceeded limit, rad; negative within the limits.
     double excess() const {
         const JointState state = world.joint_state(joint);
         if (const auto* ball = std::get_if<BallJoint>(&world.joint_def(joint).joint))
@@ -43,12 +43,12 @@ struct Hanging {
         const auto& limits = std::get<HingeJoint>(world.joint_def(joint).joint).angle.limits;
         return std::max(limits->lower - state.positions[0], state.positions[0] - limits->upper);
     }
-    // Turns about the anchor.
+    // Makes the rod rotate about the anchor.
     void turn(Vec3 w) {
         world.body(rod).set_angular_velocity(w);
         world.body(rod).set_linear_velocity(glm::cross(w, Vec3(0, -0.5f, 0)));
     }
-    // The greatest excess in a second.
+    // The greatest excess within a second, rad.
     double greatest_excess() {
         double greatest = -10;
         for (int i = 0; i < 60; ++i) {
@@ -91,7 +91,8 @@ TEST(Limits, OutOfReachHoldWhatTurnsAtThem) {
         }
 }
 
-// The rod's own speed says nothing: the post turns it, a blow, gravity, or another body.
+// The rod's own velocity is not enough to predict the limit: the post, an impact, gravity or another body may rotate
+// it.
 TEST(Limits, OutOfReachHoldWhatIsTurnedOtherwise) {
     for (const Joint& kind : {hinge(), ball()}) {
         SCOPED_TRACE(kind.index());
@@ -142,7 +143,8 @@ TEST(Limits, OutOfReachBringBackWhatIsPutBeyondThem) {
     EXPECT_LT(twisted.excess(), 0.01);
 }
 
-// A hinge without stops to both sides counts on: what it was last solved at may be several turns ago.
+// A hinge whose limits span more than a turn counts whole turns; the angle at which its limits were last solved may be
+// several turns ago.
 TEST(Limits, OutOfReachAreCountedOverWholeTurns) {
     Hanging wound(hinge(-4, 20));
     wound.turn({0, 0, 6});

@@ -1,5 +1,5 @@
-// Structures that are made at once stand where they were made: their contacts know from the first step on what they
-// have to bear.
+// Structures that are created at once stand where they were created: the impulses of their contacts are estimated from
+// the weights in the first step.
 #include "structure.h"
 
 #include <cmath>
@@ -7,8 +7,8 @@
 namespace cairn_test {
 namespace {
 
-// Planks of 12 x 2.4 x 0.8 cm, on edge and flat in turn, two to a layer. Loads used to grow by six layers a step: the
-// upper part fell freely for five steps, and three of eight towers came down.
+// Planks of 12 x 2.4 x 0.8 cm, alternately on edge and flat, two per layer. Without that estimate, loads propagated by
+// six layers per step: the upper part was in free fall for five steps, and three of eight towers collapsed.
 TEST(MadeAtOnce, TowersOfPlanksStand) {
     for (const float hz : {60.0f, 240.0f})
         for (unsigned seed = 0; seed < 12; ++seed) {
@@ -26,12 +26,12 @@ TEST(MadeAtOnce, TowersOfPlanksStand) {
                 height += h;
             }
             run(tower.world, 1 / hz, int(6 * hz));
-            EXPECT_LT(tower.way(), 0.01) << seed << ", " << hz << " Hz"; // of 41 cm
+            EXPECT_LT(tower.way(), 0.01) << seed << ", " << hz << " Hz"; // height of the tower: 41 cm
         }
 }
 
-// Columns, cribs and frames, of which each part stands on one other or on two: they come to rest where they
-// were made. (With substeps by what was measured of its own swinging a crib of 30 layers swung for ever.)
+// Columns, cribs and frames, in which each part stands on one other or on two, come to rest where they were created.
+// (When the number of substeps followed loads measured while it swung, a crib of 30 layers swung forever.)
 TEST(MadeAtOnce, SlenderStructuresStand) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         RandomStart start(200 + seed);

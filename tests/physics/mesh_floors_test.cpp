@@ -1,6 +1,6 @@
-// Floors and walls of triangles as levels have them: tiles side by side, cracks where more triangles meet an edge on
-// one side than on the other, sheets without thickness that are seen from both sides, and walls that are hardly
-// thicker.
+// Floors and walls of triangles as game levels have them: adjacent tiles, T-junctions where an edge has more triangles
+// on one side than on the other, sheets without thickness that are front-facing from both sides, and walls that are
+// hardly thicker.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -22,7 +22,7 @@ struct Triangles {
     std::vector<Vec3> corners;
     std::vector<std::uint32_t> indices;
 
-    // A grid over a rectangle at that height, its triangles seen from above or from below.
+    // A grid over a rectangle at the given height, with triangles that face up or down.
     void add_grid(glm::vec2 lo, glm::vec2 hi, float height, int columns, int rows, bool is_seen_from_above) {
         const auto first = std::uint32_t(corners.size()), stride = std::uint32_t(rows) + 1;
         for (int i = 0; i <= columns; ++i)
@@ -67,9 +67,9 @@ void add_tile(World& world, BodyId floor, int kind, glm::vec2 lo, glm::vec2 hi, 
 }
 
 struct Bump {
-    double up, turn; // parts of the speed across the floor: upwards, and to the side at the end
+    double up, turn; // velocity changes as fractions of the speed: upward, and sideways at the end
 };
-// A ball over two rows of tiles of two kinds.
+// A ball crosses two rows of tiles of two kinds.
 Bump bump_on_tiles(RandomStart& random, int kind, int other_kind, bool rolls) {
     World world(with_gravity(Vec3(random.turned({0, -gravity, 0}))));
     const BodyId floor =
@@ -104,7 +104,7 @@ Bump bump_on_tiles(RandomStart& random, int kind, int other_kind, bool rolls) {
     return bump;
 }
 
-// A rectangle of 4 m, about its middle, of any kind but the hull that add_tile knows.
+// Adds a rectangle of 4 m centered at `way`, of any kind that add_tile knows except the hull.
 void add_ramp_part(World& world, BodyId body, int kind, const Quat& turn, const Vec3& way) {
     ShapeDef def;
     def.material = surface(0, 0);
@@ -118,7 +118,7 @@ void add_ramp_part(World& world, BodyId body, int kind, const Quat& turn, const 
     if (kind == 2) world.add_shape(body, HeightField(2, 2, {4, 4}, std::vector<float>(4, 0.0f)), def);
     if (kind == 3) world.add_shape(body, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2{2, 2}}, def);
 }
-// A box slides from a floor onto a ramp: how much of its speed, without what it has climbed, is left on it.
+// A box slides from a floor onto a ramp. Returns the remaining fraction of its speed, corrected for the height gained.
 double speed_on_ramp(RandomStart& random, int floor_kind, int ramp_kind, double angle) {
     World world(with_gravity(Vec3(random.turned({0, -gravity, 0}))));
     const BodyId ground =
@@ -143,8 +143,8 @@ double speed_on_ramp(RandomStart& random, int floor_kind, int ramp_kind, double 
     return 0;
 }
 
-// The quarters of a rectangle, the quarters of some of these, and so on, each with its own corners: along an edge there
-// may be more triangles on one side than on the other. Heights are the same wherever two corners are in one place.
+// A floor made of quarters of a rectangle, quarters of some of these, and so on, each with its own vertices, so that an
+// edge may have more triangles on one side than on the other. Vertices at the same place have the same height.
 class CrackedFloor {
   public:
     CrackedFloor(RandomStart& random, float roughness) : random_(random), roughness_(roughness) {}
@@ -202,8 +202,8 @@ Vec3 random_vector(RandomStart& random, double most) {
     return {random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
 }
 
-// Two bodies are pressed onto a wall from its two sides; how many are behind it after three seconds, and how fast they
-// were at most.
+// Two bodies are pressed onto a wall from its two sides: the number that is behind it after three seconds, and their
+// greatest speed.
 struct Held {
     int lost = 0;
     double fastest = 0; // m/s
@@ -252,7 +252,7 @@ Held press_on_wall(RandomStart& random, int kind, Sheets sheets, float thickness
     return held;
 }
 
-// The greatest energy of a body that is thrown at a closed plate of triangles, of what it had.
+// The greatest energy of a body that is thrown at a closed plate of triangles, relative to its initial energy.
 double greatest_energy(RandomStart& random, int kind, float thickness) {
     World world(with_gravity({0, 0, 0}));
     const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
@@ -279,8 +279,8 @@ double greatest_energy(RandomStart& random, int kind, float thickness) {
     return greatest / first;
 }
 
-// Eight rooms side by side and above each other, each a surface of its own that is seen from inside; 24 bodies in them
-// are in a hurry. How many are in another room after four seconds.
+// Eight adjacent rooms, each a surface of its own that faces inward, with 24 fast bodies inside. The number of bodies
+// that are in another room after four seconds.
 enum class Walls { one_mesh_a_room, rectangles, one_mesh };
 int count_outside(RandomStart& random, Walls walls, float thickness, double speed) {
     World world(without_sleep());
@@ -330,8 +330,8 @@ int count_outside(RandomStart& random, Walls walls, float thickness, double spee
     return outside;
 }
 
-// A body is made deep in an edge or corner of a room of triangles: how far its center of mass is out of that after two
-// seconds at most, m, and how deep it is in a wall.
+// A body that is created deep in an edge or corner of a room of triangles: how far its center of mass is at most
+// outside of the room after two seconds, m, and its greatest penetration, m.
 struct Sunk {
     double outside, depth;
 };
@@ -376,8 +376,8 @@ TEST(MeshFloors, NothingBumpsWhereTilesOfAnyKindMeet) {
                 }
 }
 
-// A box is sunk into its floor by some micrometers, but does not meet the edge of the ramp from the side. Where it is
-// within a hundredth of its size beyond that edge, the two do not meet as corners do.
+// A box at rest penetrates its floor by some micrometers, but must not collide with the edge of the ramp from the side.
+// Where it is within a hundredth of its size beyond that edge, box and ramp must not collide as two corners do.
 TEST(MeshFloors, BoxesSlideOntoRampsOfAnyKind) {
     int caught = 0;
     for (int floor = 0; floor < 4; ++floor)
@@ -392,7 +392,8 @@ TEST(MeshFloors, BoxesSlideOntoRampsOfAnyKind) {
     EXPECT_LE(caught, 1);
 }
 
-// Steps of up to 0.2 mm: what meets such an edge as it should goes up by some percent of its speed.
+// Steps of up to 0.2 mm between triangles. A correct collision with such an edge deflects the body upward by some
+// percent of its speed.
 TEST(MeshFloors, WhatIsRoundSlidesOverCracks) {
     for (const bool is_ball : {false, true}) {
         double lost = 0;

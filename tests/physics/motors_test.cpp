@@ -1,4 +1,4 @@
-// Motors that hold a velocity: at the limits of their axis, and at what they lift.
+// Velocity motors at the limits of their axis, and under the load that they lift.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float dt = 1.0f / 60.0f;
 
-// A light arm that the world holds, and a body on it that a motor drives from one limit to the other.
+// A light arm on a joint to the world, and a body on it that a motor drives from one limit to the other.
 struct Driven {
     World world;
     JointId joint;
@@ -51,15 +51,16 @@ Driven driven(RandomStart& random, int kind, JointSolver solver, float ratio, fl
     return result;
 }
 
-// However strong they are, and however their joints are solved. Solved directly they had turned on through both limits.
+// Limits hold whatever the strength of the motor and the solver. In the direct solver, motors rotated on through both
+// limits.
 TEST(Motors, StopAtTheLimitsOfTheirAxis) {
     for (std::uint32_t seed = 0; seed < 120; ++seed) {
         RandomStart random(seed);
         const int kind = int(seed % 3);
         const auto solver = JointSolver(seed / 3 % 3);
-        const double greatest = solver == JointSolver::iterative ? 1.3 : 3; // one after the other: no high mass ratios
+        const double greatest = solver == JointSolver::iterative ? 1.3 : 3; // iterative: not for high mass ratios
         const float ratio = float(std::pow(10, random.uniform(0, greatest))), velocity = float(random.uniform(0.5, 3));
-        const float enough = 20 * ratio; // N or N m, beside at most 3.5 m/s^2 of gravity
+        const float enough = 20 * ratio; // N or N m; gravity contributes at most 3.5 m/s^2
         const float strength =
             seed % 2 ? std::numeric_limits<float>::infinity() : enough * float(random.uniform(1, 100));
         Driven machine = driven(random, kind, solver, ratio, velocity, strength);
@@ -86,7 +87,7 @@ TEST(Motors, StopAtTheLimitsOfTheirAxis) {
     }
 }
 
-// A crane: a winch at the end of a rope lifts 1 kg to 20 t steadily, and the rope does not open.
+// A crane: a winch at the end of a rope lifts 100 kg to 20 t steadily, and the joints of the rope do not open.
 TEST(Motors, AWinchLiftsItsLoadSteadily) {
     for (const int links : {1, 2, 5, 12, 30})
         for (const float mass : {100.0f, 2000.0f, 20000.0f}) {

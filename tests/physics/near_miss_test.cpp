@@ -1,4 +1,4 @@
-// What flies past is no contact, and what flies at something is one in time.
+// A body that passes another at a distance has no contact with it, and a body that will collide has one in time.
 #include "support.h"
 
 #include <random>
@@ -12,7 +12,7 @@ WorldDef weightless() {
     return settings;
 }
 
-// Something touches within so many steps, and nothing goes far into anything.
+// Expects a contact within `steps` steps, and no great penetration.
 void expect_to_meet(World& world, int steps) {
     std::size_t contacts = 0;
     for (int i = 0; i < steps; ++i) {
@@ -23,8 +23,8 @@ void expect_to_meet(World& world, int steps) {
     EXPECT_GT(contacts, 0u);
 }
 
-// Random directions, turns, speeds, and phases of the step. One lies still; the other flies past it with `air` between
-// balls around both, or straight at it.
+// Random directions, rotations, speeds and phases of the step. One body is at rest; the other passes it with the gap
+// `air` between their bounding spheres, or hits it head-on.
 TEST(NearMiss, WhatPassesByIsNotDeflectedAndWhatHitsIs) {
     const Shape shapes[] = {Sphere{0.2f}, Box{{0.2f, 0.1f, 0.15f}}, Capsule{0.15f, 0.1f}, Cylinder{0.15f, 0.1f}};
     const double reach[] = {0.2, 0.27, 0.25, 0.19};
@@ -56,7 +56,7 @@ TEST(NearMiss, WhatPassesByIsNotDeflectedAndWhatHitsIs) {
     }
 }
 
-// The first step overlapped by 5 cm: what a body flew at was only looked for after it.
+// When the search for bodies ahead only began after the first step, the bodies penetrated by 5 cm in that step.
 TEST(NearMiss, WhatIsThrownMeetsWhatIsThereInItsFirstStep) {
     for (int how = 0; how < 3; ++how) {
         World world(weightless());
@@ -79,7 +79,7 @@ TEST(NearMiss, WhatIsThrownMeetsWhatIsThereInItsFirstStep) {
 }
 
 TEST(NearMiss, WhatTurnsIntoSomethingIsSeen) {
-    // A rod above a box whose end swings down at 15 m/s while its middle goes up.
+    // A rod above a box: its end swings down at 15 m/s while its center moves up.
     World world(weightless());
     BodyDef def;
     def.type = BodyType::static_;
@@ -101,8 +101,8 @@ TEST(NearMiss, WhatTurnsIntoSomethingIsSeen) {
     EXPECT_LT(lowest, 0.3);
 }
 
-// A rod that turns at 10 rad/s with its end 5 cm above a floor: the end covers 8 cm in a step. What was looked for lay
-// where bodies fly, not where they turn.
+// A rod rotates at 10 rad/s with its end 5 cm above a floor; the end covers 8 cm in a step. The search for contacts
+// must include the region that bodies reach by rotation, not by translation alone.
 TEST(NearMiss, WhatTurnsAtSomethingMeetsItInTheFirstStep) {
     for (const bool by_hand : {false, true}) {
         World world(weightless());
@@ -118,16 +118,16 @@ TEST(NearMiss, WhatTurnsAtSomethingMeetsItInTheFirstStep) {
             world.step(1.0f / 60);
             EXPECT_LT(world.statistics().max_penetration, 2e-3) << by_hand;
         }
-        EXPECT_GT(rod.linear_velocity().y, 0.1f) << by_hand; // it was pushed away
+        EXPECT_GT(rod.linear_velocity().y, 0.1f) << by_hand; // the floor has pushed it away
     }
 }
 
-// How far apart two shapes were is kept, and they are not tested again before they can have come near. However they do.
-// Two rods lie side by side, half a meter apart, aslant: their bounds overlap from the first.
+// The separation of a pair is stored, and the pair is not tested again before it can have closed, whatever moves the
+// bodies. Two rods lie side by side, 0.5 m apart and slanted, so that their bounds overlap from the beginning.
 TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
     struct Approach {
         const char* name;
-        BodyType type; // of the first; the other is dynamic
+        BodyType type; // of the first rod; the second is dynamic
         void (*come_near)(World& world, Body first, Body other);
     };
     const Approach approaches[] = {
@@ -187,8 +187,8 @@ TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
         }
 }
 
-// A box that flies along a valley, whose bounds it is in, at 0.2 m a step, until something brings it to one of the
-// walls: triangles are looked for as far as it comes in some steps, and then not again before it has come that far.
+// A box moves along a valley, within its bounds, at 0.2 m per step, until something turns it toward one of the walls.
+// Triangles are searched within the distance that the box covers in some steps, and not again before it has covered it.
 TEST(NearMiss, WhatFliesOverAMeshIsLeftAloneUntilItCanMeetIt) {
     using Turn = void (*)(World & world, Body box, Body valley);
     const Turn turns[] = {

@@ -1,4 +1,4 @@
-// Shapes that hold only what comes from one side: platforms that one jumps onto from below.
+// One-way shapes, which hold bodies from one side only: platforms that characters jump onto from below.
 #include "convex_shapes.h"
 #include "support.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float dt = 1.0f / 60.0f;
 
-// A platform of 20 m by 20 m whose top is at the height 0, in the frame of a random start.
+// A platform of 20 m x 20 m with its upper side at height 0, in the frame of a random start.
 constexpr int platform_kinds = 4;
 BodyId add_platform(World& world, const RandomStart& random, int kind, BodyType type = BodyType::static_,
                     bool is_one_way = true) {
@@ -34,7 +34,7 @@ BodyId add_platform(World& world, const RandomStart& random, int kind, BodyType 
         def.position = {0, -0.1f, 0};
         world.add_shape(body, Box{{10, 0.1f, 10}}, def);
         break;
-    case 2: // a plane that faces x, turned
+    case 2: // a plane whose normal is x, rotated
         def.rotation = glm::angleAxis(float(pi / 2), Vec3(0, 0, 1));
         world.add_shape(body, Plane{{1, 0, 0}, {0, 1, 0}, glm::vec2(10, 10)}, def);
         break;
@@ -98,7 +98,7 @@ TEST(OneWay, WhatDoesNotGetWhollyThroughFallsBack) {
         const int platform = int(seed) % platform_kinds;
         const float size = float(random.uniform(0.1, 0.3));
         const Shape shape = convex(int(seed / platform_kinds) % convex_kinds, size);
-        const double start = -random.uniform(1, 2), top = -random.uniform(0.3, 1) * double(size); // of its middle
+        const double start = -random.uniform(1, 2), top = -random.uniform(0.3, 1) * double(size); // of its center
         const glm::dvec3 from(0, start, 0), velocity(0, std::sqrt(2 * gravity * (top - start)), 0);
         Thrown with = thrown(random, seed, platform, shape, from, velocity, 3);
         Thrown without = thrown(random, seed, -1, shape, from, velocity, 3);
@@ -125,7 +125,7 @@ TEST(OneWay, WhatComesFromTheSideAtItsHeightGoesOn) {
     }
 }
 
-// However fast: from above it is held, from below it is not.
+// At any speed the platform holds bodies from above and lets them through from below.
 TEST(OneWay, FastThingsAreHeldFromAboveAndLetThroughFromBelow) {
     for (std::uint32_t seed = 0; seed < 240; ++seed) {
         RandomStart random(seed);
@@ -190,7 +190,7 @@ TEST(OneWay, ACharacterJumpsOntoIt) {
         const BodyId walker = world.create_body({.type = BodyType::kinematic, .position = {-3, -0.7, 0}});
         world.add_shape(walker, Capsule{0.5f, 0.3f});
         world.body(walker).set_character({});
-        world.body(walker).set_walk_velocity({1.5f, 0, 0}); // its head is above the platform, which stops nobody
+        world.body(walker).set_walk_velocity({1.5f, 0, 0}); // blocked by nobody: its head is above the platform
         run(world, dt, 120);
         EXPECT_NEAR(world.body(walker).position().x, 0, 0.1) << kind;
         world.body(walker).set_walk_velocity({0, 0, 0});

@@ -1,4 +1,4 @@
-// What flies through a trigger within a step comes in and leaves.
+// A body that passes through a trigger within a step causes an enter and a leave event.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -39,7 +39,7 @@ Mesh sheet() {
     return Mesh(corners, triangles);
 }
 
-// Along the x axis of the start, from 4 to 7 m before the origin, spinning.
+// Shoots a spinning body along the -x axis of the start, from 4 to 7 m before the origin.
 BodyId shoot(World& world, const Shape& shape, RandomStart& random, double speed) {
     BodyDef def;
     def.position = random.place({random.uniform(4, 7), random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2)});
@@ -49,7 +49,7 @@ BodyId shoot(World& world, const Shape& shape, RandomStart& random, double speed
     return add_body(world, shape, def, surface(0.5f));
 }
 
-// How often something came into a trigger; every event must be the other one of the one before.
+// Counts enter and leave events of a trigger; the two must alternate.
 struct Visits {
     int in = 0, out = 0;
     bool alternate = true;
@@ -80,20 +80,20 @@ TEST_P(PassedTriggersAt, SeeWhatFliesThroughThem) {
                 EXPECT_LT(random.back(Vec3(world.body(body).linear_velocity())).x, -0.99 * speed); // nothing was hit
                 EXPECT_TRUE(visits.alternate);
                 EXPECT_GE(visits.in, 1) << i;
-                EXPECT_LE(visits.in, 2) << i; // a corner may come back as it turns
+                EXPECT_LE(visits.in, 2) << i; // a corner may reenter as the body rotates
                 EXPECT_EQ(visits.in, visits.out) << i;
             }
 }
 INSTANTIATE_TEST_SUITE_P(Speeds, PassedTriggersAt, ::testing::Values(5, 30, 100, 400),
                          [](const auto& info) { return std::to_string(int(info.param)) + "MetersPerSecond"; });
 
-// One after the other, in the order of the flight, within one step.
+// Enter events within one step are in the order in which the body reaches the triggers.
 TEST(PassedTriggers, AreListedInTheOrderOfTheFlight) {
     for (int i = 0; i < 20; ++i) {
         RandomStart random(std::uint32_t(50 + i));
         World world(weightless());
         std::vector<BodyId> zones;
-        for (int k = 0; k < 5; ++k) { // made in another order than they are met in
+        for (int k = 0; k < 5; ++k) { // not created in the order of the passage
             const double place = 0.4 * ((k * 3) % 5);
             zones.push_back(add_trigger(world, Box{Vec3(0.05f, 1, 1)}, random, {place, 0, 0}));
         }
@@ -107,11 +107,11 @@ TEST(PassedTriggers, AreListedInTheOrderOfTheFlight) {
                         if (event.trigger_body == zones[std::size_t(k)]) places.push_back(0.4 * ((k * 3) % 5));
         }
         ASSERT_EQ(places.size(), 5u) << i;
-        EXPECT_TRUE(std::is_sorted(places.rbegin(), places.rend())) << i; // it comes from the far end
+        EXPECT_TRUE(std::is_sorted(places.rbegin(), places.rend())) << i; // the body comes from the far end
     }
 }
 
-// A ball that bounces to and fro between two walls passes the trigger in the middle each time, several times a step.
+// A ball bounces between two walls and passes the trigger in the middle each time, several times per step.
 TEST(PassedTriggers, SeeEveryPassOfWhatBounces) {
     for (const double speed : {20.0, 90.0}) {
         RandomStart random(7);
@@ -135,13 +135,13 @@ TEST(PassedTriggers, SeeEveryPassOfWhatBounces) {
         world.add_shape(ball, Sphere{0.05f}, elastic);
         Visits visits;
         for (int step = 0; step < 60; ++step) world.step(1.0f / 60), visits.note(world);
-        const double passes = speed / 0.9; // in a second: from wall to wall it is 0.9 m
+        const double passes = speed / 0.9; // passes per second; the distance between the walls is 0.9 m
         EXPECT_TRUE(visits.alternate) << speed;
-        EXPECT_NEAR(visits.in, passes, speed < 50 ? 1.5 : 0.1 * passes) << speed; // some begin or end a step inside
+        EXPECT_NEAR(visits.in, passes, speed < 50 ? 1.5 : 0.1 * passes) << speed; // steps may begin or end inside
     }
 }
 
-// A trigger on a kinematic body that sweeps over something at rest.
+// A trigger on a kinematic body that sweeps over a body at rest.
 TEST(PassedTriggers, SeeWhatTheyAreMovedOver) {
     for (int i = 0; i < 10; ++i) {
         RandomStart random(std::uint32_t(90 + i));

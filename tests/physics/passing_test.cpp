@@ -1,6 +1,6 @@
-// What slides on the ground past something, by half a millimeter to 5 cm: nothing happens to it. A contact of the
-// nearest points, whose plane has no end, turned crates away by 49 degrees, and whatever slid on a mesh past another
-// part of it by up to 73.
+// A body that slides on the ground past an obstacle, with a gap of 0.5 mm to 5 cm, is not disturbed. Contacts between
+// the closest points, whose planes are infinite, deflected crates by 49 degrees, and bodies on a mesh, past another
+// part of that mesh, by up to 73 degrees.
 #include "starts.h"
 #include "support.h"
 
@@ -18,7 +18,7 @@ constexpr float half = 0.2f; // m
 enum class Obstacle { box, same_mesh, hull, cylinder, ball, free_box };
 enum class Slider { ball, box, capsule, cylinder, hull, cone };
 
-// How far a square of that half width reaches sideways, turned by an angle.
+// The half width of a square along `side`, m, when rotated by `yaw`.
 double reach_of_square(double yaw, const glm::dvec3& side) {
     return double(half) * (std::abs(side.x * std::cos(yaw) - side.z * std::sin(yaw)) +
                            std::abs(side.x * std::sin(yaw) + side.z * std::cos(yaw)));
@@ -32,7 +32,7 @@ struct Passing {
     explicit Passing(std::uint32_t seed) : random(seed) {}
     double between(double low, double high) { return low + (high - low) * double(random()) / 4294967296.0; }
 
-    // A floor of triangles and, in one mesh with it, a pillar in the middle.
+    // A floor of triangles with a pillar in the middle, as one mesh.
     static Mesh floor_with_pillar(double yaw) {
         std::vector<Vec3> vertices;
         std::vector<std::uint32_t> indices;
@@ -77,7 +77,7 @@ struct Passing {
         add_body(world, shape, def, smooth);
     }
 
-    // One that slides in any direction at 0.3 to 30 m/s; every fourth one is to hit.
+    // Slides a body in a random direction at 0.3 to 30 m/s past the obstacle, or, if `hits_it`, against it.
     void slide(Obstacle obstacle, Slider kind, bool hits_it) {
         const double yaw = between(0, 6.28), heading = between(0, 6.28), own_yaw = between(0, 6.28);
         const double speed = std::pow(10.0, between(-0.5, 1.5));
@@ -128,9 +128,9 @@ TEST_P(PastAnObstacle, WhatSlidesGoesStraightOnAndWhatHitsHits) {
         for (int i = 0; i < 120; ++i) passing.slide(GetParam(), slider, i % 4 == 3);
     std::printf("turned away %zu of %zu, at most by %.2f degrees; missed %zu of %zu\n", passing.turned, passing.passes,
                 passing.worst, passing.missed, passing.hits);
-    EXPECT_LE(passing.turned, 6u); // round ones past sharp ones, by cores of which the distance is not exact
+    EXPECT_LE(passing.turned, 6u); // round past sharp ones: distances of their cores are approximate
     EXPECT_LT(passing.worst, 4.0);
-    if (GetParam() != Obstacle::ball) { // which what is lower or rounder may pass
+    if (GetParam() != Obstacle::ball) { // over which lower or rounder bodies may pass
         EXPECT_EQ(passing.missed, 0u);
     }
 }
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Obstacles, PastAnObstacle,
                          testing::Values(Obstacle::box, Obstacle::same_mesh, Obstacle::hull, Obstacle::cylinder,
                                          Obstacle::ball, Obstacle::free_box));
 
-// Between things on both sides, and below a roof, with half a millimeter to 15 mm of air on each side.
+// Passages between obstacles on both sides and below a roof, with a gap of 0.5 to 15 mm on each side.
 enum class Slot { walls_and_roof, mesh, free_boxes, crate_that_comes };
 
 struct SlotTrial {
@@ -161,7 +161,7 @@ struct SlotTrial {
         def.linear_velocity = Vec3(at(velocity, 0, 0));
         return add_body(world, shape, def, surface(0.0f));
     }
-    // 2 m long, from the origin on.
+    // A tunnel 2 m long that begins at the origin.
     Mesh tunnel() const {
         std::vector<Vec3> vertices;
         std::vector<std::uint32_t> indices;
@@ -219,8 +219,8 @@ struct SlotTrial {
     }
 };
 
-// Of 160 that came to a tunnel, 67 were stopped or thrown back at its mouth, of a mesh 143; between free boxes 67,
-// beside a crate that comes 51.
+// Of 160 bodies that reached a tunnel of boxes, 67 were stopped or thrown back at its mouth, and 143 at one of a mesh;
+// 67 between free boxes, and 51 beside an oncoming crate.
 TEST(Passing, WhatFitsIntoASlotSlidesIntoIt) {
     const Shape movers[] = {Sphere{half}, Box{{half, half, half}}, Cylinder{half, half, {}},
                             Hull(box_corners({half, half, half}))};
@@ -235,7 +235,8 @@ TEST(Passing, WhatFitsIntoASlotSlidesIntoIt) {
     }
 }
 
-// A car on four wheels with hinges, which is led by its joints, past a pillar, a post and a part of the ground's mesh.
+// A car on four hinged wheels, whose motion the joints determine, passes a pillar, a post or a part of the mesh of the
+// ground. Returns the angle of its deflection, degrees.
 double angle_of_car(Obstacle obstacle, double speed, double air, double start) {
     constexpr double half_car = 0.8, wheel = 0.3; // m
     World world;
@@ -257,7 +258,7 @@ double angle_of_car(Obstacle obstacle, double speed, double air, double start) {
     return std::atan2(std::abs(velocity.z), velocity.x) * 57.3;
 }
 
-// At 10 and 30 m/s, with up to 3 cm of air, all were turned away by the pillar and by that of the mesh, by up to 54
+// At 10 and 30 m/s, with gaps of up to 3 cm, the pillar, separate or in the mesh, deflected every car, by up to 54
 // degrees.
 TEST(Passing, ACarGoesStraightOnPastAPillar) {
     for (const Obstacle obstacle : {Obstacle::box, Obstacle::ball, Obstacle::cylinder, Obstacle::same_mesh})
@@ -268,8 +269,8 @@ TEST(Passing, ACarGoesStraightOnPastAPillar) {
                         << int(obstacle) << " " << speed << " " << air << " " << start;
 }
 
-// A door of 0.9 by 2 m by 4 cm on a hinge goes through its frame without touching it: how much of its angular velocity
-// is gone then. `jamb`: of the side where the door opens, which it passes within `air`.
+// A door of 0.9 m x 2 m x 4 cm on a hinge swings through its frame without touching it. Returns the fraction of its
+// angular velocity that it loses. `jamb`: on the side where the door opens, passed with the gap `air`.
 double slowed_by_frame(const Shape& jamb, double half_jamb, double air, double speed, double angle, double heading) {
     constexpr double width = 0.9, height = 2, thickness = 0.04; // m
     const glm::dquat turn = glm::angleAxis(heading, glm::dvec3(0, 1, 0));
@@ -296,8 +297,9 @@ double slowed_by_frame(const Shape& jamb, double half_jamb, double air, double s
     return std::abs(-double(world.body(door).angular_velocity().y) - speed) / speed;
 }
 
-// At 5 rad/s and more 21 of 90 were stopped: the center of a door was expected to go straight on, which took its edge
-// into the jamb. Then 4 of 600: what had not touched the jamb slid over the face of the door without end.
+// At 5 rad/s and more, 21 of 90 doors were stopped when the center of a door was predicted to move along a straight
+// line, which took its edge into the jamb. 4 of 600 were stopped when a jamb that the door did not touch was held by
+// contact points that slide over the face of the door as if it were infinite.
 TEST(Passing, ADoorSwingsThroughItsFrame) {
     Starts random(3);
     int slowed = 0;

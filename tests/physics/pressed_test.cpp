@@ -1,5 +1,5 @@
-// What is pressed onto something so that it would go farther in a step than contacts look ahead: by many times its
-// weight, as in a centrifuge, under a press, in a world of centimeters; or in long steps.
+// Bodies that are pressed on a surface so hard that they would move farther in a step than the speculative margin: by
+// many times their weight, as in a centrifuge, under a press or in a world of centimeters, or in long steps.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -66,8 +66,8 @@ double impulse_on(const World& world, BodyId body) {
     return sum;
 }
 
-// It falls by a little, and then lies or rolls: how much of what presses it on the ground bears, over 20
-// steps. Less than nothing if it has fallen through.
+// A body falls a little and then lies or rolls. Returns the fraction of the pressing force that the ground carries,
+// averaged over 20 steps; negative if the body has fallen through.
 double share_borne(RandomStart& random, int kind, Ground ground, Pull pull) {
     WorldDef def = without_sleep();
     def.gravity = Vec3(random.turned({0, -pull.acceleration, 0}));
@@ -87,8 +87,8 @@ double share_borne(RandomStart& random, int kind, Ground ground, Pull pull) {
     return height < 0 ? -1 : sum / (20 * pull.step * pull.acceleration * double(world.body(id).mass()));
 }
 
-// Before, each step was a flight that an impact ended at once, the ground bore a twelfth, and of balls on meshes half
-// fell through from 300 m/s^2 on.
+// When each step was treated as free flight that ended in an impact, the ground carried a twelfth of the force, and of
+// balls on meshes half fell through from 300 m/s^2 on.
 TEST(Pressed, TheGroundBearsWhatPresses) {
     int unsteady = 0;
     for (const Pull& pull : pulls)
@@ -104,7 +104,7 @@ TEST(Pressed, TheGroundBearsWhatPresses) {
     EXPECT_LE(unsteady, 4) << "of " << 7 * kinds * 4 * 4;
 }
 
-// What slides along stops where friction stops it.
+// A sliding body stops after the distance that Coulomb friction gives.
 TEST(Pressed, FrictionIsThatOfWhatPresses) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         RandomStart random(seed);

@@ -1,4 +1,4 @@
-// A ragdoll of 11 bodies, whose masses are as 1 to 10, must stay together whatever happens to it.
+// A ragdoll of 11 bodies with mass ratios of up to 10 must stay together in any situation.
 #include "support.h"
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 namespace cairn_test {
 namespace {
 
-// 1.66 m tall, 76 kg. It stands along y, looks along z, and has its arms down; the origin is the middle of its height.
+// A ragdoll 1.66 m tall, of 76 kg. It stands along y, looks along z, and has its arms down; the origin is at half its
+// height.
 class Ragdoll {
   public:
     Ragdoll(World& world, const Position& position, const Quat& rotation, const Vec3& velocity)
@@ -32,7 +33,7 @@ class Ragdoll {
         }
     }
 
-    // How far the two anchors of any joint are apart, m, from the poses alone.
+    // The greatest distance between the two anchors of a joint, m, computed from the poses alone.
     double gap() const {
         double greatest = 0;
         for (const JointId joint : joints_) {
@@ -42,7 +43,7 @@ class Ragdoll {
         }
         return greatest;
     }
-    // How far any hinge is beyond its limits, rad.
+    // The greatest angle of a hinge beyond its limits, rad.
     double excess() const {
         double greatest = 0;
         for (const JointId joint : joints_) {
@@ -54,7 +55,7 @@ class Ragdoll {
         }
         return greatest;
     }
-    // Of its center of mass, m/s.
+    // Velocity of the center of mass, m/s.
     glm::dvec3 velocity() const {
         glm::dvec3 momentum(0);
         double mass = 0;
@@ -107,7 +108,7 @@ class Ragdoll {
     std::vector<JointId> joints_;
 };
 
-// A floor, and a wall whose face is x = 0.
+// A floor, and a wall with its face at x = 0.
 void add_walls(World& world) {
     BodyDef def;
     def.type = BodyType::static_;
@@ -130,8 +131,8 @@ const Quat head_first = glm::angleAxis(float(-0.5 * pi), Vec3(0, 0, 1)),
            feet_first = glm::angleAxis(float(0.5 * pi), Vec3(0, 0, 1)),
            across = glm::angleAxis(float(-0.5 * pi), Vec3(0, 1, 0)),
            askew = glm::angleAxis(0.7f, glm::normalize(Vec3(1, 2, 3)));
-// Lengthwise the whole body is behind one joint, and a part moves 83 mm in a substep at this speed: joints would open
-// by 0.1 m if a substep passed the stop on by one joint only.
+// In the lengthwise throws the whole body is behind one joint, and a part moves 83 mm in a substep at this speed:
+// joints would open by 0.1 m if the impulse propagated by only one joint per substep.
 INSTANTIATE_TEST_SUITE_P(AtAWall, ThrownRagdoll,
                          testing::Values(Throw{"HeadFirst", head_first, 6, 0.01},
                                          Throw{"FeetFirst", feet_first, 6, 0.01}, Throw{"Across", across, 6, 0.02},
@@ -150,7 +151,7 @@ TEST_P(ThrownRagdoll, StaysTogetherAt50MetersPerSecond) {
     const double energy = world.kinetic_energy();
     double peak = 0, fastest_back = 0;
     bool has_hit = false;
-    for (int i = 0; i < 64; ++i) { // it hits at the third step or the fourth
+    for (int i = 0; i < 64; ++i) { // the impact occurs in the third or fourth step
         world.step(1.0f / 60);
         peak = std::max(peak, ragdoll.gap());
         fastest_back = std::max(fastest_back, -ragdoll.velocity().x);
@@ -160,8 +161,9 @@ TEST_P(ThrownRagdoll, StaysTogetherAt50MetersPerSecond) {
     }
     EXPECT_TRUE(has_hit);
     EXPECT_LT(peak, GetParam().max_gap);
-    EXPECT_LT(ragdoll.gap(), 0.005); // a second later
-    // There is no restitution. What turns as it hits may leave with some of it: 2 to 3 m/s askew, else at most 1.1.
+    EXPECT_LT(ragdoll.gap(), 0.005); // after one more second
+    // Restitution is 0. A body that rotates at the impact may keep some of the rotation and leave with it: at 2 to 3
+    // m/s askew, else at most 1.1 m/s.
     EXPECT_LT(fastest_back, 0.1 * 50);
     for (const BodyId body : ragdoll.bodies()) EXPECT_LT(world.body(body).position().x, 0);
 }
@@ -181,7 +183,7 @@ TEST(Ragdoll, DroppedOnTheGroundComesToRestInOnePiece) {
     EXPECT_EQ(world.statistics().awake_bodies, 0u);
 }
 
-// Islands share blocks of the solver, and some settle in fewer passes than others.
+// Islands share solver blocks, and some settle in fewer impact passes than others; neither may change the result.
 TEST(Ragdoll, FliesBackTheSameWhateverElseHitsTheWall) {
     const auto velocity = [](const Quat& attitude, const Vec3& thrown, bool another) {
         World world(without_sleep());
@@ -199,7 +201,8 @@ TEST(Ragdoll, FliesBackTheSameWhateverElseHitsTheWall) {
             EXPECT_EQ(velocity(attitude, thrown, true), velocity(attitude, thrown, false));
 }
 
-// The blows of a heap that lands last many steps, and one hand carries more than the whole weight: that is no tower.
+// In a heap that lands, impacts follow for many steps, and one hand carries more than the whole weight; the substep
+// policy must not take this for a tower.
 TEST(Ragdoll, HeapThatLandsIsNotSolvedAsATower) {
     World world(without_sleep());
     add_walls(world);
@@ -213,7 +216,7 @@ TEST(Ragdoll, HeapThatLandsIsNotSolvedAsATower) {
         world.step(1.0f / 60);
         most = std::max(most, world.statistics().max_substeps);
     }
-    EXPECT_LE(most, 16); // it was 56
+    EXPECT_LE(most, 16); // with the impacts counted as load: 56
 }
 
 std::vector<Ragdoll> heap_of_ragdolls(World& world, double shift) {
@@ -226,8 +229,8 @@ std::vector<Ragdoll> heap_of_ragdolls(World& world, double shift) {
     return heap;
 }
 
-// Now and then one that still moves takes more substeps, as it happens to lie: 10 to 18 of 32 (4 while limbs were held
-// up by what they pass).
+// Now and then a ragdoll that still moves takes more substeps, depending on its pose: in 10 to 18 of 32 runs (4 when
+// limbs were held up by surfaces that they only pass).
 TEST(Ragdoll, HeapsComeToABoundedCost) {
     int costly = 0;
     for (int i = 0; i < 16; ++i) {
@@ -239,7 +242,8 @@ TEST(Ragdoll, HeapsComeToABoundedCost) {
     EXPECT_LE(costly, 11);
 }
 
-// A heap of them holds together as it falls, at rest, and when another one is thrown into it, at a bounded cost.
+// A heap of ragdolls holds together as it falls, at rest, and when another ragdoll is thrown into it, at a bounded
+// cost.
 TEST(Ragdoll, HeapHoldsTogetherAtABoundedCost) {
     std::vector<int> costs;
     for (int start = 0; start < 9; ++start) {

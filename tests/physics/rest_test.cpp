@@ -1,4 +1,4 @@
-// Bodies at rest that do not sleep: their contacts are not found anew, and nothing about them may be stale.
+// Bodies at rest that do not sleep: their contacts are not recomputed, and no contact may be stale.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -61,8 +61,8 @@ TEST(Rest, BoxThatIsPushedSlidesAsOneThatWasNeverAtRest) {
     EXPECT_NEAR(rested.world.body(rested.box).position().x - start, 1 / (2 * friction * 9.81), 0.01);
 }
 
-// Five things, one on another, with gaps from none to half of what counts as touching. As all of them fall alike, some
-// pairs were left out of the first step: they do not meet on their free ways.
+// Five bodies stacked with gaps from zero to half of the contact tolerance. Pairs must not be omitted from the first
+// step because all bodies have the same free fall and so do not approach each other.
 TEST(Rest, WhatIsMadeTouchingIsHeldFromTheFirstStep) {
     for (int i = 0; i < 60; ++i) {
         RandomStart start(std::uint32_t(90 + i));
@@ -87,7 +87,7 @@ TEST(Rest, WhatIsMadeTouchingIsHeldFromTheFirstStep) {
     }
 }
 
-TEST(Rest, SlowCreepIsNotLost) { // a hundredth of a millimeter per second
+TEST(Rest, SlowCreepIsNotLost) { // 1e-5 m/s
     WorldDef def = without_sleep();
     def.gravity = {0, 0, 0};
     World world(def);
@@ -98,13 +98,13 @@ TEST(Rest, SlowCreepIsNotLost) { // a hundredth of a millimeter per second
     near_by.linear_velocity = {0, -1e-5f, 0};
     const BodyId other = world.create_body(near_by);
     world.add_shape(other, Box{});
-    run(world, 1.0f / 60, 60 * 20); // 0.2 mm of way for a gap of 0.1 mm
+    run(world, 1.0f / 60, 60 * 20); // a path of 0.2 mm for a gap of 0.1 mm
     EXPECT_NEAR(world.body(other).position().y - world.body(body).position().y, 1.0, 5e-6);
-    EXPECT_LT(world.body(body).position().y, -1e-5); // pushed on by the other
+    EXPECT_LT(world.body(body).position().y, -1e-5); // pushed by the other
 }
 
-// Of the points where a box lies on a mesh four are kept. They had been the outermost ones, whether they touched or
-// not: 84 of 93 boxes that lay alone on the hills of the benchmark fell to and fro between their peaks without end.
+// Four points of the contact of a box with a mesh are kept. When they were the outermost ones, whether they touched or
+// not, 84 of 93 boxes that lay alone on the hills of the benchmark tipped back and forth between peaks forever.
 TEST(Rest, BoxesThatLieOnThreePeaksOfATerrainComeToRest) {
     int moving = 0, all = 0;
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
@@ -123,7 +123,7 @@ TEST(Rest, BoxesThatLieOnThreePeaksOfATerrainComeToRest) {
         for (int row = 0; row < 8; ++row)
             for (int column = 0; column < 8; ++column) {
                 BodyDef def;
-                // Beside the corners of the grid: centered over one, a box may stand on a single peak for 6 s.
+                // Placed off the corners of the grid: a box centered over one may stand on a single peak for 6 s.
                 def.position = {4 * column - 14.0 + 0.03 * row, 0.3, 4 * row - 14.0 + 0.02 * column + 0.04};
                 def.rotation = glm::angleAxis(0.1f * float(8 * row + column), glm::vec3(0, 1, 0));
                 boxes.push_back(add_body(world, Box{{0.5f, 0.2f, 0.4f}}, def, {}));
@@ -142,8 +142,8 @@ TEST(Rest, BoxesThatLieOnThreePeaksOfATerrainComeToRest) {
     EXPECT_EQ(moving, 0);
 }
 
-// The contacts that a world reports are of the end of its step: where the bodies are then. Points are tested anew only
-// when bodies have moved by some millimeters; in between they go along.
+// Reported contacts are those of the end of the step, at the final poses. Pairs are tested again only after their
+// bodies have moved by some millimeters; in between the contact points move with the bodies.
 TEST(Rest, ContactsAreWhereTheBodiesAre) {
     for (const bool is_hull : {false, true}) {
         World world(without_sleep());
@@ -173,7 +173,8 @@ TEST(Rest, ContactsAreWhereTheBodiesAre) {
                     const glm::dvec3 in_box = own(box), in_table = own(table);
                     EXPECT_LT(std::fabs(std::fabs(in_box.x) - 0.5), 1e-3) << i;
                     EXPECT_LT(std::fabs(std::fabs(in_box.z) - 0.4), 1e-3) << i;
-                    // Midway between the bottom and the top of the table: as far apart as is said.
+                    // The point lies midway between the bottom of the box and the top of the table, half of the
+                    // reported separation from each.
                     EXPECT_NEAR(-0.3 - in_box.y, 0.5 * double(point.separation), 2e-5) << i;
                     EXPECT_NEAR(in_table.y - 0.5, 0.5 * double(point.separation), 2e-5) << i;
                     ++seen;
@@ -183,7 +184,7 @@ TEST(Rest, ContactsAreWhereTheBodiesAre) {
     }
 }
 
-// A belt moves along itself; what it rubs against stays, and so do the points at which it does.
+// A belt moves tangentially to its own surface; the box that a wall holds on it stays, and so must its contact points.
 TEST(Rest, ABeltDoesNotCarryContactPointsAway) {
     World world(without_sleep());
     BodyDef fixed;
@@ -211,7 +212,7 @@ TEST(Rest, ABeltDoesNotCarryContactPointsAway) {
     EXPECT_NEAR(world.body(box).position().x, 0.5, 0.01);
 }
 
-// Its frame is that of the shape, not of the normal.
+// The direction of a belt is given in the frame of the shape, not in a frame made from the normal.
 TEST(Rest, ABeltOnAPlaneCarriesAlongItsOwnAxes) {
     for (std::uint32_t seed = 0; seed < 24; ++seed) {
         RandomStart random(seed);
@@ -220,7 +221,7 @@ TEST(Rest, ABeltOnAPlaneCarriesAlongItsOwnAxes) {
         settings.gravity = Vec3(random.turned(-gravity * up));
         World world(settings);
         const BodyId ground = world.create_body({.type = BodyType::static_, .position = random.place({0, 0, 0})});
-        // In the shape's frame the normal is `normal`, and the belt moves along `belt`.
+        // In the frame of the shape the normal is `plane.normal`, and the belt moves along `def.surface_velocity`.
         const RandomStart frame(seed + 100);
         ShapeDef def;
         def.rotation = glm::normalize(Quat(random.rotation() * glm::conjugate(frame.rotation())));
@@ -236,7 +237,8 @@ TEST(Rest, ABeltOnAPlaneCarriesAlongItsOwnAxes) {
     }
 }
 
-// What was once moved along with its bodies instead of tested was moved along for ever, however still they lay.
+// A pair whose contact points once moved with the bodies instead of being tested must not stay in that state, and be
+// moved forever, once its bodies are at rest.
 TEST(Rest, WhatWasMovedAlongIsLeftAloneOnceItRests) {
     const std::vector<Vec3> corners = {{0, 0.5f, 0}, {-0.5f, 0, -0.5f}, {0.5f, 0, -0.5f}, {0, 0, 0.5f}};
     const Shape shapes[] = {Box{{0.5f, 0.2f, 0.4f}}, Hull(corners)};
@@ -251,7 +253,7 @@ TEST(Rest, WhatWasMovedAlongIsLeftAloneOnceItRests) {
         run(world, 1.0f / 60, 300);
         EXPECT_EQ(world.statistics().candidate_pairs, 1u);
         EXPECT_EQ(world.statistics().contacts, 1u);
-        std::size_t tested = 0; // it creeps by a micrometer per second, and now and then that adds up
+        std::size_t tested = 0; // tests are due now and then, as the body creeps by 1e-6 m/s
         for (int i = 0; i < 60; ++i) {
             world.step(1.0f / 60);
             tested += world.statistics().tested_pairs;
@@ -260,8 +262,9 @@ TEST(Rest, WhatWasMovedAlongIsLeftAloneOnceItRests) {
     }
 }
 
-// Up to eight corners of two faces touch, and four are kept. Chosen afresh in each step, they followed the tremor.
-// How many of the boxes of a heap still move after 15 s; it comes to rest in 5 to 12 s, as it happens to fall.
+// Up to eight corners of two faces touch, and four points are kept. Chosen anew in each step, they followed the
+// trembling of the boxes. Returns how many boxes of a heap still move after 15 s; it comes to rest in 5 to 12 s,
+// depending on the start.
 int moving_in_heap(double shift) {
     World world(without_sleep());
     BodyDef fixed;
@@ -291,8 +294,8 @@ TEST(Rest, AHeapOfEqualBoxesComesToRest) {
     for (int i = 0; i < 6; ++i) EXPECT_EQ(moving_in_heap(1e-5 * i), 0) << i;
 }
 
-// Rows of dominoes along a spiral that have fallen on each other. A quarter of them rocked sideways for ever, at 3
-// cm/s: friction stood where the load had been a step ago.
+// Rows of dominoes along a spiral that have fallen on each other. When friction acted at the center of the load of the
+// previous step, a quarter of them rocked sideways forever, at 3 cm/s.
 TEST(Rest, FallenDominoesComeToRest) {
     for (int shot = 0; shot < 32; ++shot) {
         World world;
@@ -318,8 +321,8 @@ TEST(Rest, FallenDominoesComeToRest) {
     }
 }
 
-// What was apart was not tested again before it had moved by a part of its size: a block of 100 m went into the ground
-// by 26 cm, and one of 10 m by 2 mm.
+// When separated pairs were not tested again before they had moved by a fraction of their size, a block of 100 m
+// penetrated the ground by 26 cm, and one of 10 m by 2 mm.
 TEST(Rest, WhatIsHugeIsTestedBeforeItReachesTheGround) {
     for (const float half : {5.0f, 50.0f})
         for (const double gap : {0.03, 0.1}) {

@@ -1,4 +1,4 @@
-// What rocks and rolls without losses keeps its energy: the place of touch moves over both bodies within each step.
+// Bodies that rock and roll without losses conserve energy: the contact point moves over both bodies within each step.
 #include "starts.h"
 #include "support.h"
 
@@ -17,8 +17,9 @@ World world_with_ball(double radius) {
     return world;
 }
 
-// 1/s, at which the energy of a box of 1 x 0.4 x 1 m grows that rocks on a ball by some milliradians: of its greatest
-// in the third second and in the first. Its middle is at height 0.2 m on a radius R: it rocks as long as that is less.
+// The growth rate of the energy, 1/s, of a box of 1 x 0.4 x 1 m that rocks on a ball by some milliradians: from its
+// maxima in the third and in the first second. The center of the box is 0.2 m high; it rocks, rather than falls, if the
+// radius of the ball is greater.
 double growth_of_box(double radius, int hertz, double direction) {
     World world = world_with_ball(radius);
     BodyDef def;
@@ -34,8 +35,9 @@ double growth_of_box(double radius, int hertz, double direction) {
     return std::log(last / first) / 2;
 }
 
-// A place of touch that is found where a step begins is late by (n - 1) / (2n) of a step of n substeps, and a restoring
-// moment that is late by t feeds what rocks omega^2 t: 0.15 to 1.2 /s on 5 and 10 m, at 960 and 240 Hz.
+// A contact point found at the start of a step is late by (n - 1) / (2n) of a step of n substeps on average, and a
+// restoring torque that is late by t drives the rocking at the rate omega^2 t: at 0.15 to 1.2 /s on balls of 5 and 10
+// m, at 960 and 240 Hz.
 TEST(Rocking, BoxesOnBallsKeepTheirEnergy) {
     Starts starts(3);
     for (const double radius : {2.0, 5.0, 10.0})
@@ -45,8 +47,8 @@ TEST(Rocking, BoxesOnBallsKeepTheirEnergy) {
                     << radius << " " << hertz;
 }
 
-// The greatest energy of a shape that rocks on a ball, over what it has at the start, less 1; kinetic energy of `speed`
-// rad/s at the start counts as 1.
+// The greatest increase of the energy of a shape that rocks on a ball within 3 s, as a fraction of its initial kinetic
+// energy at `speed` rad/s.
 double rise_of(const Hull& hull, double center, double radius, int hertz, double speed, double direction) {
     World world = world_with_ball(radius);
     BodyDef def;
@@ -62,11 +64,11 @@ double rise_of(const Hull& hull, double center, double radius, int hertz, double
     return most / kinetic;
 }
 
-// Their faces are not a box's: no kernel of eight pairs tests them. Points went along with the bodies for some
-// millimeters, in which the place of touch moved by centimeters: all of them gained, at 0.7 to 1.2 /s.
+// Tetrahedra are not tested by the wide kernel of box pairs. When contact points moved with the bodies for some
+// millimeters, in which the true contact point moved by centimeters, all of them gained energy, at 0.7 to 1.2 /s.
 TEST(Rocking, TetrahedraOnBallsGainNothing) {
     Starts starts(5);
-    const float half = 0.8660254f, center = 0.35355339f; // of a side's length; above a face
+    const float half = 0.8660254f, center = 0.35355339f; // half: of the length of a side; center: height above a face
     const Hull tetrahedron(
         std::vector<Vec3>{{1, -center, 0}, {-0.5f, -center, half}, {-0.5f, -center, -half}, {0, 3 * center, 0}});
     for (const double radius : {2.0, 5.0, 10.0})
@@ -78,9 +80,10 @@ TEST(Rocking, TetrahedraOnBallsGainNothing) {
             }
 }
 
-// How the energy of a disk changes in a second, of 50 cm and 2 cm, that rolls on its rim around one place at that angle
-// to the ground (Euler's disk) and starts in any direction. It turns about the line from its center to its lowest
-// point, which goes round at a rate with rate^2 = 4 g / (R sin(lean)) for a thin one.
+// The relative change of the energy in a second of Euler's disk: a disk of 50 cm radius and 2 cm thickness that rolls
+// on its rim about a fixed center at the given angle to the ground, with a random heading. It rotates about the line
+// from its center to its lowest point, and for a thin disk that point revolves at the rate given by rate^2 = 4 g / (R
+// sin(lean)).
 double change_of_disk(double degrees, double direction, int hertz, const Shape& ground = Plane{},
                       double thickness = 0) {
     constexpr double radius = 0.5, half = 0.01;
@@ -106,11 +109,11 @@ double change_of_disk(double degrees, double direction, int hertz, const Shape& 
     return (world.kinetic_energy() + world.potential_energy()) / start - 1;
 }
 
-// With the arms of the start of each step, for all of it, it lost 9 to 24 % of it at 60 Hz and 20 to 41 degrees, 4 to
-// 14 % at 240; with those of the middle, 75 % at 20 degrees. The place of touch is followed along the rim; near to the
-// ground it goes round by a third of a radian and more in a step of 1/60 s: 2.5 and 18 % were lost at 10 and 5 degrees
-// while it moved on a straight line within a step. Where the edge of its upper face comes within the margin of
-// contacts, it had two points, of which one bears nothing: 7 % at 60 degrees.
+// With arms of the start of the step for all of it, the disk lost 9 to 24 % of its energy at 60 Hz and 20 to 41
+// degrees, and 4 to 14 % at 240 Hz; with arms of the middle, 75 % at 20 degrees. The contact point is therefore
+// followed along the rim. Near the ground it moves by a third of a radian and more in a step of 1/60 s: 2.5 and 18 %
+// were lost at 10 and 5 degrees when it moved on a straight line within a step. When the edge of the upper face came
+// within the speculative margin, the disk had a second contact point with zero impulse, and lost 7 % at 60 degrees.
 TEST(Rocking, EulersDiskKeepsItsEnergy) {
     Starts starts(7);
     for (const int hertz : {60, 120, 240, 480, 1000})
@@ -122,9 +125,9 @@ TEST(Rocking, EulersDiskKeepsItsEnergy) {
             }
 }
 
-// Where its rim ran over the triangles of a mesh, it touched each of them by a point of its own; on other cylinders, by
-// three points that were near to each other; and nobody knew that these, and hulls, have faces: it lost 92 % at 5
-// degrees on a mesh, 87 % on a hull or a cylinder, 51 and 40 % at 30 degrees.
+// On the triangles of a mesh the rim touched each triangle at a point of its own, and on other cylinders at three
+// points close together; and contacts with these and with hulls did not record that they are on a face. The disk lost
+// 92 % at 5 degrees on a mesh, 87 % on a hull or a cylinder, and 51 and 40 % at 30 degrees.
 TEST(Rocking, EulersDiskKeepsItsEnergyOnAllFaces) {
     Starts starts(8);
     std::vector<Vec3> corners;

@@ -1,4 +1,5 @@
-// Thin rods among heavier bodies: what they are pushed by may be far beside where the step began.
+// Thin rods among heavier bodies: within a step, contact points on a rod may move far from where they were at its
+// start.
 #include "starts.h"
 #include "support.h"
 
@@ -21,7 +22,7 @@ void add_pit(World& world) {
     }
 }
 
-// Part of its energy that a heap of 30 rods and 30 cubes and balls gains while it falls into a pit, the greatest.
+// The greatest energy gain of a heap of 30 rods and 30 cubes and balls that falls into a pit, as a fraction.
 double gain_of_heap(Integrator integrator, float thickness, bool has_lid, unsigned seed) {
     WorldDef settings;
     settings.integrator = integrator;
@@ -54,8 +55,8 @@ double gain_of_heap(Integrator integrator, float thickness, bool has_lid, unsign
     return most / before - 1;
 }
 
-// Of these 96 heaps 7 flew apart, with up to 30,000 times their energy: couplings that were those of the start were
-// used for arms that were longer about the axis of a rod, where it turns most easily.
+// When couplings of the start of the step were used with arms that had grown about the axis of a rod, where its inertia
+// is least, 7 of these 96 heaps flew apart, with up to 30,000 times their energy.
 TEST(Heaps, WithThinRodsDoNotGainEnergy) {
     for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4})
         for (const float thickness : {0.01f, 0.02f, 0.05f})
@@ -66,12 +67,13 @@ TEST(Heaps, WithThinRodsDoNotGainEnergy) {
                         << (has_lid ? "with" : "without") << " a lid, seed " << seed;
 }
 
-// Some seconds in the mean: where the contacts of bodies that lie on their edges change from step to step, single heaps
-// never do. In one heap of a hundred a body that leans on a wall rocks on the edge of another.
+// A heap comes to rest within some seconds on average. When the contacts of bodies that lie on their edges changed from
+// step to step, some heaps never did. In one heap of a hundred, a body that leans on a wall rocks on the edge of
+// another.
 TEST(Heaps, OfCompoundsComeToRest) {
     constexpr int heaps = 16, bodies = 60;
-    double mean = 0; // s
-    int awake = 0;   // after 20 s
+    double mean = 0; // until all bodies sleep, s
+    int awake = 0;   // heaps still awake after 20 s
     for (unsigned seed = 1; seed <= heaps; ++seed) {
         World world;
         add_pit(world);

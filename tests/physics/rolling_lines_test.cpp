@@ -1,5 +1,5 @@
-// What touches along a line, or with several points of something round: the places move over both surfaces as they
-// roll.
+// Contacts along a line, or with several points on a round surface: the contact points move over both surfaces as the
+// bodies roll.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -19,8 +19,8 @@ void add_round(World& world, bool is_capsule, double half, double radius, const 
         add_body(world, Cylinder{float(half), float(radius)}, def, surface(1));
 }
 
-// A plank that lies across a fixed log and rocks on it by up to 0.15 rad: 1/s, at which its energy grows, above that of
-// lying level, once it has sunk into the log as far as its weight takes it.
+// The growth rate of the energy, 1/s, of a plank that lies across a fixed log and rocks on it by up to 0.15 rad. Energy
+// counts from that of the horizontal plank at its static penetration.
 double growth_of_plank(RandomStart& random, bool is_capsule, int hertz) {
     const double radius = random.uniform(0.1, 1), thickness = random.uniform(0.01, 0.4) * radius;
     const double half = random.uniform(1, 3) * radius, lean = random.uniform(0.03, 0.15);
@@ -42,7 +42,8 @@ double growth_of_plank(RandomStart& random, bool is_capsule, int hertz) {
     return std::log((energy_of(world) - level) / before) / 6;
 }
 
-// Points went along with the plank until it had moved by some thousandths of its radius: 0.03 to 0.07 /s.
+// When contact points moved with the plank until it had moved by some thousandths of its radius, energy grew at 0.03 to
+// 0.07 /s.
 TEST(RollingLines, APlankThatRocksOnALogKeepsItsEnergy) {
     RandomStart random(5);
     for (const bool is_capsule : {false, true})
@@ -51,8 +52,8 @@ TEST(RollingLines, APlankThatRocksOnALogKeepsItsEnergy) {
                 EXPECT_NEAR(growth_of_plank(random, is_capsule, hertz), 0, 0.006) << is_capsule << hertz << " " << i;
 }
 
-// A cylinder or a capsule on its side whose center of mass is below its axis rolls to and fro: what is left of its
-// energy after 9 s, of what it has after one.
+// The energy after 9 s, relative to that after 1 s, of a cylinder or capsule on its side that rolls to and fro because
+// its center of mass is below its axis.
 double left_of_roll(RandomStart& random, bool is_capsule, int hertz) {
     const double radius = random.uniform(0.1, 0.5), below = random.uniform(0.2, 0.6) * radius;
     const double lean = random.uniform(0.1, 0.6);
@@ -76,7 +77,8 @@ double left_of_roll(RandomStart& random, bool is_capsule, int hertz) {
     return (energy_of(world) - lowest) / before;
 }
 
-// Lines of touch stood still within a step, and went along with the bodies from step to step: 0.56 to 1.15 were left.
+// When lines of contact were fixed within a step, and moved with the bodies from step to step, 0.56 to 1.15 of the
+// energy remained.
 TEST(RollingLines, ARolyPolyKeepsItsEnergy) {
     RandomStart random(7);
     for (const bool is_capsule : {false, true})
@@ -85,8 +87,8 @@ TEST(RollingLines, ARolyPolyKeepsItsEnergy) {
                 EXPECT_NEAR(left_of_roll(random, is_capsule, hertz), 1, 0.04) << is_capsule << hertz << " " << i;
 }
 
-// A cone, or a part of one, that lies on its side and rolls about its line of touch in a circle: what is left of its
-// kinetic energy after 5 s.
+// The kinetic energy after 5 s, relative to the initial one, of a cone or truncated cone that lies on its side and
+// rolls in a circle.
 double left_of_cone(RandomStart& random, bool has_tip, int hertz) {
     const double base = random.uniform(0.05, 0.3), half = random.uniform(0.5, 2) * base;
     const double top = has_tip ? 0 : random.uniform(0.2, 0.8) * base, rate = random.uniform(1.5, 6);
@@ -124,10 +126,11 @@ void add_smooth_ground(World& world, Ground ground, const Material& material) {
     }
 }
 
-// What lies on the ground and spins about its own axis as well as about the vertical keeps both. Where only the ends of
-// a line move within the step, and not its middle, nothing of it was seen: all of the spin about the axis was lost in
-// three seconds, at 240 Hz nine tenths of it. On meshes and height fields it was lost, too, as nobody knew that their
-// triangles are flat; and what lay across an edge between two in one plane, and leaned a little, had no point beyond.
+// A body that lies on the ground and rotates about its own axis as well as about the vertical keeps both rotations. In
+// such a motion only the ends of the contact line move within the step, not its middle. When the middle alone was
+// considered, the spin about the axis was lost in three seconds, and nine tenths of it at 240 Hz. The same loss
+// occurred on meshes and height fields whose contacts did not record that triangles are flat; and a body across an edge
+// between two coplanar triangles, inclined a little, had no contact point beyond the edge.
 TEST(RollingLines, WhatSpinsAboutItsAxisAndTurnsKeepsBoth) {
     RandomStart random(3);
     for (const Ground ground : {Ground::plane, Ground::mesh, Ground::height_field})
@@ -159,8 +162,8 @@ TEST(RollingLines, WhatSpinsAboutItsAxisAndTurnsKeepsBoth) {
                 }
 }
 
-// Which way the line of touch turns within a step, and that a cone is rounder at one end, was left out: 0.82 were left
-// of cones in the mean, at least 0.53.
+// Without the rotation of the contact line within a step and the variation of the radius of curvature along a cone,
+// cones kept 0.82 of their energy on average, and 0.53 at least.
 TEST(RollingLines, AConeRollsInACircle) {
     RandomStart random(9);
     for (const bool has_tip : {true, false}) {
@@ -175,7 +178,7 @@ TEST(RollingLines, AConeRollsInACircle) {
     }
 }
 
-// Boxes in a row, 0.5 m long, of which the first begins so far behind.
+// Adds a row of boxes, each 0.5 m long, of which the first begins `behind` m before the origin.
 void add_tiles(World& world, const glm::dquat& heading, double behind) {
     const BodyId tiles = world.create_body({.type = BodyType::static_, .rotation = Quat(heading)});
     for (int i = 0; i < 66; ++i) {
@@ -186,11 +189,11 @@ void add_tiles(World& world, const glm::dquat& heading, double behind) {
     }
 }
 
-// Two wheels on one axle whose sides taper, which roll on the larger rim of each: how much of their energy is left
-// after three seconds, and how far they went aside, as a part of their way.
+// The state, after three seconds, of an axle with two tapered wheels that roll on their larger rims: the remaining
+// fraction of the energy, and the sideways displacement as a fraction of the distance.
 struct RolledAxle {
     double energy, aside;
-    double bump; // m/s: how fast it goes up or down at most, once it lies on its wheels
+    double bump; // greatest vertical speed after the start, m/s
 };
 RolledAxle roll_axle(RandomStart& random, bool is_capsule, int hertz, bool on_tiles) {
     const double radius = random.uniform(0.1, 0.5), half = random.uniform(0.05, 0.3) * radius,
@@ -210,8 +213,7 @@ RolledAxle roll_axle(RandomStart& random, bool is_capsule, int hertz, bool on_ti
     const float moment = float(mass * radius * radius);
     def.mass_properties = MassProperties{float(mass), {}, {moment, moment, 0.5f * moment}, {1, 0, 0, 0}};
     const BodyId axle = world.create_body(def);
-    const double turn =
-        random.uniform(-1, 1) < 0 ? -pi / 2 : pi / 2; // the larger rims on the inside, or on the outside
+    const double turn = random.uniform(-1, 1) < 0 ? -pi / 2 : pi / 2; // larger rims inside or outside
     for (const double side : {-1.0, 1.0}) {
         ShapeDef wheel;
         wheel.material = rough();
@@ -232,10 +234,10 @@ RolledAxle roll_axle(RandomStart& random, bool is_capsule, int hertz, bool on_ti
     return {energy_of(world) / before, std::fabs(glm::dot(way, aside)) / glm::dot(way, ahead), bump};
 }
 
-// The radius was that of the end toward which the axis leans, which is the wrong one while it is nearly level: such
-// wheels gained up to 18 % of their energy in five seconds, and went aside by up to 9 m of 25. Those of capsules had a
-// second point, where the smaller end was centimeters above the ground: they went aside by up to a quarter of their
-// way.
+// When the rim was that of the end toward which the axis leans, which is the wrong one while the axis is nearly
+// horizontal, such wheels gained up to 18 % of their energy in five seconds, and drifted sideways by up to 9 m in 25 m.
+// Wheels of capsules had a second contact point at their smaller end, centimeters above the ground, and drifted by up
+// to a quarter of the distance.
 TEST(RollingLines, WheelsThatTaperRollStraightOn) {
     RandomStart random(17);
     for (const bool is_capsule : {false, true})
@@ -248,8 +250,8 @@ TEST(RollingLines, WheelsThatTaperRollStraightOn) {
             }
 }
 
-// Where they met a tile for the first time, the smaller end was a second point, centimeters above it, and the places of
-// both ran over it as those of a cone that lies on its side: each tile threw them up at 0.3 m/s.
+// At the first contact with a tile, the smaller end had a second contact point, centimeters above the tile, and both
+// points moved like those of a cone that lies on its side: each tile threw the wheels up at 0.3 m/s.
 TEST(RollingLines, WheelsThatTaperRollOverTiles) {
     RandomStart random(18);
     for (const bool is_capsule : {false, true})
@@ -262,8 +264,8 @@ TEST(RollingLines, WheelsThatTaperRollOverTiles) {
             }
 }
 
-// Whether a standing cylinder of 1 kg falls that is pushed at the height of its center with that share of what tips it,
-// m g r / h, which grows for a second.
+// Whether a standing cylinder of 1 kg falls when it is pushed at the height of its center with the fraction `share` of
+// the tipping force m g r / h. The force increases for a second.
 bool falls(double radius, double half, double share, double heading, double turn) {
     World world;
     add_ground(world, surface(3));
@@ -283,7 +285,8 @@ bool falls(double radius, double half, double share, double heading, double turn
     return false;
 }
 
-// The four points of its rim went along with it, to the side of the load: it fell at 0.88 to 0.996.
+// When the four contact points on its rim moved with the body, they moved to the side of the load, and the cylinder
+// fell at 0.88 to 0.996 of that force.
 TEST(RollingLines, ACylinderTipsAtItsRim) {
     RandomStart random(11);
     for (int i = 0; i < 24; ++i) {
@@ -294,11 +297,12 @@ TEST(RollingLines, ACylinderTipsAtItsRim) {
     }
 }
 
-// A top with a tip 6 cm below its center of mass, conical or a ball of that radius, that precesses steadily about it.
+// A spinning top with a tip 6 cm below its center of mass, conical or a ball of radius `ball`, in steady precession
+// about the vertical.
 struct Top {
-    double rate;     // of its precession, of the right one
-    double nutation; // rad: how much its lean changes
-    double energy;   // what is left
+    double rate;     // rate of precession, relative to the exact one
+    double nutation; // rad: variation of its inclination
+    double energy;   // remaining fraction
 };
 Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
     constexpr double arm = 0.06, axial = 0.5 * 0.1 * 0.05 * 0.05, across = 0.6 * axial; // m, kg m^2
@@ -307,7 +311,7 @@ Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
     add_ground(world, rough());
     const glm::dquat turn = glm::angleAxis(heading, glm::dvec3(0, 1, 0)) * glm::angleAxis(-lean, glm::dvec3(0, 0, 1));
     const glm::dvec3 axis = turn * glm::dvec3(0, 1, 0);
-    // The slow solution of A p^2 - C s p + m g l = 0, A = (I + m l^2) cos(lean).
+    // The slow solution p of A p^2 - C s p + m g l = 0, with A = (I + m l^2) cos(lean) and the spin s.
     const double a = (across + 0.1 * arm * arm) * std::cos(lean), moment = axial * spin, weight = 0.1 * gravity * arm;
     const double precession = (moment - std::sqrt(moment * moment - 4 * a * weight)) / (2 * a);
     const glm::dvec3 rate = precession * glm::dvec3(0, 1, 0) + (spin - precession * std::cos(lean)) * axis;
@@ -339,10 +343,10 @@ Top spin_top(double spin, double lean, double heading, double ball, int hertz) {
     return {turned / (2 * precession), most - least, energy_of(world) / before};
 }
 
-// Contacts held the angular velocity of the end of each substep, not that which moved the body: nutation grew until it
-// was 0.1 to 0.3 rad, at 480 and 960 Hz. At 60 and 120 Hz it was up to 0.9 rad, as the inertia of a top was thought to
-// turn with its spin, and as a second point, far beside its tip, came within the margin of contacts. On the ball it
-// rolls, too, which slows its precession.
+// When contacts constrained the angular velocity at the end of each substep instead of the one that moves the body, the
+// nutation grew to 0.1 to 0.3 rad at 480 and 960 Hz. At 60 and 120 Hz it was up to 0.9 rad, because the spin of a top
+// counted as a rotation of its inertia tensor, and because a second contact point, far off the tip, came within the
+// speculative margin. A top on a ball also rolls, which slows its precession.
 TEST(RollingLines, ATopOnItsTipPrecesses) {
     RandomStart random(13);
     for (const auto& [hertz, bar] :

@@ -1,5 +1,5 @@
-// Balls that rolling resistance stops, and bodies that turn slowly. How balls roll without resistance are
-// cases 8, 9 and 16 of the validation.
+// Balls with rolling resistance, and bodies that rotate slowly. Rolling without resistance is covered by cases 8, 9 and
+// 16 of the validation.
 #include "support.h"
 
 namespace cairn_test {
@@ -7,8 +7,8 @@ namespace {
 
 constexpr float radius = 0.5f;
 
-// Also where both materials bounce: what rests there does so by bouncing in every substep, and would roll and spin on
-// for ever if those impulses did not count.
+// Resistance also acts when both materials have restitution: such a ball rests by bouncing in every substep, and would
+// roll and spin forever if the impulses of bounces did not count as load.
 TEST(RollingResistance, StopsBallsOnBouncingGround) {
     for (const float restitution : {0.0f, 0.05f, 0.5f}) {
         World world(without_sleep());
@@ -22,7 +22,7 @@ TEST(RollingResistance, StopsBallsOnBouncingGround) {
         def.angular_velocity = {0, 0, -6};
         const BodyId ball = add_body(world, Sphere{radius}, def, material);
         run(world, 1.0f / 60.0f, 30);
-        // The couple mu_r m g against (7/5) m r^2: v' = -(5/7) g mu_r / r.
+        // The couple mu_r m g acts on the effective inertia (7/5) m r^2: v' = -(5/7) g mu_r / r.
         EXPECT_NEAR(world.body(ball).linear_velocity().x, 3 - 0.5 * 5.0 / 7.0 * gravity * 0.15 / radius, 0.1)
             << restitution;
         world.body(ball).set_angular_velocity(world.body(ball).angular_velocity() + Vec3(0, 5, 0));
@@ -32,8 +32,9 @@ TEST(RollingResistance, StopsBallsOnBouncingGround) {
     }
 }
 
-// Slow turns are not followed within a step: the momentum must be the same at its end. The ball has three different
-// moments and touches the ground without weight, so that it is solved with it: free bodies go another way.
+// The inertia tensor is not rotated within a step for slow rotations, so the angular momentum must be right at its end.
+// The ball has three different moments of inertia and touches the ground without weight, so that the contact solver
+// handles it: free bodies are integrated differently.
 TEST(SlowTurn, KeepsItsAngularMomentum) {
     for (const float speed : {0.001f, 0.0035f, 0.0045f, 0.05f}) {
         WorldDef settings = without_sleep();
@@ -54,8 +55,8 @@ TEST(SlowTurn, KeepsItsAngularMomentum) {
     }
 }
 
-// A helicoid of triangles that turns about y, as the screw of a water wheel: y = pitch / (2 pi) (angle + turn), with
-// the angle from x to z, against which a turn about y counts. Posts keep a marble from going round with it.
+// A helicoid of triangles that rotates about y like an Archimedes screw: y = pitch / (2 pi) (angle + turn). The angle
+// counts from x to z, opposite to a positive rotation about y. Posts keep a marble from revolving with the screw.
 double rise_of_marble(float pitch, float speed, double seconds) {
     constexpr int rings = 3, per_turn = 48, turns = 3;
     std::vector<Vec3> corners;
@@ -94,7 +95,7 @@ double rise_of_marble(float pitch, float speed, double seconds) {
     return world.body(marble).position().y - before;
 }
 
-// In the public sample WaterWheel no marble is lifted: its screw turns downwards (docs/scene_format.md).
+// In the public sample WaterWheel no marble is lifted, because its screw rotates downward (docs/scene_format.md).
 TEST(Rolling, AScrewOfTrianglesLiftsAMarbleByItsPitchOrLowersIt) {
     const float pitch = 0.08f;
     for (const float speed : {1.5f, 3.0f, -1.5f}) {

@@ -1,4 +1,5 @@
-// What lies on large fixed balls, on planets, boulders and logs: on a face that nearly fits it comes to rest.
+// Bodies that lie on large fixed balls, capsules and cylinders (planets, boulders, logs) come to rest on a face that
+// nearly fits the curved surface.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -31,7 +32,7 @@ Shape small_shape(int kind, float size) {
     }
 }
 
-// A ball, or the side of a capsule or cylinder along z, whose surface is at 0.
+// A ball, or the side of a capsule or cylinder along z, with its highest point at height 0.
 enum class Ground { ball, capsule, cylinder };
 void add_ground(World& world, const RandomStart& start, Ground ground, double radius) {
     BodyDef def;
@@ -45,8 +46,8 @@ void add_ground(World& world, const RandomStart& start, Ground ground, double ra
     add_body(world, shape, def, surface(0.6f));
 }
 
-// Of a shape that falls on it, turned at random, in 8 s: the most that it is sunk in during the last four, as part of
-// its size, and whether it is still awake.
+// The result of 8 s after a shape with a random rotation falls on the ground: the greatest penetration in the last four
+// seconds, as a fraction of its size, and whether it is still awake.
 struct Landing {
     double sunk = 0;
     bool is_awake = false;
@@ -76,7 +77,8 @@ Landing land(int seed, Ground ground, int kind, double size, double radius) {
     return result;
 }
 
-// Every kind on every ground, 126 times in all, where the corners of a face are so far off the tangent plane, m.
+// Runs every kind of shape on every ground, 126 runs in total, with radii for which the corners of a face are
+// `least_off` to `most_off` m off the tangent plane.
 template <class Check> void land_all(std::uint32_t seed, double least_off, double most_off, Check&& check) {
     RandomStart random(seed);
     for (const Ground ground : {Ground::ball, Ground::capsule, Ground::cylinder})
@@ -90,7 +92,7 @@ template <class Check> void land_all(std::uint32_t seed, double least_off, doubl
             }
 }
 
-// Each touched by one corner after the other: turned on for ever, sunk in by up to 1.4 of its size.
+// When one corner after the other touched, such shapes rotated forever, and penetrated by up to 1.4 of their size.
 TEST(RoundSides, WhatFallsOnOneThatFitsItsFaceComesToRest) {
     int awake = 0;
     land_all(5, 2e-5, 3e-4, [&](const Landing& landing) {
@@ -100,15 +102,17 @@ TEST(RoundSides, WhatFallsOnOneThatFitsItsFaceComesToRest) {
     EXPECT_LE(awake, 3) << "of 126";
 }
 
-// Farther off the plane it may rock for long, but no deeper in than it falls in a step.
+// With corners farther off the tangent plane a shape may rock for a long time, but penetrates no deeper than it falls
+// in a step.
 TEST(RoundSides, NothingSinksIntoThem) {
     int deep = 0;
     land_all(6, 3e-4, 5e-3, [&](const Landing& landing) { deep += landing.sunk > 0.1; });
     EXPECT_LE(deep, 3) << "of 126";
 }
 
-// Its own rotation makes a shape larger by 1e-7 where that is no unit quaternion, as floats make them: what came down
-// on 1 km of it was stopped 0.1 mm before it, was not found to touch, and went on turning into it.
+// A float quaternion of a shape within its body is not exactly normalized, and scales the shape by up to 1e-7. On a
+// ball of radius 1 km that is 0.1 mm: a falling body was stopped that far above the surface, was not found to touch,
+// and rotated on into it.
 TEST(RoundSides, WhatSpinsMeetsALargeShapeThatIsTurnedInItsBody) {
     RandomStart random(8);
     for (const double radius : {100.0, 300.0, 1000.0})
@@ -141,8 +145,8 @@ TEST(RoundSides, WhatSpinsMeetsALargeShapeThatIsTurnedInItsBody) {
         }
 }
 
-// A ball that grows below a box from the size of a stone to that of a planet, and shrinks again: met in another way,
-// and saved in each.
+// A ball below a box grows from the size of a stone to that of a planet and shrinks again. The contact test changes
+// with the size, and a snapshot is saved for each size.
 TEST(RoundSides, ABallThatGrowsBelowABoxGoesOnBearingIt) {
     World world(without_sleep());
     BodyDef def;

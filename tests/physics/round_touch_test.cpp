@@ -1,4 +1,5 @@
-// While two bodies pass each other, the place of touch stays with what is round: no couple turns it about its own axis.
+// While two bodies pass each other, the contact point stays on the round one, so that no torque acts about its own
+// axis.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -16,7 +17,7 @@ double spin_about_axis(const Body& body) {
     return std::fabs(double(glm::dot(body.angular_velocity(), body.rotation() * Vec3(0, 1, 0))));
 }
 
-// A thin rod on ball joints at both ends, in the way of a heavy ball that has no friction and passes beside it.
+// A thin rod on ball joints at both ends is in the path of a heavy frictionless ball, which slides past it.
 TEST(RoundTouch, ABallWithoutFrictionSpinsNoRod) {
     RandomStart random(3);
     for (int i = 0; i < 24; ++i) {
@@ -37,14 +38,14 @@ TEST(RoundTouch, ABallWithoutFrictionSpinsNoRod) {
         const double energy = world.kinetic_energy();
         for (int k = 0; k < 60; ++k) {
             world.step(dt);
-            EXPECT_LT(spin_about_axis(world.body(rod)), 3) << i; // it was up to 380; of 400 starts 2.5 at most
+            EXPECT_LT(spin_about_axis(world.body(rod)), 3) << i; // without it up to 380; at most 2.5 in 400 starts
             EXPECT_LT(world.kinetic_energy(), 1.001 * energy) << i;
         }
     }
 }
 
-// The greatest spins of two balls, of which the upper one slides off the lower one, which may turn but not move. No
-// friction acts: none should turn, and what is left is the same whichever was made first.
+// The greatest spins, rad/s, of two frictionless balls. The upper ball slides off the lower one, which can rotate but
+// not move. Neither should spin, and the error must not depend on the order of creation.
 std::pair<double, double> spins_of_balls(bool upper_first, double lower_radius, double upper_radius, double aside) {
     World world;
     BodyId lower, upper;
@@ -77,11 +78,11 @@ TEST(RoundTouch, WhatTurnsDoesNotDependOnWhatWasMadeFirst) {
         const auto one = spins_of_balls(true, lower, upper, aside), other = spins_of_balls(false, lower, upper, aside);
         EXPECT_NEAR(one.first, other.first, 1e-3) << i;
         EXPECT_NEAR(one.second, other.second, 1e-3) << i;
-        EXPECT_LT(std::max(one.first, one.second), 0.001) << i; // it was up to 0.11
+        EXPECT_LT(std::max(one.first, one.second), 0.001) << i; // without it up to 0.11
     }
 }
 
-// A slack rope of 16 links of 0.5 kg between two points, 3 m apart.
+// A slack rope of 16 links of 0.5 kg between two points at a distance of 3 m.
 std::vector<JointId> hang_rope(World& world, const Quat& heading) {
     constexpr int links = 16;
     constexpr double span = 3, sag = 0.4, length = span / links * sag / 0.38941834230865052; // sin 0.4
@@ -108,7 +109,7 @@ std::vector<JointId> hang_rope(World& world, const Quat& heading) {
     return joints;
 }
 
-// A box that falls on it opened its joints by up to 273 m, as its links were spun about their thin axes.
+// The impact of a box opened the joints of the rope by up to 273 m, because it spun the links about their thin axes.
 TEST(RoundTouch, ARopeHoldsTogetherWhereABoxFallsOnIt) {
     RandomStart random(5);
     for (int i = 0; i < 24; ++i) {

@@ -1,4 +1,4 @@
-// Every shape at rest on every other, and how round things roll (row 8 of docs/validation.md).
+// Every shape at rest on every other, and rolling round shapes (row 8 of docs/validation.md).
 #include "support.h"
 
 #include <array>
@@ -12,7 +12,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 struct NamedShape {
     const char* name;
     Shape shape;
-    double half_height; // of the lowest point below its origin, as it lies by `rotation`
+    double half_height; // m, from the origin down to the lowest point, with the rotation `rotation`
     Quat rotation{1, 0, 0, 0};
 };
 
@@ -46,7 +46,7 @@ std::vector<NamedShape> movers() {
             {"rounded hull", octagonal_prism(0.4f, 0.35f, 0.05f), 0.4}};
 }
 
-// Wide things to lie on, with their upper side at y = 0.
+// Wide shapes as ground, with their upper side at y = 0.
 std::vector<NamedShape> grounds() {
     const std::vector<Vec3> square = {{-6, 0, -6}, {6, 0, -6}, {-6, 0, 6}, {6, 0, 6}};
     const std::vector<std::uint32_t> triangles = {0, 2, 3, 0, 3, 1};
@@ -71,7 +71,8 @@ std::vector<NamedShape> grounds() {
             {"height field", HeightField(7, 7, {2, 2}, std::vector<float>(49, 0.0f)), 0}};
 }
 
-// Dropped from a hand's breadth, it comes to rest on the ground, as it was, and sinks less than 2 mm.
+// A shape dropped from about 10 cm comes to rest on the ground, in its original orientation, and penetrates by less
+// than 2 mm.
 TEST(Shapes, EveryShapeRestsOnEveryGround) {
     for (const NamedShape& ground : grounds()) {
         for (const NamedShape& mover : movers()) {
@@ -101,11 +102,11 @@ TEST(Shapes, EveryShapeRestsOnEveryGround) {
     }
 }
 
-// Two dynamic ones of any kinds: the upper one is held by the lower one.
+// Two dynamic bodies of any two shapes: the lower one stops the upper one.
 TEST(Shapes, EveryShapeCarriesEveryOther) {
     for (const NamedShape& lower : movers()) {
         for (const NamedShape& upper : movers()) {
-            if (std::string(lower.name).find("cone") != std::string::npos) continue; // nothing rests on its tip
+            if (std::string(lower.name).find("cone") != std::string::npos) continue; // nothing rests on a tip
             World world(without_gravity());
             BodyDef def;
             def.rotation = lower.rotation;
@@ -116,7 +117,8 @@ TEST(Shapes, EveryShapeCarriesEveryOther) {
             const BodyId b = add_body(world, upper.shape, def, surface(0.5f));
             run(world, 1.0f / 60.0f, 60);
             const std::string what = std::string(upper.name) + " on " + lower.name;
-            // Inelastic: they go on together, or have turned each other away; but none has passed the other.
+            // Restitution is 0: the bodies move on together or have deflected each other, but neither has passed
+            // through the other.
             EXPECT_LT(world.body(a).linear_velocity().y, -0.05f) << what;
             EXPECT_GT(world.body(b).position().y, world.body(a).position().y + 0.3) << what;
             EXPECT_LT(deepest_overlap(world), 0.01) << what;
@@ -124,7 +126,7 @@ TEST(Shapes, EveryShapeCarriesEveryOther) {
     }
 }
 
-// By its whole lower face, of the sharp box within.
+// A rounded box is supported at the four corners of the lower face of its sharp core.
 TEST(Shapes, ARoundedBoxLiesOnFourPoints) {
     for (const NamedShape& ground : grounds()) {
         if (std::string(ground.name).find("sphere") != std::string::npos || ground.rotation != Quat(1, 0, 0, 0))
@@ -140,7 +142,7 @@ TEST(Shapes, ARoundedBoxLiesOnFourPoints) {
         run(world, 1.0f / 60.0f, 60);
         ASSERT_EQ(world.contacts().size(), 1u) << ground.name;
         const Contact contact = world.contacts()[0];
-        // Where an edge between triangles passes near a corner, its point may stand for the corner's.
+        // Where an edge between triangles passes near a corner, its contact point may replace that of the corner.
         const double slack = std::string(ground.name) == "mesh" ? 0.03 : 2e-3;
         ASSERT_EQ(contact.point_count, 4) << ground.name;
         for (int i = 0; i < 4; ++i) {
@@ -150,19 +152,19 @@ TEST(Shapes, ARoundedBoxLiesOnFourPoints) {
     }
 }
 
-// Tipped over an edge, a box with round edges rolls on it: without friction losses it swings back to where it was let
-// go.
+// A box with round edges rolls on them when it is tilted. Without losses it would swing back to where it was released.
 TEST(Shapes, ARoundedBoxRocksOnItsRoundEdges) {
     World world(without_sleep());
     add_ground(world, surface(1.0f));
     BodyDef def;
     const float tilt = 0.3f;
     def.rotation = glm::angleAxis(tilt, Vec3(0, 0, 1));
-    // The middle of the lower edge of the core is 0.5 m above the ground.
+    // The center of the lower edge of the core is 0.5 m above the ground.
     const double s = std::sin(double(tilt)), c = std::cos(double(tilt));
     def.position = {0, 0.5 + 0.5 * c - 0.5 * s, 0};
     const BodyId id = add_body(world, Box{{0.5f, 0.5f, 0.5f}, 0.5f}, def, surface(1.0f));
-    // With the center of mass 1 m above the ground and round about points 0.5 m beside the middle, it falls back.
+    // The center of mass is 1 m above the ground, and the edge rounds about lines 0.5 m beside the center: the box
+    // falls back.
     run(world, 1.0f / 60.0f, 600);
     const Vec3 up = world.body(id).rotation() * Vec3(0, 1, 0);
     EXPECT_GT(up.y, 0.999f);
@@ -173,7 +175,7 @@ TEST(Shapes, ARoundedBoxRocksOnItsRoundEdges) {
 class RoundThings : public EveryStep {};
 CAIRN_AT_EVERY_STEP(RoundThings);
 
-// Row 8: a = g sin / (1 + 1/2).
+// Row 8: a = g sin(slope) / (1 + 1/2).
 TEST_P(RoundThings, CylinderRollsDownASlopeWithTwoThirdsOfGravity) {
     const Slope slope{radians(30)};
     World world;
@@ -193,7 +195,7 @@ TEST_P(RoundThings, CylinderRollsDownASlopeWithTwoThirdsOfGravity) {
     EXPECT_NEAR(height, 0.5, 0.002);
 }
 
-// k^2 = I / m of the rounded cylinder is that of its mass properties.
+// k^2 = I / m of the rounded cylinder follows from its mass properties.
 TEST_P(RoundThings, RoundedCylinderRollsDownASlopeAsItsMomentSays) {
     const Slope slope{radians(30)};
     World world;
@@ -237,8 +239,8 @@ TEST_P(RoundThings, CylinderRollsOnForEver) {
     }
 }
 
-// A wall that is thinner than what stands beside it, at a slant to the axes of its mesh: the far side is within the
-// bounds of the body, and the body behind it.
+// A wall thinner than the body beside it, slanted relative to the axes of its mesh: the far side of the wall lies
+// within the bounds of the body, and the body is behind that side.
 TEST(Shapes, NothingIsPulledThroughThinWalls) {
     const float c = std::sqrt(0.5f);
     std::vector<Vec3> corners;
@@ -264,8 +266,8 @@ TEST(Shapes, NothingIsPulledThroughThinWalls) {
         }
 }
 
-// The middle of the bounds of a flat tetrahedron may be outside of it: taken for a point inside, it was under the
-// ground when they lay on it, and they fell through.
+// The center of the bounds of a flat tetrahedron may be outside of it. When that center was used as an interior point,
+// it was below the ground, and such tetrahedra fell through.
 TEST(Tetrahedra, RestOnAMeshOnTheirFlatSides) {
     const std::vector<Vec3> flat[] = {
         {{0.263f, -0.251f, 0.280f}, {-0.247f, 0.132f, 0.179f}, {-0.218f, 0.137f, 0.234f}, {0.285f, -0.035f, -0.265f}},

@@ -1,4 +1,4 @@
-// Planes with two sides, and strips, which are infinite along one axis alone.
+// Two-sided planes, and strips, which are infinite along one axis only.
 #include "support.h"
 
 #include <limits>
@@ -29,7 +29,7 @@ WorldDef pulled(float gravity) {
     return def;
 }
 
-// Gravity pulls towards the sheet from each of its sides, which face up and down.
+// Gravity pulls bodies toward the sheet from each of its sides, which face up and down.
 TEST(Sheets, HoldWhatFallsOnThemFromEitherSide) {
     for (const Sheet& sheet : sheets())
         for (const Shape& shape : balls_and_boxes())
@@ -49,7 +49,7 @@ TEST(Sheets, HoldWhatFallsOnThemFromEitherSide) {
             }
 }
 
-// Both at once, each on its own side, pressed against the sheet.
+// Two bodies at once, one on each side, pressed against the sheet.
 TEST(Sheets, HoldTwoThingsBackToBack) {
     for (const Sheet& sheet : sheets()) {
         World world(without_gravity());
@@ -90,7 +90,7 @@ TEST(Sheets, FastThingsDoNotPass) {
                 }
 }
 
-// A body whose parts are on both sides of a rectangle, as a clip over an edge, stays where it is.
+// A body with parts on both sides of a rectangle, like a clip over its edge, stays where it is.
 TEST(Sheets, AClipHoldsOnToTheEdgeOfARectangle) {
     World world(without_gravity());
     BodyDef def;
@@ -114,7 +114,7 @@ TEST(Sheets, AClipHoldsOnToTheEdgeOfARectangle) {
     }
 }
 
-// One-sided strips hold from their front alone, along their whole length, and end at their sides.
+// One-sided strips hold bodies on their front only, along their whole length, and end at their sides.
 TEST(Sheets, AStripHasSidesAndNoEnds) {
     for (const double x : {0.0, 50.0, 1e4, 1e6}) {
         World world;

@@ -1,5 +1,5 @@
-// One joint that holds one body, or two: all that it does is done at once, whatever the lengths and the masses. Joints
-// are asked to be iterative; those that are solved directly have tests of their own.
+// A single joint on one or two bodies: all of its constraint rows are satisfied in a single solve, whatever the lengths
+// and masses. Joints are assigned to the iterative solver; the direct solver has tests of its own.
 #include "support.h"
 #include "validation/random_starts.h"
 
@@ -16,7 +16,7 @@ Vec3 direction(RandomStart& start) {
     return Vec3(r * std::cos(angle), r * std::sin(angle), z);
 }
 
-// A ball at the end of a weightless arm, on a hinge that holds it to the world about an axis across the arm.
+// A ball at the end of a massless arm, on a hinge to the world whose axis is perpendicular to the arm.
 struct ArmWithBall {
     World world;
     BodyId ball;
@@ -39,12 +39,13 @@ struct ArmWithBall {
         joint_def.solver = solver;
         joint = world.create_joint(joint_def);
     }
-    // N m about the axis, of the weight.
+    // The torque of the weight about the axis, N m.
     double load() const { return mass * gravity * double(glm::dot(axis, glm::cross(arm, Vec3(0, -1, 0)))); }
     double angle() const { return double(world.joint_state(joint).positions[0]); }
 };
 
-// A ball of 1 cm at an arm of 1 m crept by 0.76 rad in 3 s: of the hinge's point and angle each undid the other's work.
+// When the rows for the anchor and for the angle were solved one after the other, each undid the result of the other: a
+// ball of 1 cm on an arm of 1 m crept by 0.76 rad in 3 s.
 TEST(SingleJoints, MotorsAndFrictionHoldWhatTheyCan) {
     for (std::uint32_t seed = 0; seed < 40; ++seed)
         for (const bool is_motor : {false, true}) {
@@ -64,11 +65,12 @@ TEST(SingleJoints, MotorsAndFrictionHoldWhatTheyCan) {
         }
 }
 
-// It was passed by up to 0.5 rad, and thrown back by up to 0.9.
+// With rows solved one after the other, the limit was exceeded by up to 0.5 rad, and the ball thrown back by up to 0.9
+// rad.
 TEST(SingleJoints, WhatFallsOnARigidLimitStops) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         RandomStart start(seed);
-        double most = 0; // rad: before it hangs straight down, so that its weight keeps it there
+        double most = 0; // rad; before the arm hangs straight down, so that the weight presses on the limit
         ArmWithBall arm(start, JointSolver::iterative, without_sleep(), [&](const ArmWithBall& a) {
             const Vec3 down(0, -1, 0);
             const double lowest = std::atan2(a.load() / (a.mass * gravity), double(glm::dot(a.arm, down)));
@@ -90,7 +92,8 @@ TEST(SingleJoints, WhatFallsOnARigidLimitStops) {
     }
 }
 
-// The first 14 steps told 0.5 to 1.5 of it, so that joints broke below their strength.
+// In the first 14 steps the reported torque was 0.5 to 1.5 times the actual one, so that joints broke below their
+// strength.
 TEST(SingleJoints, AFixedJointTellsTheTorqueThatItGives) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         RandomStart start(seed);
@@ -118,7 +121,8 @@ TEST(SingleJoints, AFixedJointTellsTheTorqueThatItGives) {
     }
 }
 
-// "Relative to the mass that the joint moves" was the moment about the body's own center.
+// The frequency of a spring refers to the effective mass of the joint. When the moment of inertia about the body's own
+// center was used instead, springs oscillated at a hundredth of it.
 TEST(SingleJoints, ASpringSwingsAtTheFrequencyThatItWasMadeFor) {
     for (const JointSolver solver : {JointSolver::iterative, JointSolver::direct})
         for (std::uint32_t seed = 0; seed < 20; ++seed) {
@@ -151,7 +155,7 @@ TEST(SingleJoints, ASpringSwingsAtTheFrequencyThatItWasMadeFor) {
         }
 }
 
-// What hangs beside a slider does not turn it, and stops with it.
+// A load beside the axis of a slider does not rotate the slider, and stops with it at the limit.
 TEST(SingleJoints, WhatHangsBesideASliderStopsAtItsEnd) {
     for (std::uint32_t seed = 0; seed < 30; ++seed) {
         RandomStart start(seed);

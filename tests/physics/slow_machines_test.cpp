@@ -1,6 +1,5 @@
-// Machines whose parts move against each other, or turn about a point that stays, gain speed slowly: they must not fall
-// asleep, though the momenta of their parts add up to nothing. And what a machine's parts do by contact is known
-// exactly.
+// Machines that accelerate slowly must not fall asleep, although the momenta of their parts, which move against each
+// other or rotate about a fixed point, add up to zero. The motion of a cam follower has a closed form.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -12,7 +11,7 @@ namespace {
 
 constexpr float dt = 1.0f / 60;
 
-// Two balls on a rope over two rollers; returns the left one.
+// Hangs two balls on a rope over two rollers; returns the left one.
 BodyId hang_balls(World& world, double left_mass, double right_mass) {
     BodyDef def;
     def.position = {-0.5, 0, 0};
@@ -32,7 +31,7 @@ BodyId hang_balls(World& world, double left_mass, double right_mass) {
     return left;
 }
 
-// Of nearly the same mass, at 0.05 to 0.1 m/s^2.
+// Two balls of nearly equal mass accelerate at 0.05 to 0.1 m/s^2.
 TEST(SlowMachines, AnAtwoodMachineGoesOn) {
     RandomStart random(5);
     for (int i = 0; i < 24; ++i) {
@@ -45,7 +44,7 @@ TEST(SlowMachines, AnAtwoodMachineGoesOn) {
     }
 }
 
-// A flywheel with a weak motor: its rim gains 0.05 to 0.1 m/s^2.
+// A flywheel with a weak motor: its rim accelerates at 0.05 to 0.1 m/s^2.
 TEST(SlowMachines, AFlywheelComesUpToSpeed) {
     RandomStart random(6);
     for (int i = 0; i < 24; ++i) {
@@ -66,8 +65,8 @@ TEST(SlowMachines, AFlywheelComesUpToSpeed) {
     }
 }
 
-// A round disk that turns about a point beside its middle, as kinematic bodies turn about their origins, and a flat
-// plate on it, which gravity presses down: as high as the disk's middle and its radius say.
+// A round kinematic disk rotates about a point off its center, and gravity presses a flat plate onto it. The height of
+// the plate follows from the center of the disk and its radius.
 TEST(SlowMachines, ACamLiftsItsFollower) {
     for (int i = 0; i < 24; ++i) {
         RandomStart start(std::uint32_t(200 + i));
@@ -99,7 +98,7 @@ TEST(SlowMachines, ACamLiftsItsFollower) {
     }
 }
 
-// What has come to rest does fall asleep.
+// A machine in balance does fall asleep.
 TEST(SlowMachines, BalancedOnesRest) {
     World world;
     const Body ball = world.body(hang_balls(world, 5, 5));

@@ -1,4 +1,4 @@
-// Bodies that spin fast about no principal axis while they touch something: what turns them changes within the step.
+// Bodies in contact that spin fast about an axis that is not principal: their angular velocity changes within the step.
 #include "support.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ Material slippery_or_not(float friction) {
     return material;
 }
 
-// The energy of a world, and how much it rose at most above the least that it had, as a share of that at the start.
+// Tracks the energy of a world: its greatest increase above the previous minimum, as a fraction of the initial energy.
 class Gain {
   public:
     explicit Gain(const World& world) : world_(world), first_(energy()), least_(first_) {}
@@ -53,7 +53,7 @@ class Gain {
     double least_, most_ = 0;
 };
 
-// How far a body of one of the shapes, about its origin, reaches below it, m.
+// The depth of the lowest point of a body of the given shape below its origin, m.
 double reach_below(const Body& body, std::size_t shape) {
     const Quat q = body.rotation();
     const auto up = [&](Vec3 axis) { return double(std::fabs((q * axis).y)); };
@@ -68,10 +68,11 @@ double reach_below(const Body& body, std::size_t shape) {
     return double(cylinder.half_height) * along + double(cylinder.radius) * across;
 }
 
-// Contacts and inertia that were kept for a step in which the body turned gave it energy without end: a capsule that
-// lay on the ground at 100 rad/s jumped up with 21 times what it had. And each impact let what had sunk between two of
-// them leave by the acceleration of a point of its surface, though places of touch of what is round do not turn with
-// it: up to 38 of 60 went deeper than 2 cm, capsules of 5 cm all the way, and 66 of 8,000 gained more than a twentieth.
+// With contacts and inertia held constant for a step in which the body rotated far, energy grew without bound: a
+// capsule on the ground at 100 rad/s jumped up with 21 times its energy. With impacts that let penetrating bodies
+// separate by the acceleration of a fixed point of the surface, although the contact point of a round body does not
+// rotate with it, up to 38 of 60 penetrated deeper than 2 cm, capsules of 5 cm completely, and 66 of 8,000 gained more
+// than a twentieth of their energy.
 TEST(Spinning, WhatSpinsOnTheGroundGainsNothingAndStaysOnIt) {
     Starts starts(5);
     for (const float spin : {30.0f, 70.0f, 150.0f, 300.0f})
@@ -95,8 +96,8 @@ TEST(Spinning, WhatSpinsOnTheGroundGainsNothingAndStaysOnIt) {
             }
 }
 
-// A capsule of 0.5 m lies on a smooth floor, turns about its own axis and the vertical, and flies from impact to
-// impact: one at 20 and 14 rad/s lost 8 % of its energy in 3 s, and sank by 16 mm.
+// A capsule of 0.5 m lies on a frictionless floor, rotates about its own axis and about the vertical, and moves from
+// impact to impact. One at 20 and 14 rad/s lost 8 % of its energy in 3 s, and penetrated by 16 mm.
 TEST(Spinning, WhatLiesAndSpinsAboutTwoAxesGoesOn) {
     Starts starts(6);
     for (int k = 0; k < 40; ++k) {
@@ -121,8 +122,8 @@ TEST(Spinning, WhatLiesAndSpinsAboutTwoAxesGoesOn) {
     }
 }
 
-// In a pit of 1.1 m. What touched several others had the contacts of the start of the step for all of it: up to 28 %.
-// (Of 48 heaps without friction one gains more than 2 %.)
+// Spinning bodies in a pit of 1.1 m. When a body in contact with several others had the contacts of the start of the
+// step for all of it, heaps gained up to 28 %. (Of 48 heaps without friction one gains more than 2 %.)
 TEST(Spinning, HeapOfWhatSpinsGainsNothing) {
     Starts starts(5);
     double sum = 0;

@@ -1,5 +1,5 @@
-// Coins that are spun on the ground on their edge, and fall: the place of touch runs around the rim many times as fast
-// as they turn, and by a radian and more in a step.
+// Coins that are spun on edge, and fall. The contact point moves around the rim many times as fast as the coin rotates,
+// by a radian and more per step.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -11,8 +11,8 @@ namespace cairn_test {
 namespace {
 
 struct Spun {
-    double rise;        // of its energy, at most, above the least that it had, as a part of that at the start
-    double left, depth; // of that at the end; m: how deep it was in the ground at most
+    double rise;        // greatest increase of the energy above its minimum, as a fraction of the initial energy
+    double left, depth; // fraction of the energy at the end; greatest penetration, m
 };
 Spun spin_coin(RandomStart& random, double radius, int hertz) {
     World world(without_sleep());
@@ -44,8 +44,8 @@ Spun spin_coin(RandomStart& random, double radius, int hertz) {
     return spun;
 }
 
-// While the place of touch moved on a straight line within a step, it gained up to 0.7 of its energy at 60 Hz, 45 of 96
-// coins like these, and 21 at 120 Hz.
+// When the contact point moved on a straight line within a step, 45 of 96 coins like these gained up to 0.7 of their
+// energy at 60 Hz, and 21 at 120 Hz.
 TEST(SpunCoin, GainsNothing) {
     RandomStart random(5);
     for (const int hertz : {60, 120, 240})
@@ -59,12 +59,12 @@ TEST(SpunCoin, GainsNothing) {
         }
 }
 
-// It turns by half a radian to more than one in a step.
+// The contact point of such a coin moves by half a radian to more than one per step.
 TEST(KnownLimits, ACoinOfACentimeterMayGainEnergy) {
     RandomStart random(6);
     int gained = 0;
     for (int i = 0; i < 96; ++i) gained += spin_coin(random, 0.012, 60).rise > 0.02;
-    EXPECT_LT(gained, 36); // 120 of 600
+    EXPECT_LT(gained, 36); // measured: 120 of 600
 }
 
 } // namespace

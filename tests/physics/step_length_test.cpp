@@ -1,5 +1,5 @@
 // Worlds behave alike whatever the length of their steps, at a cost that does not grow as steps become short
-// (docs/decisions/substeps.md): what counts is how long a substep is.
+// (docs/decisions/substeps.md): the length of a substep is what matters.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -16,13 +16,13 @@ class StepLength : public testing::TestWithParam<int> {
   protected:
     int rate() const { return GetParam(); } // Hz
     float dt() const { return 1.0f / float(rate()); }
-    // In a second, but for rounding up, as many as at 60 Hz; one in each step at least, or two.
+    // Expects at most as many substeps per second as at 60 Hz, apart from rounding up; at least one or two per step.
     void expect_few_substeps(const World& world, int in_usual_step) const {
         EXPECT_LE(world.statistics().max_substeps * rate(), std::max(60 * in_usual_step * 1.6, double(2 * rate())));
     }
 };
 
-// 200 blocks thrown together in five layers.
+// 200 blocks that fall into a heap of five layers.
 TEST_P(StepLength, BlocksThatFellIntoAHeapOverlapAlike) {
     World world(without_sleep());
     add_ground(world, surface(0.6f));
@@ -39,8 +39,8 @@ TEST_P(StepLength, BlocksThatFellIntoAHeapOverlapAlike) {
     expect_few_substeps(world, 6);
 }
 
-// Loads that are measured in each step by itself had the number of substeps, and with it the stiffness, go up and down
-// at 1,000 Hz: the tower shook.
+// When the loads of each step were not averaged over time, the number of substeps, and with it the stiffness, went up
+// and down at 1,000 Hz, and the tower shook.
 TEST_P(StepLength, ATowerOf40Stands) {
     for (const double beside : {0.0, 0.01}) {
         World world(without_sleep());
@@ -59,7 +59,7 @@ TEST_P(StepLength, ATowerOf40Stands) {
     }
 }
 
-// Seven balls, let go when they are level.
+// A chain of seven balls, released when it is horizontal.
 TEST_P(StepLength, AChainThatWhipsHoldsTogether) {
     World world(without_sleep());
     BodyDef fixed;
@@ -108,7 +108,7 @@ TEST(StepLength, GivesTheNumberOfSubstepsUnlessTheWorldDoes) {
         EXPECT_THROW(world.usual_substeps(bad), Error) << bad;
 }
 
-// --- steps of unequal length: about one of ten is far shorter than a frame, as where what is left of it is stepped
+// --- steps of unequal length: about one of ten is far shorter than a frame, as when the rest of a frame is stepped
 
 class UnequalSteps {
   public:
@@ -121,7 +121,7 @@ class UnequalSteps {
     float short_; // s
 };
 
-// The fastest of what rests, m/s, in the last third of 6 s.
+// The greatest speed, m/s, of bodies that should be at rest, in the last third of 6 s.
 double fastest_at_rest(World& world, RandomStart& random) {
     UnequalSteps steps(random);
     double fastest = 0;
@@ -135,8 +135,8 @@ double fastest_at_rest(World& world, RandomStart& random) {
     return fastest;
 }
 
-// Stacks flew apart at up to 85 m/s, pyramids at 45: what the passes of a step of 2 to 20 microseconds left over was
-// taken for a force, and carried into the next one, a thousand times as long.
+// Stacks flew apart at up to 85 m/s and pyramids at 45 m/s when the residuals of the solver in a step of 2 to 20
+// microseconds were taken for forces, and scaled up for warm starting the next step, a thousand times as long.
 TEST(UnequalSteps, LeaveStacksAndPyramidsAtRest) {
     RandomStart random(1201);
     for (int i = 0; i < 24; ++i) {
@@ -153,8 +153,8 @@ TEST(UnequalSteps, LeaveStacksAndPyramidsAtRest) {
     }
 }
 
-// Chains that lie one on another flew apart at up to 2,000 m/s. What is left is in docs/known_limits.md: of 192 starts
-// 7 are faster than 1 m/s, 1.8 m/s at most.
+// In the same way, chains that lie on each other flew apart at up to 2,000 m/s. The remaining error is in
+// docs/known_limits.md: of 192 starts 7 are faster than 1 m/s, 1.8 m/s at most.
 TEST(UnequalSteps, LeaveChainsAtRest) {
     RandomStart random(1202);
     int fast = 0;
@@ -180,8 +180,8 @@ TEST(UnequalSteps, LeaveChainsAtRest) {
     EXPECT_LE(fast, 3);
 }
 
-// A chain of twelve that swings gained 1 to 68,000 times what it has to fall; solved directly or not. What is left is
-// in docs/known_limits.md.
+// In the same way, a swinging chain of twelve links gained 1 to 68,000 times the energy of its fall, in either solver.
+// The remaining error is in docs/known_limits.md.
 TEST(UnequalSteps, AddLittleToASwingingChain) {
     RandomStart random(1203);
     for (int i = 0; i < 24; ++i) {
@@ -200,7 +200,7 @@ TEST(UnequalSteps, AddLittleToASwingingChain) {
             world.create_joint(joint);
             last = link;
         }
-        const double mass = double(world.body(last).mass()), fall = 12 * mass * 9.81 * 3; // J, till it hangs
+        const double mass = double(world.body(last).mass()), fall = 12 * mass * 9.81 * 3; // J, until it hangs
         UnequalSteps steps(random);
         double gain = 0;
         const auto energy = [&] { return world.kinetic_energy() + world.potential_energy(); };

@@ -1,4 +1,4 @@
-// A paddle that no force stops turns in a pit full of things that bounce, and jams them against its walls.
+// A kinematic paddle rotates in a pit full of bouncing bodies, and jams them against the walls.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -8,8 +8,7 @@ namespace {
 
 constexpr Quat straight(1, 0, 0, 0);
 
-// A pit of 2 `inner` by 2 `inner` m, in the middle of which a paddle of this size turns at 2 rad/s, `height` above the
-// ground.
+// A pit of 2 `inner` x 2 `inner` m, in the middle of which a paddle rotates at 2 rad/s, `height` m above the ground.
 struct Pit {
     World world;
     Material material;
@@ -31,7 +30,7 @@ struct Pit {
         return add_body(world, shape, def, material);
     }
 
-    // The fastest body in these steps, m/s.
+    // The speed of the fastest body in the given number of steps, m/s.
     double fastest_in(int steps) {
         double most = 0;
         for (int step = 0; step < steps; ++step) {
@@ -44,7 +43,7 @@ struct Pit {
     }
 };
 
-// The fastest body in 2 s, m/s. The tip of the paddle moves at 8 m/s.
+// The speed of the fastest body in 2 s, m/s. The tip of the paddle moves at 8 m/s.
 double fastest_of_bodies(Integrator integrator, std::uint32_t seed) {
     RandomStart random(seed);
     WorldDef settings;
@@ -60,7 +59,8 @@ double fastest_of_bodies(Integrator integrator, std::uint32_t seed) {
     return pit.fastest_in(120);
 }
 
-// Likewise of sixty chains of four links on hinges and ball joints, in 4 s. The tip of the paddle moves at 4.4 m/s.
+// The speed of the fastest of sixty chains of four links, on hinges and ball joints, in 4 s, m/s. The tip of the paddle
+// moves at 4.4 m/s.
 double fastest_of_chains(float restitution, std::uint32_t seed) {
     RandomStart random(seed);
     Pit pit(WorldDef(), 2.5, Box{{2.2f, 0.4f, 0.3f}}, 0.6, surface(0.6f, restitution));
@@ -83,15 +83,16 @@ double fastest_of_chains(float restitution, std::uint32_t seed) {
 
 class StirredHeap : public ::testing::TestWithParam<Integrator> {};
 
-// In 21 of 24 something flew at more than 60 m/s within 3 s, up to 2,000: points of a contact that were to bounce later
-// took impulses in the passes of an impact, without end; and a bounce that changed a velocity by next to nothing moved
-// the pose by any amount.
+// In 21 of 24 pits some body reached more than 60 m/s within 3 s, up to 2,000 m/s: contact points that were due to
+// bounce later took impulses in the passes of an impact, without bound; and a bounce that changed a velocity by almost
+// nothing moved the pose by an arbitrary amount.
 TEST_P(StirredHeap, ThatBouncesStaysInItsPit) {
     for (std::uint32_t seed = 0; seed < 4; ++seed) EXPECT_LT(fastest_of_bodies(GetParam(), seed), 100) << seed;
 }
 
-// In half of them something flew at 300 to 2,000 m/s, and joints opened by meters: what a joint pressed into a contact,
-// carried over from substep to substep, bounced anew in each. One of a hundred is left (docs/known_limits.md).
+// In half of these pits some body reached 300 to 2,000 m/s, and joints opened by meters: an impulse that a joint
+// pressed into a contact, carried over from substep to substep, bounced anew in each. One pit of a hundred still breaks
+// (docs/known_limits.md).
 TEST(StirredChains, ThatBounceStayInTheirPit) {
     int broken = 0;
     for (const float restitution : {0.3f, 0.5f})

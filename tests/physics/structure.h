@@ -1,4 +1,4 @@
-// Structures of boxes for tests, in any place and heading, with gravity any way.
+// Structures of boxes for tests, at any place and heading, with gravity in any direction.
 #pragma once
 
 #include "support.h"
@@ -11,7 +11,7 @@
 
 namespace cairn_test {
 
-// Boxes that are made, in the frame of a start, on a plane.
+// A plane, and boxes on it, given in the frame of a random start.
 class Structure {
   public:
     explicit Structure(const RandomStart& start) : world(with_turned_gravity(start)), start_(start) {
@@ -21,14 +21,14 @@ class Structure {
         def.rotation = start.quat();
         add_body(world, Plane{}, def);
     }
-    // `turn`: about the vertical, radians.
+    // `turn`: angle about the vertical, rad.
     void add(const glm::dvec3& at, const Vec3& half, double turn = 0) {
         BodyDef def;
         def.position = start_.place(at);
         def.rotation = start_.quat() * glm::angleAxis(float(turn), Vec3(0, 1, 0));
         places_.emplace_back(add_body(world, Box{half}, def), def.position);
     }
-    // How far the one that has gone farthest has gone, m.
+    // The greatest distance of a box from where it was created, m.
     double way() const {
         double way = 0;
         for (const auto& [id, place] : places_)

@@ -1,4 +1,4 @@
-// What substeps are for: that structures hold and come to rest, at a bounded cost (docs/decisions/substeps.md).
+// Substeps make structures hold and come to rest, at a bounded cost (docs/decisions/substeps.md).
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -23,11 +23,11 @@ float greatest_gap(const World& world, const std::vector<JointId>& joints) {
 }
 
 struct Deck {
-    float gap, energy; // m, J: after 10 s
+    float gap, energy; // m and J, after 10 s
     int max_substeps;
 };
-// A deck of planks on balls, every fifth of them held by the ground, with a load on each, kg, that stands so far, m,
-// beside its middle.
+// A deck of planks on ball joints, of which every fifth is fixed to the ground. Each plank carries `load` kg, placed
+// `beside` m off its center.
 Deck loaded_deck(float load, double beside) {
     World world(without_sleep());
     const BodyId ground = add_ground(world, surface(0.6f));
@@ -44,7 +44,7 @@ Deck loaded_deck(float load, double beside) {
         BodyDef def;
         def.position = {i, 3, 0};
         def.mass = 100;
-        def.linear_damping = def.angular_damping = 2; // else it swings for long
+        def.linear_damping = def.angular_damping = 2; // otherwise it swings for a long time
         const BodyId next = add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
         join(last, next, i - 0.5);
         if (i % 5 == 4) join(ground, next, i + 0.5);
@@ -55,7 +55,7 @@ Deck loaded_deck(float load, double beside) {
     return {greatest_gap(world, joints), float(world.kinetic_energy()), world.statistics().max_substeps};
 }
 
-// The joints hold, and it comes to rest, with a bounded number of substeps.
+// The joints hold, and the deck comes to rest, with a bounded number of substeps.
 TEST(Substeps, HoldADeckUnderLoadsOfTwoKinds) {
     for (const double beside : {0.0, 1e-3, 2e-3}) {
         const Deck light = loaded_deck(30, beside), heavy = loaded_deck(800, beside);
@@ -67,8 +67,8 @@ TEST(Substeps, HoldADeckUnderLoadsOfTwoKinds) {
     }
 }
 
-// Under 20 t it shakes (docs/known_limits.md), more or less by how it happens to stand; a fall to the ground would have
-// 35 MJ.
+// Under 20 t the deck shakes (docs/known_limits.md), by an amount that depends on the start; a fall to the ground would
+// have 35 MJ.
 TEST(Substeps, KeepADeckUnder20TonsTogether) {
     std::vector<float> energies;
     for (int start = 0; start < 7; ++start) {
@@ -77,17 +77,17 @@ TEST(Substeps, KeepADeckUnder20TonsTogether) {
         EXPECT_LE(deck.max_substeps, 32) << start;
         energies.push_back(deck.energy);
     }
-    // One start in 24 has 22 MJ: it is a wreck that flies in few parts or in many.
+    // One start in 24 has 22 MJ: a wreck, whose parts fly apart.
     std::sort(energies.begin(), energies.end());
     EXPECT_LT(energies[3], 1e6f);
     EXPECT_LT(energies[5], 1.5e7f);
 }
 
-// Nets that hang from their upper edge; the last row pulls with that many times its weight.
+// Nets that hang from their upper edge; the last row pulls with `pull` times its weight.
 TEST(Substeps, HoldNetsOfTwoSizesAndUnderTension) {
     struct Case {
         int rows;
-        float pull, gap; // gap: m, at most
+        float pull, gap; // gap: the greatest allowed, m
     };
     for (const Case& c : {Case{12, 1, 0.0005f}, Case{28, 1, 0.001f}, Case{28, 200, 0.01f}}) {
         World world(without_sleep());
@@ -117,7 +117,7 @@ TEST(Substeps, HoldNetsOfTwoSizesAndUnderTension) {
     }
 }
 
-// Blocks in five layers, each on four others: as they were put down, or thrown together.
+// Blocks in five layers, each on four others: built in place, or dropped together.
 TEST(Substeps, OfWhatFellIntoAHeapAndOfWhatWasBuiltAreFew) {
     for (const bool is_tossed : {false, true}) {
         World world(without_sleep());
@@ -136,7 +136,7 @@ TEST(Substeps, OfWhatFellIntoAHeapAndOfWhatWasBuiltAreFew) {
     }
 }
 
-// What is small sinks no further, beside its size, than what is large; whether it may fall asleep or not.
+// Small cubes penetrate no more, relative to their size, than large ones, whether they may fall asleep or not.
 TEST(Substeps, HoldStacksOfSmallCubes) {
     for (const double edge : {0.1, 0.02, 0.013, 0.01, 0.007, 0.005, 0.003, 0.002, 0.001})
         for (const bool may_sleep : {true, false}) {
@@ -145,7 +145,7 @@ TEST(Substeps, HoldStacksOfSmallCubes) {
             World world(def);
             add_ground(world);
             BodyId top{};
-            for (int i = 0; i < 5; ++i) { // turned against each other, and somewhat beside
+            for (int i = 0; i < 5; ++i) { // rotated against each other and slightly offset
                 BodyDef body;
                 body.position = {0.05 * edge * (i % 2), (i + 0.5) * edge, 0.03 * edge * (i % 3)};
                 body.rotation = glm::angleAxis(0.4f * float(i), Vec3(0, 1, 0));
@@ -158,7 +158,7 @@ TEST(Substeps, HoldStacksOfSmallCubes) {
         }
 }
 
-// A shaft of `across` by `across` bodies of `size`, in layers that lie apart, which fall and fill it.
+// A shaft of `across` x `across` bodies of `size` m, in layers that start apart, and fall and fill it.
 class Shaft {
   public:
     Shaft(double size, int across, int layers, std::uint32_t seed)
@@ -178,7 +178,7 @@ class Shaft {
             bodies.push_back(add_body(world, Sphere{float(start_.uniform(0.45, 0.5) * size)}, def, surface(0.5f)));
         }
     }
-    // Of the deepest, as a part of the size.
+    // The greatest penetration, as a fraction of the size.
     double overlap() const {
         double deepest = 0;
         for (const Contact& contact : world.contacts())
@@ -202,8 +202,8 @@ class Shaft {
     double size_;
 };
 
-// It is held by its walls, and no column that could buckle: that took 24 substeps, and made contacts so stiff that
-// those that had sunk before pressed on the floor with many times the weight of all.
+// The filling is held by the walls, and is not a column that could buckle. Treated as one it took 24 substeps, and
+// contacts became so stiff that those with penetration pressed on the floor with many times the weight of all bodies.
 TEST(Substeps, OfWhatFillsAShaftAreTheUsualOnes) {
     for (std::uint32_t seed = 0; seed < 3; ++seed) {
         Shaft shaft(0.1, 4, 50, 700 + seed);
@@ -216,7 +216,7 @@ TEST(Substeps, OfWhatFillsAShaftAreTheUsualOnes) {
     }
 }
 
-// Balls of 2 cm used to overlap by up to a third of that.
+// Without substeps by size, balls of 2 cm overlapped by up to a third of their diameter.
 TEST(Substeps, KeepSmallGrainsApart) {
     for (const double size : {0.2, 0.1, 0.05, 0.02, 0.01})
         for (std::uint32_t seed = 0; seed < 2; ++seed) {
@@ -226,11 +226,11 @@ TEST(Substeps, KeepSmallGrainsApart) {
         }
 }
 
-// One body that is pressed hard is neither a tower nor what a heap needs more substeps for.
+// A single body that is pressed hard is not a tower, and must not give a heap more substeps.
 TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
     World world(without_sleep());
     add_ground(world, surface(0.6f));
-    for (int i = 0; i < 100; ++i) { // each lies on four others: one heap
+    for (int i = 0; i < 100; ++i) { // each rests on four others, so that all are one heap
         const double shift = i / 25 % 2 * 0.5 - 2;
         add_box(world, {1.001 * (i % 5) + shift, 0.5 + i / 25, 1.001 * (i / 5 % 5) + shift}, 1000);
     }
@@ -239,7 +239,7 @@ TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
     const BodyId pressed = add_body(world, Box{{0.1f, 0.1f, 0.1f}}, def, surface(0.6f));
     const float weight = 100 * 1000 * 9.81f, mass = world.body(pressed).mass();
     ASSERT_NEAR(mass, 8, 0.1);
-    for (int i = 0; i < 240; ++i) { // it has settled after two seconds or somewhat more
+    for (int i = 0; i < 240; ++i) { // the heap settles in two seconds or a little more
         world.body(pressed).add_force({0, -0.038f * weight, 0});
         world.step(1.0f / 60);
     }

@@ -1,4 +1,4 @@
-// Shared by the tests of physics. Numbers in the tests named "row n" are those of the table in docs/validation.md.
+// Helpers of the tests of physics. Numbers in tests named "row n" are rows of the table in docs/validation.md.
 #pragma once
 
 #include "validation/worlds.h"
@@ -21,7 +21,8 @@ inline std::vector<Vec3> box_corners(const Vec3& half) {
     return result;
 }
 
-// A floor of so many cells along either side, of that width, m, each cut in two triangles; about the origin.
+// A flat floor about the origin, of `cells` x `cells` square cells with edges of `width` m, each divided into two
+// triangles.
 inline Mesh flat_mesh(int cells, float width) {
     std::vector<Vec3> corners;
     std::vector<std::uint32_t> triangles;
@@ -37,7 +38,7 @@ inline Mesh flat_mesh(int cells, float width) {
     return Mesh(corners, triangles);
 }
 
-// A test that is run with several lengths of the step; the parameter is the number of steps per second.
+// A test that runs with several step lengths; the parameter is the number of steps per second.
 class EveryStep : public testing::TestWithParam<int> {
   protected:
     float dt() const { return 1.0f / float(GetParam()); }

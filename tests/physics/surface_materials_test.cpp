@@ -1,5 +1,5 @@
-// Meshes and height fields whose triangles have materials of their own: what lies on them, bounces off them and looks
-// at them meets that of the place.
+// Meshes and height fields whose triangles have materials of their own: friction, restitution and queries use the
+// material of the place.
 #include "support.h"
 #include "validation/random_starts.h"
 
@@ -13,16 +13,16 @@ using namespace cairn_test;
 
 constexpr float frame = 1.0f / 60;
 
-// A level floor of square cells about the origin, each with one of some materials.
+// A horizontal floor of square cells about the origin, each with one of several materials.
 class Patchwork {
   public:
-    // `numbers`: of cell (x, z) at x * cells + z.
+    // `numbers`: the material of cell (x, z) is at x * cells + z.
     Patchwork(int cells, float width, SurfaceMaterials materials) : cells_(cells), width_(width), own_(materials) {}
 
     Shape as_mesh(RandomStart& start) const {
         const Mesh plain = flat_mesh(cells_, width_);
         const std::span<const Vec3> corners = plain.vertices();
-        // In any order, as files have them.
+        // Triangles are in random order, as in files.
         std::vector<std::array<std::uint32_t, 3>> triangles;
         for (std::size_t i = 0; i < plain.indices().size(); i += 3)
             triangles.push_back({plain.indices()[i], plain.indices()[i + 1], plain.indices()[i + 2]});
@@ -68,7 +68,8 @@ BodyDef placed(const RandomStart& start, const glm::dvec3& at, BodyType type = B
     return def;
 }
 
-// What has the rule that every other overrules: the floor counts alone.
+// A material whose combine rule every other rule overrides. The floor combines by minimum friction and maximum
+// restitution, so that its values alone count.
 Material yielding() {
     Material material = surface(2);
     material.friction_combine = material.restitution_combine = CombineRule::multiply;
@@ -81,8 +82,9 @@ Material floor_material(float friction, float restitution = 0) {
     return material;
 }
 
-// Balls that do not turn, and boxes that are small beside the stripes, slide over stripes of other friction: each takes
-// its part of the energy. (A step at a border, up to 12 cm, is of one of the two.)
+// Balls that do not rotate, and boxes small compared with the stripes, slide over stripes with different friction, each
+// of which takes its part of the energy. (A step across a border, up to 12 cm, uses the friction of one of the two
+// stripes.)
 TEST(SurfaceMaterials, WhatSlidesIsBrakedAsTheStripesUnderItHaveIt) {
     constexpr int cells = 20;
     double worst_ball = 0, worst_box = 0;
@@ -93,7 +95,7 @@ TEST(SurfaceMaterials, WhatSlidesIsBrakedAsTheStripesUnderItHaveIt) {
         for (int x = 0; x < cells; ++x) {
             friction.push_back(start.uniform(0.05, 0.5));
             if (x > 0) materials.materials.push_back(floor_material(float(friction.back())));
-            for (int z = 0; z < cells; ++z) materials.numbers.push_back(std::uint16_t(x)); // 0: that of the shape
+            for (int z = 0; z < cells; ++z) materials.numbers.push_back(std::uint16_t(x)); // 0: material of the shape
         }
         World world(with_turned_gravity(start));
         add_body(world, Patchwork(cells, 1, materials).of_kind(int(seed % 2), start),
@@ -106,7 +108,7 @@ TEST(SurfaceMaterials, WhatSlidesIsBrakedAsTheStripesUnderItHaveIt) {
         const Shape shape = is_ball ? Shape(Sphere{0.1f}) : Shape(Box{{0.1f, 0.1f, 0.1f}});
         const BodyId body = add_body(world, shape, def, yielding());
         run(world, frame, 60 * 8);
-        // Where it has lost all of its energy.
+        // The point where the body has lost all of its kinetic energy.
         double left = speed * speed / (2 * gravity), end = from;
         while (left > 0) {
             const int stripe = int(std::floor(end + 1e-9)) + cells / 2;
@@ -123,7 +125,7 @@ TEST(SurfaceMaterials, WhatSlidesIsBrakedAsTheStripesUnderItHaveIt) {
     RecordProperty("worst_box", std::to_string(worst_box));
 }
 
-// Balls, and boxes that land flat, leave as fast as the restitution of the place says.
+// Balls, and boxes that land flat, rebound with the restitution of the cell that they hit.
 TEST(SurfaceMaterials, WhatFallsBouncesAsThePlaceWhereItLandsHasIt) {
     constexpr int cells = 16, bodies = 24;
     for (unsigned seed = 0; seed < 12; ++seed) {
@@ -148,7 +150,7 @@ TEST(SurfaceMaterials, WhatFallsBouncesAsThePlaceWhereItLandsHasIt) {
         };
         std::vector<Falling> all;
         for (int i = 0; i < bodies; ++i) {
-            // In the middle of a cell that none else has.
+            // Near the center of a cell of its own.
             const double x = i % 8 * 2 - 7.5 + start.uniform(-0.25, 0.25),
                          z = i / 8 * 2 - 3.5 + start.uniform(-0.25, 0.25);
             BodyDef def = placed(start, {x, start.uniform(0.5, 3), z});
@@ -166,7 +168,7 @@ TEST(SurfaceMaterials, WhatFallsBouncesAsThePlaceWhereItLandsHasIt) {
                     EXPECT_TRUE(hit.body_a == ground || hit.body_b == ground);
                     EXPECT_EQ(hit.surface_material, body.number) << seed;
                     const double left = frame - hit.time, e = restitution[std::size_t(body.number)];
-                    // It has fallen on since, or lies there.
+                    // The body has been in free flight since the hit, or has come to rest.
                     const double after = double(glm::dot(world.body(body.id).linear_velocity(), up));
                     const double meant = e * double(hit.approach_speed) - gravity * left;
                     EXPECT_NEAR(after, e > 0 ? meant : 0, 0.01 * double(hit.approach_speed) + 0.02)
@@ -183,7 +185,7 @@ Shape bumpy_field(unsigned seed, const SurfaceMaterials& materials) {
     for (int i = 0; i < 21 * 21; ++i) heights.push_back(float(start.uniform(0, 0.4)));
     return HeightField(21, 21, {0.5f, 0.5f}, heights, materials);
 }
-// Bodies of all kinds that are thrown onto it.
+// Drops 60 bodies of all kinds onto the floor.
 void throw_bodies(World& world, unsigned seed) {
     RandomStart start(seed);
     const Shape shapes[] = {Sphere{0.15f}, Box{{0.2f, 0.1f, 0.15f}}, Capsule{0.15f, 0.1f, {}},
@@ -200,7 +202,7 @@ void throw_bodies(World& world, unsigned seed) {
     }
 }
 
-// To the last bit, whether the shape has it or its triangles.
+// A material given for all triangles has, to the last bit, the effect of the same material given for the shape.
 TEST(SurfaceMaterials, OneForAllTrianglesIsAsThatOfTheShape) {
     const Material material = surface(0.3f, 0.4f);
     for (unsigned seed = 0; seed < 6; ++seed) {
@@ -218,7 +220,7 @@ TEST(SurfaceMaterials, OneForAllTrianglesIsAsThatOfTheShape) {
     }
 }
 
-// Where parts differ, bodies lie on several at once: they come to rest, and no deeper than on one.
+// Bodies on several materials at once come to rest, and penetrate no deeper than on one.
 TEST(SurfaceMaterials, HeapsOnAPatchworkComeToRest) {
     for (unsigned seed = 0; seed < 6; ++seed) {
         RandomStart start(seed);
@@ -246,7 +248,8 @@ TEST(SurfaceMaterials, HeapsOnAPatchworkComeToRest) {
     }
 }
 
-// Half of a box on ice and half on rubber, in three stripes along its way: between the two.
+// A box slides half on ice and half on rubber, in three stripes along its path: its deceleration is the mean of the
+// two.
 TEST(SurfaceMaterials, WhatSlidesOnTwoAtOnceIsBrakedByBoth) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         RandomStart start(seed);
@@ -263,12 +266,12 @@ TEST(SurfaceMaterials, WhatSlidesOnTwoAtOnceIsBrakedByBoth) {
         const BodyId body = add_body(world, Box{{0.7f, 0.1f, 1}}, def, yielding());
         run(world, frame, 60);
         const double now = start.back(world.body(body).linear_velocity()).x;
-        EXPECT_NEAR((speed - now) / gravity, 0.3, 0.06) << seed; // of a second
+        EXPECT_NEAR((speed - now) / gravity, 0.3, 0.06) << seed; // 0.3 x 1 s
         EXPECT_LT(glm::length(world.body(body).angular_velocity()), 0.02) << seed;
     }
 }
 
-// The material of the shape is that of the triangles that have none of their own, and of no others.
+// The material of the shape applies to triangles without a material of their own, and to no others.
 TEST(SurfaceMaterials, TheMaterialOfTheShapeIsThatOfNumberZero) {
     RandomStart start(1);
     SurfaceMaterials materials{{floor_material(0.3f)}, {}};
@@ -290,14 +293,14 @@ TEST(SurfaceMaterials, TheMaterialOfTheShapeIsThatOfNumberZero) {
     run(world, frame, 60);
     EXPECT_NEAR(double(world.body(boxes[0]).linear_velocity().z), 6 - 0.1 * gravity, 0.02);
     EXPECT_NEAR(double(world.body(boxes[1]).linear_velocity().z), 6 - 0.3 * gravity, 0.02);
-    // Another mesh takes its place, without materials: all of it has that of the shape.
+    // After set_shape with a mesh without materials, the material of the shape applies to all of it.
     world.set_shape(world.body(ground).shapes()[0], flat_mesh(4, 5));
     for (const BodyId id : boxes) world.body(id).set_linear_velocity({0, 0, 6});
     run(world, frame, 60);
     for (const BodyId id : boxes) EXPECT_NEAR(double(world.body(id).linear_velocity().z), 6 - 0.1 * gravity, 0.02);
 }
 
-// Rays, shapes that are cast and points that are near name the triangle; contacts say the number.
+// Ray casts, shape casts and closest-point queries report the triangle; contacts report the material number.
 TEST(SurfaceMaterials, QueriesAndContactsNameThePlace) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         RandomStart start(seed);
@@ -347,7 +350,7 @@ TEST(SurfaceMaterials, QueriesAndContactsNameThePlace) {
     EXPECT_EQ(world.cast_ray({0, 5, 0}, {0, -1, 0}, 9)->triangle, -1);
 }
 
-// The same from a snapshot on, and by any number of threads.
+// Runs continue identically from a snapshot, and with any number of threads.
 TEST(SurfaceMaterials, AreKeptInSnapshotsAndTheSameForAnyNumberOfThreads) {
     SurfaceMaterials materials{{surface(0.1f, 0.8f), surface(0.9f), surface(0.3f, 0.3f)}, {}};
     for (unsigned i = 0; i < 400; ++i) materials.numbers.push_back(std::uint16_t(i * 2654435761u >> 30));

@@ -1,4 +1,5 @@
-// Triggers see what moves without forces: kinematic bodies, however they are moved, and characters; and when.
+// Triggers detect bodies that forces do not move (kinematic bodies, however they are moved, and characters), and the
+// time at which they enter.
 #include "support.h"
 
 #include "validation/random_starts.h"
@@ -25,7 +26,7 @@ BodyId add(World& world, const Shape& shape, const Position& place, BodyType typ
     return body;
 }
 
-// Between those two alone.
+// Events between these two bodies alone.
 int entries_of(const World& world, BodyId trigger, BodyId other, bool inside) {
     int count = 0;
     for (const TriggerEvent& e : world.trigger_events())
@@ -35,7 +36,7 @@ int entries_of(const World& world, BodyId trigger, BodyId other, bool inside) {
 
 enum class Way { velocity, move_to, set_transform };
 
-// At once, or in the step that follows.
+// Moves a body immediately, or in the step that follows.
 void move(World& world, BodyId body, Way way, const glm::dvec3& by) {
     const Position to = world.body(body).position() + by;
     if (way == Way::velocity) world.body(body).set_linear_velocity(Vec3(by / double(frame)));
@@ -43,7 +44,7 @@ void move(World& world, BodyId body, Way way, const glm::dvec3& by) {
     if (way == Way::set_transform) world.body(body).set_transform(to, world.body(body).rotation());
 }
 
-// What is in there at the beginning of each step is what has come in and not left.
+// The bodies inside at the start of each step are those that have an enter event without a leave event.
 void expect_seen(const Shape& zone, BodyType zone_type, Way way, std::uint32_t seed) {
     RandomStart random(seed);
     World world(without_sleep());
@@ -81,10 +82,10 @@ TEST_P(TriggerBodies, SeeKinematicBodies) {
                 if (type == BodyType::kinematic && std::holds_alternative<Plane>(zone)) continue;
                 SCOPED_TRACE(std::to_string(zone.index()) + " " + std::to_string(int(type)) + " " + std::to_string(i));
                 if (std::holds_alternative<Plane>(zone)) {
-                    // Along its normal, from above.
+                    // A plane is approached along its normal, from above.
                     World world(without_sleep());
                     RandomStart random(i);
-                    const Quat turn = random.quat(); // of the plane, whose normal is y
+                    const Quat turn = random.quat(); // rotation of the plane, whose normal is y
                     const BodyId trigger = add(world, zone, random.place({0, 0, 0}), type, true, turn);
                     const BodyId body = add(world, Sphere{0.3f}, random.place({0, random.uniform(1, 2), 0}),
                                             BodyType::kinematic, false);
@@ -122,7 +123,7 @@ TEST(TriggerBodies, SeeCharactersThatWalkThroughThem) {
             add(world, Capsule{0.5f, 0.3f}, -3.0 * way + glm::dvec3(0, 0.82, 0), BodyType::kinematic, false);
         world.body(body).set_character(CharacterDef{});
         world.body(body).set_walk_velocity(Vec3(3.0 * way));
-        double in = -10, out = -10; // where it was
+        double in = -10, out = -10; // x of the body at enter and leave
         for (int step = 0; step < 130; ++step) {
             const double at = glm::dot(world.body(body).position(), way);
             world.step(frame);
@@ -134,7 +135,7 @@ TEST(TriggerBodies, SeeCharactersThatWalkThroughThem) {
     }
 }
 
-// A sensor that is moved tells of the level that it is in; one that is fixed does not, nor do two triggers of each
+// A moving sensor reports the level that it enters; a static trigger does not, and two triggers do not report each
 // other.
 TEST(TriggerBodies, SeeStaticBodiesOnlyWhereTheyMove) {
     World world(without_sleep());
@@ -170,7 +171,7 @@ TEST(TriggerBodies, TellThatAKinematicBodyIsGone) {
     EXPECT_FALSE(world.trigger_events()[0].inside);
 }
 
-// Which of the two is the surface, and which of them moves, is all one.
+// The result does not depend on which of the two is the mesh, or on which of them moves.
 TEST(TriggerBodies, SeeMeshesThatMoveAndAreMeshes) {
     const std::vector<Vec3> corners{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
     const std::vector<std::uint32_t> triangles{0, 2, 1, 0, 3, 2};
@@ -196,7 +197,8 @@ TEST(TriggerBodies, SeeMeshesThatMoveAndAreMeshes) {
                 }
 }
 
-// What flies, or is moved, through a gate within a step: in and out at the times that its way says.
+// A body that passes through a gate within a step, by velocity or by being moved, enters and leaves at the times that
+// follow from its path.
 TEST(TriggerBodies, SayWhenSomethingPassed) {
     for (const BodyType type : {BodyType::dynamic, BodyType::kinematic})
         for (std::uint32_t i = 0; i < 30; ++i) {
@@ -221,13 +223,13 @@ TEST(TriggerBodies, SayWhenSomethingPassed) {
             }
             const double first = (-start - half - radius) / speed, last = (-start + half + radius) / speed;
             const auto step_of = [](double time) { return std::floor(time / double(frame)); };
-            if (step_of(first) != step_of(last)) continue; // seen at the beginning of the step after it
+            if (step_of(first) != step_of(last)) continue; // reported at the beginning of the step after it
             EXPECT_NEAR(in, first, 2e-5) << i;
             EXPECT_NEAR(out, last, 2e-5) << i;
         }
 }
 
-// n of them in one place are no n squared pairs.
+// n triggers in one place must not make n^2 pairs.
 TEST(TriggerBodies, ThousandsInOnePlaceCostLittle) {
     World world(without_sleep());
     for (int i = 0; i < 4000; ++i) add(world, Box{Vec3(1)}, {0, 0, 0}, BodyType::kinematic, true);

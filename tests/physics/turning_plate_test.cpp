@@ -1,4 +1,4 @@
-// Balls on a plate that turns: its face turns the normal within each step, and the place of touch moves over it.
+// Balls on a rotating plate: its face rotates the contact normal within each step, and the contact point moves over it.
 #include "starts.h"
 #include "support.h"
 
@@ -9,17 +9,17 @@ namespace {
 
 struct Ride {
     double radius = 0.2, rate = 3, speed = 5, spin = 0; // m; rad/s of the plate; m/s along it; rad/s of the ball
-    bool is_free = false;                               // the plate, which is as heavy as a wall then
+    bool is_free = false;                               // whether the plate is dynamic, and then as heavy as a wall
 };
 struct Ridden {
-    double depth = 0; // m: the greatest overlap
-    double place = 0; // m: how far from the axis of the plate's turn it is in the end
+    double depth = 0; // greatest penetration, m
+    double place = 0; // final distance from the axis of rotation, m
 };
 
-constexpr double start = 0.5, seconds = 0.25; // m from that axis
+constexpr double start = 0.5, seconds = 0.25; // m from that axis; s
 
-// A plate turns about the z axis of `frame`, which goes through its middle, and presses a ball that slides along it,
-// without gravity or friction.
+// A plate rotates about the z axis of `frame` through its center, and presses on a ball that slides along it, without
+// gravity or friction.
 Ridden ride(const Ride& ride, const glm::dquat& frame, double offset, int hertz) {
     World world(without_gravity());
     const double half = 0.25, r = ride.radius, height = half + r;
@@ -31,7 +31,7 @@ Ridden ride(const Ride& ride, const glm::dquat& frame, double offset, int hertz)
     const BodyId plate_id = add_body(world, Box{{6, float(half), 6}}, plate, surface(0));
     BodyDef ball;
     ball.position = frame * glm::dvec3(start, height, offset);
-    // Along the face, as fast as the face turns against it, and about the axis with it.
+    // The ball moves along the face with `speed` relative to it, and rotates with it about the axis.
     ball.linear_velocity = Vec3(frame * glm::dvec3(ride.speed - ride.rate * height, ride.rate * start, 0));
     ball.angular_velocity = Vec3(ride.spin * (frame * glm::dvec3(0.6, 0, 0.8)));
     ball.mass = 1;
@@ -48,16 +48,16 @@ Ridden ride(const Ride& ride, const glm::dquat& frame, double offset, int hertz)
     return seen;
 }
 
-// In the frame of the plate a ball at x is thrown outwards by rate^2 x, and nothing else moves it along.
+// In the rotating frame, a ball at x has the centrifugal acceleration rate^2 x along the plate, and no other.
 double exact_place(const Ride& ride) {
     const double angle = ride.rate * seconds;
     return start * std::cosh(angle) + ride.speed / ride.rate * std::sinh(angle);
 }
 
-// A contact that was found where the step begins held its normal all the time: what slid at 5 m/s over a plate that
-// turned at 3 rad/s went 8 mm deep into it. And what touched something kinematic and did not approach it went along
-// with it: 2 of these 24 balls stopped at once. (At 60 Hz they are pressed along the normal of the start of each step,
-// late by half of it, and 1 % too far out in the end.)
+// With the normal of the start of the step for all of it, a ball sliding at 5 m/s over a plate that rotates at 3 rad/s
+// penetrated it by 8 mm. And a body that touched a kinematic body without approaching it was carried along: 2 of these
+// 24 balls stopped at once. (At 60 Hz balls are pressed along the normal of the start of each step, which is late by
+// half a step, and end 1 % too far out.)
 TEST(TurningPlate, NeitherSwallowsNorHoldsTheBallThatSlidesOverIt) {
     Starts starts(7);
     for (const Ride& r : {Ride{}, Ride{.spin = 80}, Ride{.rate = 1, .speed = 10}, Ride{.radius = 0.05, .speed = 2},

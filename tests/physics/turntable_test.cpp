@@ -1,4 +1,5 @@
-// What rides on a table that turns about the vertical, at rest on it. What rolls: case `turntable` of `cairn validate`.
+// Bodies that ride at rest on a table that rotates about the vertical. Rolling is covered by the case `turntable` of
+// `cairn validate`.
 #include "starts.h"
 #include "support.h"
 
@@ -10,7 +11,7 @@
 namespace cairn_test {
 namespace {
 
-// Places seen from above: x, and -z, so that what turns about +y turns from the first axis to the second.
+// Positions in a plan view: x and -z, so that a rotation about +y turns the first axis toward the second.
 using Place = std::complex<double>;
 Place place_of(const glm::dvec3& p) { return {p.x, -p.z}; }
 glm::dvec3 above(Place p, double y) { return {p.real(), y, -p.imag()}; }
@@ -23,7 +24,7 @@ void add_table(World& world, const Shape& shape, double rate, float friction) {
     add_body(world, shape, def, surface(friction));
 }
 
-// m: how far what lies on the table has come towards the axis or away from it in ten seconds.
+// How far, m, a body on the table has moved toward the axis or away from it in ten seconds.
 double creep(const Shape& table, const Shape& rider, double rate, double radius, double angle, int hertz) {
     World world;
     add_table(world, table, rate, 0.6f);
@@ -38,8 +39,8 @@ double creep(const Shape& table, const Shape& rider, double rate, double radius,
     return std::abs(std::abs(place_of(world.body(body).position())) - radius);
 }
 
-// Friction made the velocities at the end of each substep those of the table at that time, by which the bodies moved on
-// in the next one: what rode so came up to 6 cm nearer to the axis in 10 s.
+// When friction matched velocities to those of the table at the end of each substep, by which bodies then moved in the
+// next one, riding bodies came up to 6 cm closer to the axis in 10 s.
 TEST(Turntable, WhatRidesOnItStaysWhereItIs) {
     Starts starts(5);
     const Shape tables[] = {Cylinder{0.1f, 2}, Box{{2, 0.1f, 2}}};
@@ -49,7 +50,7 @@ TEST(Turntable, WhatRidesOnItStaysWhereItIs) {
         for (const Shape& rider : riders)
             for (int i = 0; i < 6; ++i) {
                 const double rate = starts.between(0.5, 3);
-                const double radius = std::min(1.5, 0.8 * 0.6 * 9.81 / (rate * rate)); // 0.8 of what friction holds
+                const double radius = std::min(1.5, 0.8 * 0.6 * 9.81 / (rate * rate)); // 0.8 of the limit of friction
                 worst =
                     std::max(worst, creep(table, rider, rate, radius, starts.between(0, 6.2), i % 2 == 0 ? 60 : 240));
             }

@@ -1,4 +1,4 @@
-// Every row of `cairn validate` holds, or is no worse than it is known to be; and a row is judged as it says.
+// Every row of `cairn validate` passes, or is no worse than its known state; and rows are judged by their bars.
 #include "validation/text.h"
 #include "validation/validation.h"
 

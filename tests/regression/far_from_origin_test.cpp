@@ -1,5 +1,6 @@
-// gcc 12 with -ftree-slp-vectorize turns `float(x - double(float(x)))` into zero: a shape far from the origin lost the
-// low part of its position, and sat in a grid of one meter (at 1e7 m). -fno-tree-slp-vectorize is set for this.
+// gcc 12 with -ftree-slp-vectorize folds `float(x - double(float(x)))` to zero: a shape far from the origin lost the
+// low part of its position, and was rounded to a grid of one meter (at 1e7 m). Therefore -fno-tree-slp-vectorize is
+// set.
 #include <cairn/cairn.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 
 using namespace cairn;
 
-// Two balls, one on the other in zero gravity or rolling side by side on a box; at any place.
+// Two balls at a given place: one on the other without gravity, or rolling side by side on a box.
 struct Balls {
     World world;
     BodyId first, second;
@@ -66,8 +67,8 @@ TEST(FarFromTheOrigin, RollingBallsCollideAsAtTheOrigin) {
         near.world.step(1.0f / 60);
         far.world.step(1.0f / 60);
         touched |= near.separation() < 1e-3f;
-        if (near.separation() < 0.01f && i < 30) { // rounding adds up later
-            // Where they will touch is found to a part of a tolerance of 0.1 mm.
+        if (near.separation() < 0.01f && i < 30) { // later, rounding errors have accumulated
+            // The time of impact is found to a fraction of the tolerance of 0.1 mm.
             ASSERT_NEAR(far.separation(), near.separation(), 5e-6f) << "step " << i;
         }
         for (const auto& [a, b] : {std::pair{near.first, far.first}, std::pair{near.second, far.second}}) {

@@ -1,6 +1,5 @@
-// Snapshots of equal worlds are equal bytes. They were not: what lies between the members of a joint's definition, in
-// its optionals without a value, in events and in the statistics came along as whatever memory held, and so did the
-// time that the last step took.
+// Snapshots of equal worlds are equal bytes. Without clearing, the padding of joint definitions, their empty optionals,
+// events and statistics contained whatever memory held, as did the time that the last step took.
 #include <cairn/cairn.h>
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@
 namespace cairn {
 namespace {
 
-// Memory that is allocated while it lives holds that byte (with glibc; 0 is the end of it).
+// While an object of this class exists, newly allocated memory is filled with the given byte (with glibc; 0 ends this).
 class FilledMemory {
   public:
     explicit FilledMemory([[maybe_unused]] std::uint8_t fill) {
@@ -37,7 +36,7 @@ class FilledMemory {
     FilledMemory& operator=(const FilledMemory&) = delete;
 };
 
-// A value that is made where every byte was `fill`.
+// A value constructed in memory whose bytes were all `fill`.
 template <class T> class On {
   public:
     explicit On(std::uint8_t fill) {
@@ -55,7 +54,7 @@ template <class T> class On {
     T* value_;
 };
 
-// Each type of joint; what is optional in them is there in some and left out in most.
+// Adds one joint of each type. Optional members are set in some of them, and empty in most.
 template <std::size_t I = 0> void add_joints(World& world, std::uint8_t fill) {
     if constexpr (I < std::variant_size_v<Joint>) {
         BodyDef at;
@@ -89,8 +88,7 @@ template <std::size_t I = 0> void add_joints(World& world, std::uint8_t fill) {
     }
 }
 
-// What the world has saved after things that leave events behind for the next step: all else of it is the same for any
-// `fill`.
+// Saves a world after actions that leave events for the next step. The snapshots must not depend on `fill`.
 Snapshot saved_on(std::uint8_t fill, World& world, const Snapshot& empty) {
     const FilledMemory memory(fill);
     world.restore(empty);
@@ -107,8 +105,8 @@ Snapshot saved_on(std::uint8_t fill, World& world, const Snapshot& empty) {
     for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
     const std::vector<BodyId> bodies = world.bodies();
     EXPECT_FALSE(world.body(bodies[2]).is_awake());
-    world.body(bodies[2]).wake();      // an event of sleep
-    world.destroy_body(bodies.back()); // of a joint, and of a trigger
+    world.body(bodies[2]).wake();      // a sleep event
+    world.destroy_body(bodies.back()); // events of a joint and of a trigger
     return world.save();
 }
 

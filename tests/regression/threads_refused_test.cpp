@@ -1,4 +1,5 @@
-// A world whose system had not so many threads left was lost: every later call was refused, as if memory had run out.
+// When the system could not create the requested threads, the world was lost: every later call was refused as if memory
+// had run out.
 #include <cairn/cairn.h>
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define CAIRN_SANITIZED // which reserves more addresses than the limit below leaves
+#define CAIRN_SANITIZED // reserves more address space than the limit below
 #endif
 #endif
 #ifndef CAIRN_SANITIZED
@@ -17,12 +18,12 @@
 
 namespace {
 
-// Exit status 0 if all is as it should be; in a process of its own, for which stacks of 256 threads are too much.
+// Exit status 0 if the world stays as it was. Runs in a process whose address space is too small for 256 stacks.
 int set_too_many_threads() {
     cairn::World world;
     world.create_body({.position = {0, 5, 0}});
     const std::uint64_t before = world.state_hash();
-    const rlimit few = {1u << 28, 1u << 28}; // bytes of addresses
+    const rlimit few = {1u << 28, 1u << 28}; // address space, bytes
     if (setrlimit(RLIMIT_AS, &few) != 0) return 2;
     try {
         world.set_threads(256);

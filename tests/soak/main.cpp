@@ -1,5 +1,5 @@
-// A world that runs for a very long time while bodies and joints come and go at random. Memory must stay flat, steps
-// must not become slower, and what holds of a world must hold after every step.
+// A world that runs for a very long time while bodies and joints are created and destroyed at random. Memory must not
+// grow, steps must not become slower, and the checks of each step must hold.
 //
 // usage: cairn_soak [STEPS]   Default: 1,000,000. Prints a line for each tenth; exit status 1 if anything does not
 // hold.
@@ -25,7 +25,7 @@ using namespace cairn;
 
 constexpr std::size_t min_bodies = 20, max_bodies = 40;
 constexpr int tenths = 10, warm_up = 20000;
-constexpr double room = 3, top = 12; // m: half the width of the room, and how high bodies begin
+constexpr double room = 3, top = 12; // m: half width of the room; height at which bodies begin
 
 double processor_seconds() {
     timespec now{};
@@ -68,7 +68,7 @@ class Soak {
         check();
     }
 
-    // A heap of twice the bodies that are ever there later, so that what steps need has room for all that comes.
+    // Fills the room with twice the greatest later number of bodies, so that all buffers have their final size.
     void crowd() {
         while (bodies_.size() < 2 * max_bodies) {
             create();
@@ -129,7 +129,7 @@ class Soak {
             const Body body = world_.body(id);
             const Position p = body.position();
             const Vec3 v = body.linear_velocity(), w = body.angular_velocity();
-            // A body that the room's corners push out may leave it by its own size.
+            // A body that is pushed out at a corner of the room may leave it by its own size.
             if (!(std::fabs(p.x) < room + 1 && std::fabs(p.z) < room + 1 && p.y > -1 && p.y < top + 5))
                 broken = "a body has left the room";
             if (!(glm::length(v) < 60 && glm::length(w) < 1000)) broken = "a body is too fast";
@@ -150,7 +150,7 @@ class Soak {
 };
 
 struct Tenth {
-    double microseconds, megabytes; // of a step, mean; resident at the end
+    double microseconds, megabytes; // mean step time; resident memory at the end
 };
 
 } // namespace
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
     Soak soak;
     soak.crowd();
     for (int i = 0; i < warm_up; ++i) soak.step();
-    // Also so that the pages which measuring touches are there before it counts.
+    // This first output also loads the pages that measuring touches, so that they do not count as growth.
     std::printf("%10llu steps  to warm up        %8.2f MB\n",
                 static_cast<unsigned long long>(soak.world().step_count()), resident_megabytes());
     std::array<Tenth, tenths> all{};
@@ -177,7 +177,7 @@ int main(int argc, char** argv) {
                     all[std::size_t(k)].megabytes);
         std::fflush(stdout);
     }
-    // Of three tenths that in the middle: bodies come and go, and now and then many are fast.
+    // The median of three tenths: bodies come and go, and now and then many are fast.
     const auto middle_of = [&](int from) {
         std::array<double, 3> times{};
         for (int k = 0; k < 3; ++k) times[std::size_t(k)] = all[std::size_t(from + k)].microseconds;
@@ -189,6 +189,6 @@ int main(int argc, char** argv) {
     std::printf("memory %+.2f %%, time of a step %+.1f %%, from the first tenths to the last\n", 100 * growth,
                 100 * slower);
     const bool is_flat = cairn_test::is_sanitized || growth <= 0.01;
-    constexpr double max_slower = 0.5; // the latter leaves room for a busy machine
+    constexpr double max_slower = 0.5; // tolerance for a busy machine
     return is_flat && slower <= max_slower ? 0 : 1;
 }

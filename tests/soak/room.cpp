@@ -1,5 +1,5 @@
-// A closed room of 2 m with walls of 1 cm, and 200 bodies of all kinds in it that never come to rest: whatever they do
-// to each other, none may get out.
+// A closed room of 2 m with walls of 1 cm, and 200 bodies of all kinds in it that never come to rest: none may leave
+// it, whatever their collisions.
 //
 // usage: cairn_room [STEPS]   Default: 1,000,000. Prints a line for each tenth; exit status 1 if a body is outside.
 #include <cairn/cairn.h>
@@ -47,12 +47,12 @@ class Room {
         world_.step(1.0f / 60);
         impacts_ += world_.statistics().impacts, stopped_ += world_.statistics().stopped_bodies;
     }
-    // How many are not where they can be.
+    // The number of bodies whose center of mass is outside of the room.
     int outside() const {
         int count = 0;
         for (const BodyId id : bodies_) {
             const Position p = world_.body(id).center_of_mass();
-            count += !(std::fabs(p.x) < half && std::fabs(p.y) < half && std::fabs(p.z) < half); // or no numbers
+            count += !(std::fabs(p.x) < half && std::fabs(p.y) < half && std::fabs(p.z) < half); // or not finite
         }
         return count;
     }
@@ -94,7 +94,7 @@ class Room {
             return Hull(points);
         }
     }
-    // What has become slow is fast again.
+    // Gives bodies that have become slow their initial speed again.
     void push() {
         for (const BodyId id : bodies_) {
             Body body = world_.body(id);
