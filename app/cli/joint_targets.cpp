@@ -55,9 +55,9 @@ std::optional<JointAxis> find_axis(const World& world, const std::string& column
 
 // The mass, or the moment of inertia about an axis, of the bodies attached to each side of a joint; infinite if one of
 // them is not dynamic.
-class Burden {
+class AttachedMass {
   public:
-    Burden(const World& world, JointAxis axis) : world_(world), joint_(axis.joint) {
+    AttachedMass(const World& world, JointAxis axis) : world_(world), joint_(axis.joint) {
         const JointDef& def = world.joint_def(joint_);
         const Body b = world.body(def.body_b.is_null() ? def.body_a : def.body_b);
         const Transform frame = def.body_b.is_null() ? def.frame_a : def.frame_b;
@@ -190,7 +190,7 @@ JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scen
         JointMotor& motor = *control->motor;
         if (frequency || !motor.spring || !(motor.spring->stiffness > 0.0f)) {
             const double omega = 2.0 * 3.14159265358979324 * frequency.value_or(usual_frequency),
-                         burden = Burden(scene.world, *axis).reduced();
+                         burden = AttachedMass(scene.world, *axis).reduced();
             double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // from the file
             if (motor.spring && motor.spring->is_acceleration) damping *= burden;
             motor.spring = JointSpring{static_cast<float>(burden * omega * omega),

@@ -81,7 +81,7 @@ std::uint64_t Ranks::next() {
     return static_cast<std::uint64_t>(mpi_.next());
 }
 
-void Ranks::attend() {
+void Ranks::poll() {
     if (!has_mpi_) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     taken_ = static_cast<std::uint64_t>(mpi_.taken());

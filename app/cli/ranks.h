@@ -31,8 +31,8 @@ class Ranks : public sweep::Source {
 
     // Hands out chunks by a counter that all ranks share.
     std::uint64_t next() override;
-    void attend() override;
-    std::uint64_t taken() const { return taken_; } // by all ranks, as of the last `attend`
+    void poll() override;
+    std::uint64_t taken() const { return taken_; } // by all ranks, as of the last `poll`
 
     // The communicator by which all ranks step one world; valid during this object's lifetime; null for a single rank.
     std::shared_ptr<CountingCommunicator> communicator() const;

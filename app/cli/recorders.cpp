@@ -38,7 +38,7 @@ Recorders::Recorders(const RunOptions& options, const scene::Scene& scene, const
         pictures_ = std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
     }
     if (!options.animate.empty()) animation_.emplace(scene);
-    if (resumed_) tell_late_beginnings();
+    if (resumed_) warn_late_outputs();
 }
 
 void Recorders::open_table(const scene::Scene& scene) {
@@ -58,7 +58,7 @@ void Recorders::open_table(const scene::Scene& scene) {
     csv_ = std::make_unique<TrajectoryWriter>(options_.csv, scene.world, options_.columns, start);
 }
 
-void Recorders::tell_late_beginnings() const {
+void Recorders::warn_late_outputs() const {
     const auto tell = [this](const std::filesystem::path& path) {
         if (path.empty()) return;
         complain(fmt::format("warning: {} begins after step {}, where the run is gone on from", path.generic_string(),

@@ -34,7 +34,7 @@ class Recorders {
 
   private:
     void open_table(const scene::Scene& scene);
-    void tell_late_beginnings() const;
+    void warn_late_outputs() const;
 
     const RunOptions& options_;
     const checkpoint::Moment* resumed_;

@@ -95,7 +95,7 @@ std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
             viewer::ShapeMesh made =
                 viewer::make_shape_mesh(viewer::visual_triangles(surface.vertices, surface.normals, surface.indices,
                                                                  surface.coordinates, surface.colors),
-                                        viewer::MeshLook::visual);
+                                        viewer::MeshVisual::visual);
             if (!surface.coordinates.empty()) made.texture = read_texture(visual.texture);
             made.finish = read_texture(visual.finish);
             if (!surface.weights.empty()) made.weights = weights_of(surface);

@@ -83,13 +83,13 @@ struct LoadedMesh {
 
 shaders::BodyKind kind_of(const ShapeMesh& mesh) {
     switch (mesh.look) {
-    case MeshLook::facets:
+    case MeshVisual::facets:
         return shaders::BodyKind::facets;
-    case MeshLook::surface:
+    case MeshVisual::surface:
         return shaders::BodyKind::surface;
-    case MeshLook::terrain:
+    case MeshVisual::terrain:
         return shaders::BodyKind::terrain;
-    case MeshLook::visual:
+    case MeshVisual::visual:
         break;
     }
     if (mesh.finish) return shaders::BodyKind::finished;

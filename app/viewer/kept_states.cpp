@@ -90,7 +90,7 @@ recording::WholeState KeptStates::Way::end() const {
     return state;
 }
 
-KeptStates::Way KeptStates::way_to(std::uint64_t step) const {
+KeptStates::Way KeptStates::patches_to(std::uint64_t step) const {
     Way way;
     for (;;) {
         const Kept& kept = states_.at(step);
@@ -121,7 +121,7 @@ void KeptStates::keep(const World& world, std::uint64_t step) {
     if (difference.before)
         before.start = *difference.before;
     else if (kept.parent != step)
-        before = way_to(kept.parent);
+        before = patches_to(kept.parent);
     kept.patch = helper_->patch(std::move(before), whole);
     states_.insert_or_assign(step, std::move(kept));
     is_settled_ = false;
@@ -145,7 +145,7 @@ void KeptStates::settle() {
 std::uint64_t KeptStates::before(std::uint64_t step) const { return std::prev(states_.upper_bound(step))->first; }
 
 Snapshot KeptStates::state(std::uint64_t step) const {
-    const recording::WholeState whole = way_to(step).end();
+    const recording::WholeState whole = patches_to(step).end();
     const auto* const bytes = reinterpret_cast<const std::byte*>(whole.bytes.data());
     return {{bytes, bytes + whole.bytes.size()}, states_.at(step).definitions};
 }
@@ -170,7 +170,7 @@ void KeptStates::thin_out() {
 void KeptStates::drop_oldest() {
     settle();
     const std::uint64_t next = *tree_.next_beginning();
-    const Patch alone = helper_->patch({}, way_to(next).end());
+    const Patch alone = helper_->patch({}, patches_to(next).end());
     const std::vector<std::size_t> gone = tree_.begin_there(alone.get().size());
     Kept& kept = states_.at(next);
     kept.patch = alone;

@@ -74,7 +74,7 @@ class KeptStates {
         std::vector<Patch> patches;
         recording::WholeState end() const; // waits for the patches
     };
-    Way way_to(std::uint64_t step) const;
+    Way patches_to(std::uint64_t step) const;
 
     recording::KeyframeTree tree_;
     std::map<std::uint64_t, Kept> states_; // by step number

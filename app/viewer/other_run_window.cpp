@@ -19,7 +19,7 @@ void draw_other_run(const StageState& state, Controller& controller, float scale
     ImGui::Begin("Two runs", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
     keep_in_picture(column, bottom);
-    const double since = double(other.parted_at) - double(state.timeline.first);
+    const double since = double(other.branched_at) - double(state.timeline.first);
     ImGui::Text("The transparent one goes on as it was at %.2f s.", std::max(since, 0.0) * state.time_step);
     const RunDifference& difference = other.difference;
     if (difference.elsewhere == 0) {

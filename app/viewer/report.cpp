@@ -87,7 +87,7 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
 }
 
 Json other_json(const OtherRun& other) {
-    Json json{{"parted_at", other.parted_at},
+    Json json{{"parted_at", other.branched_at},
               {"bodies", other.picture.layout->bodies.size()},
               {"elsewhere", other.difference.elsewhere},
               {"farthest", other.difference.farthest}};

@@ -24,7 +24,7 @@ ShadowRegion shadow_region(const RenderFrame& frame) {
     include(frame.capsules);
     include(frame.cylinders);
     for (const MeshInstances& group : frame.meshes) {
-        if (group.mesh->look == MeshLook::facets) {
+        if (group.mesh->look == MeshVisual::facets) {
             include(group.instances);
             continue;
         }

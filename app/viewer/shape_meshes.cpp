@@ -203,7 +203,7 @@ TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Ve
     return mesh;
 }
 
-ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
+ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshVisual look) {
     ShapeMesh mesh;
     mesh.triangles = std::move(triangles);
     mesh.look = look;
@@ -260,10 +260,10 @@ std::shared_ptr<const ShapeMesh> MeshCache::mesh_of(const Shape& shape) {
         return found->second.mesh;
     }
     ShapeMesh mesh =
-        !key.second.empty() ? make_shape_mesh(rounded_shape_triangles(shape), MeshLook::facets)
-        : hull              ? make_shape_mesh(hull_triangles(*hull), MeshLook::facets)
-        : surface ? make_shape_mesh(surface_triangles(surface->vertices(), surface->indices()), MeshLook::surface)
-                  : make_shape_mesh(height_field_triangles(*field), MeshLook::terrain);
+        !key.second.empty() ? make_shape_mesh(rounded_shape_triangles(shape), MeshVisual::facets)
+        : hull              ? make_shape_mesh(hull_triangles(*hull), MeshVisual::facets)
+        : surface ? make_shape_mesh(surface_triangles(surface->vertices(), surface->indices()), MeshVisual::surface)
+                  : make_shape_mesh(height_field_triangles(*field), MeshVisual::terrain);
     return entries_.emplace(key, Entry{shape, std::make_shared<const ShapeMesh>(std::move(mesh))}).first->second.mesh;
 }
 

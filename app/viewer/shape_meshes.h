@@ -18,7 +18,7 @@
 namespace cairn::viewer {
 
 /// Drawing style of an individual mesh.
-enum class MeshLook {
+enum class MeshVisual {
     facets,  ///< A solid, flat-shaded.
     surface, ///< Ground or wall: with a grid, two-sided.
     terrain, ///< As `surface`, with steep slopes colored like rock.
@@ -35,7 +35,7 @@ inline constexpr std::size_t triangles_per_part = 8192;
 
 struct ShapeMesh {
     TriangleMesh triangles; ///< `corner` in meters, in the shape's frame.
-    MeshLook look = MeshLook::facets;
+    MeshVisual look = MeshVisual::facets;
     Vec3 center{0.0f, 0.0f, 0.0f}; ///< Center of the bounding box, in the shape's frame, meters.
     Vec3 extent{0.0f, 0.0f, 0.0f}; ///< Half extents of the bounding box, meters.
     float radius = 0.0f;           ///< Radius of a bounding sphere around `center`, meters.
@@ -72,7 +72,7 @@ TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Ve
 TriangleMesh rounded_shape_triangles(const Shape& shape);
 
 /// Computes bounds and parts.
-ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look);
+ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshVisual look);
 
 /// The meshes of the hulls, meshes, height fields and rounded shapes of a world, each generated on first use. Shapes
 /// that share their data, or are equal, share their mesh.

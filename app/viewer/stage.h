@@ -50,7 +50,7 @@ struct TimelineState {
 
 /// The second of two runs that branched from a common past.
 struct OtherRun {
-    std::uint64_t parted_at = 0; ///< Step number at which the runs branched.
+    std::uint64_t branched_at = 0; ///< Step number at which the runs branched.
     RunPicture picture;
     RunDifference difference;
 };

@@ -57,7 +57,7 @@ bool alters_layout(const std::vector<std::byte>& command) {
 void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     log_ = std::make_shared<TimelineLog>(run);
     {
-        const Going going(*log_); // the listener gets the initial state, which is not a new command
+        const LoggingPause going(*log_); // the listener gets the initial state, which is not a new command
         world.set_command_listener(log_);
     }
     recorded_keyframe_ = run.keyframe;
@@ -164,7 +164,7 @@ Timeline Timeline::fork(World& copy) const {
     other.log_ = std::make_shared<TimelineLog>(*log_);
     other.log_->take_branch();
     other.is_undone_ = false;
-    const Going going(*other.log_); // the listener gets the state, which is part of the copied log
+    const LoggingPause going(*other.log_); // the listener gets the state, which is part of the copied log
     copy.set_command_listener(other.log_);
     return other;
 }
@@ -217,7 +217,7 @@ bool Timeline::execute_changes(World& world, std::uint32_t count) {
 }
 
 bool Timeline::follow_one(World& world, const std::function<void(const World&)>& before_step) {
-    const Going going(*log_);
+    const LoggingPause going(*log_);
     const TimelineLog::Frame& frame = log_->frame(log_->now.step);
     const bool alters = execute_changes(world, std::uint32_t(frame.changes.size()));
     if (!frame.step) return alters;
@@ -239,7 +239,7 @@ bool Timeline::follow(World& world, const std::function<void(const World&)>& bef
 
 // Restores the last kept state at or before `step`, if it is later than `after`.
 bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after) {
-    const Going going(*log_);
+    const LoggingPause going(*log_);
     const std::uint64_t kept = states_.before(step), beyond = std::max(kept, after.value_or(0));
     if (recorded_keyframe_) {
         const auto recorded = recorded_keyframe_(beyond, std::min(step, recorded_until_));
@@ -278,7 +278,7 @@ bool Timeline::seek(World& world, Moment to, double seconds) {
         follow_one(world);
         if (log_->now.step < to.step && seconds_since(start) > seconds) return false;
     }
-    const Going going(*log_);
+    const LoggingPause going(*log_);
     execute_changes(world, to.changes);
     return true;
 }
@@ -292,7 +292,7 @@ bool Timeline::step_back(World& world) {
         return seek(world, {first_step(), 0});
     }
     const std::uint64_t to = log_->now.step - 1;
-    const Going going(*log_);
+    const LoggingPause going(*log_);
     if (ring_.states && ring_.last >= to && ring_.last - to < ring_.states->size()) {
         ring_.states->restore(world, std::size_t(ring_.last - to));
     } else {

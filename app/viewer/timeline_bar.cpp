@@ -172,7 +172,7 @@ void TimelineBar::draw_track(const StageState& state, Controller& controller, fl
     list->AddRectFilled(ImVec2(left_, top), ImVec2(head, bottom), colors.past, 3.0f * scale);
     draw_marks(timeline, controller.light_theme, top, bottom, scale);
     if (state.other) {
-        const float x = place_of(timeline, state.other->parted_at);
+        const float x = place_of(timeline, state.other->branched_at);
         list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + height), colors.parting, 2.0f * scale);
     }
     list->AddRectFilled(ImVec2(head - 1.5f * scale, corner.y), ImVec2(head + 1.5f * scale, corner.y + height),

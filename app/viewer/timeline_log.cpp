@@ -122,7 +122,7 @@ TimelineLog::Excerpt TimelineLog::excerpt(std::uint64_t from) const {
 }
 
 void TimelineLog::on_command(std::span<const std::byte> command) {
-    if (is_going) return;
+    if (is_logging_paused) return;
     truncate();
     Frame& open = frames_.back();
     if (command_name(command) == "World::step") {
@@ -140,7 +140,7 @@ void repeat(World& world, const std::vector<std::byte>& change, CommandSource& s
 
 // If memory runs out, the step is discarded and not counted.
 void TimelineLog::on_step(const World&) noexcept {
-    if (is_going) return;
+    if (is_logging_paused) return;
     try {
         frames_.emplace_back();
         now = {now.step + 1, 0};
@@ -156,7 +156,7 @@ std::uint64_t TimelineLog::number_of(const Shape& shape) {
 }
 
 std::uint64_t TimelineLog::number_of(const Snapshot& snapshot) {
-    if (is_going) return 0;
+    if (is_logging_paused) return 0;
     snapshots_.push_back(snapshot);
     bytes_ += snapshot.bytes.size();
     return own_numbers + snapshots_.size() - 1;

@@ -24,7 +24,7 @@ struct Moment {
     friend auto operator<=>(const Moment&, const Moment&) = default;
 };
 
-/// Listens to one world. While `is_going`, the world repeats known commands, so nothing is appended.
+/// Listens to one world. While `is_logging_paused`, the world repeats known commands, so nothing is appended.
 class TimelineLog final : public CommandListener, public CommandSource {
   public:
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
@@ -38,7 +38,7 @@ class TimelineLog final : public CommandListener, public CommandSource {
     explicit TimelineLog(const RecordedRun& run);
 
     Moment now;
-    bool is_going = false;
+    bool is_logging_paused = false;
 
     std::uint64_t first_step() const { return first_step_; }
     std::uint64_t last_step() const { return first_step_ + frames_.size() - 1; }
@@ -97,13 +97,15 @@ class TimelineLog final : public CommandListener, public CommandSource {
 /// Executes a logged command in a world. An empty command does nothing.
 void repeat(World& world, const std::vector<std::byte>& change, CommandSource& source);
 
-/// Suspends logging while states are restored or commands repeated: sets `is_going` for its lifetime.
-class Going {
+/// Suspends logging while states are restored or commands repeated: sets `is_logging_paused` for its lifetime.
+class LoggingPause {
   public:
-    explicit Going(TimelineLog& log) : log_(log), before_(log.is_going) { log_.is_going = true; }
-    ~Going() { log_.is_going = before_; }
-    Going(const Going&) = delete;
-    Going& operator=(const Going&) = delete;
+    explicit LoggingPause(TimelineLog& log) : log_(log), before_(log.is_logging_paused) {
+        log_.is_logging_paused = true;
+    }
+    ~LoggingPause() { log_.is_logging_paused = before_; }
+    LoggingPause(const LoggingPause&) = delete;
+    LoggingPause& operator=(const LoggingPause&) = delete;
 
   private:
     TimelineLog& log_;

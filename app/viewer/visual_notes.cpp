@@ -237,7 +237,7 @@ class MeshReader {
         std::vector<BoneWeights> of_bones;
         if (weights != notes_.end()) of_bones = weights_of(weights->second, mesh->vertices.size());
         const bool is_covered = coordinates != notes_.end() && take_coordinates(coordinates->second, *mesh);
-        ShapeMesh made = make_shape_mesh(std::move(*mesh), MeshLook::visual);
+        ShapeMesh made = make_shape_mesh(std::move(*mesh), MeshVisual::visual);
         made.weights = std::move(of_bones);
         if (const auto texture = texture_of_mesh_.find(number); is_covered && texture != texture_of_mesh_.end())
             made.texture = texture_named(texture->second);

@@ -55,13 +55,13 @@ template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, s
 
 // The part of a body's rotation in a step, rad, that fat boxes and motion bounds allow for. A body that rotates faster
 // meets the objects within its radius anyway.
-inline float looked_ahead(float turn) {
+inline float predicted_rotation(float turn) {
     constexpr float most = 0.25f;
     return std::min(turn, most);
 }
 // How far the rotation of that step moves any point of the body, m, at most.
-inline float turn_reach(const Bodies& bodies, std::int32_t body, float dt) {
-    return looked_ahead(dt * math::length(bodies.motion[body].w)) * bodies.links[body].radius;
+inline float rotation_bound(const Bodies& bodies, std::int32_t body, float dt) {
+    return predicted_rotation(dt * math::length(bodies.motion[body].w)) * bodies.links[body].radius;
 }
 
 inline math::DVec3 shape_position(const ShapePose& pose) {

@@ -33,7 +33,7 @@ math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_ro
 
 void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * bodies.motion[b].v;
-    const float turn = turn_reach(bodies, b, dt);
+    const float turn = rotation_bound(bodies, b, dt);
     bodies.boxes_until[b] = bodies.travel[b];
     place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) {
         if (!bodies.is_enabled(b)) return;
@@ -78,7 +78,7 @@ void note_rest(const WorldDef& settings, BodyLinks& links, float speed, float dt
 void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const WorldDef& settings,
                    std::int32_t b, float dt, FinalizeScratch& own) {
     const BodyMotion& motion = bodies.motion[b];
-    const float turn = turn_reach(bodies, b, dt);
+    const float turn = rotation_bound(bodies, b, dt);
     BodyLinks& links = bodies.links[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
@@ -121,29 +121,29 @@ void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
 }
 
 void prefetch_motion(const Bodies& bodies, std::int32_t b) {
-    ask_cache(&bodies.motion[b].x);
-    ask_cache(&bodies.motion[b].q);
-    ask_cache(&bodies.mass[b]);
-    ask_cache(&bodies.settings[b]);
+    prefetch(&bodies.motion[b].x);
+    prefetch(&bodies.motion[b].q);
+    prefetch(&bodies.mass[b]);
+    prefetch(&bodies.settings[b]);
 }
 
 void prefetch_body(const Bodies& bodies, std::int32_t b) {
     prefetch_motion(bodies, b);
-    ask_cache(&bodies.links[b].first_shape);
-    ask_cache(&bodies.links[b].inner_radius);
-    ask_cache(&bodies.counted[b]);
-    ask_cache(&bodies.boxes_until[b]);
+    prefetch(&bodies.links[b].first_shape);
+    prefetch(&bodies.links[b].inner_radius);
+    prefetch(&bodies.counted[b]);
+    prefetch(&bodies.boxes_until[b]);
 }
 
 void prefetch_shape_of(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase, std::int32_t b) {
     const std::int32_t first = bodies.links[b].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
-    ask_cache(&shapes.links[shape]);
-    ask_cache(&shapes.poses[shape]);
-    ask_cache(&shapes.geometry[shape]);
-    ask_cache(&shapes.geometry[shape].is_double_sided);
-    ask_cache(&broad_phase.fat_bounds(std::uint32_t(shape)));
+    prefetch(&shapes.links[shape]);
+    prefetch(&shapes.poses[shape]);
+    prefetch(&shapes.geometry[shape]);
+    prefetch(&shapes.geometry[shape].is_double_sided);
+    prefetch(&broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
 void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, float dt) {
@@ -168,7 +168,7 @@ void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, st
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
     broad_phase.add(shape, shape_bounds(shapes, shape), mobility, type == BodyType::kinematic, is_trigger);
-    broad_phase.set_bounds(shape, bounds_of(shapes, shape, turn_reach(bodies, body, usual_step)),
+    broad_phase.set_bounds(shape, bounds_of(shapes, shape, rotation_bound(bodies, body, usual_step)),
                            usual_step * bodies.motion[body].v);
 }
 
@@ -181,7 +181,7 @@ void renew_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, 
         broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
         return;
     }
-    broad_phase.renew_bounds(shape, bounds_of(shapes, shape, turn_reach(bodies, body, usual_step)),
+    broad_phase.renew_bounds(shape, bounds_of(shapes, shape, rotation_bound(bodies, body, usual_step)),
                              usual_step * bodies.motion[body].v);
 }
 

@@ -90,7 +90,7 @@ void push_laden(const FluidContext& c, std::int32_t body, const BodyMass& own, c
     BodyLinks& links = c.bodies.links[body];
     const double speed = math::length(DVec3{change[0], change[1], change[2]}) +
                          math::length(DVec3{change[3], change[4], change[5]}) * double(links.radius);
-    if (links.contact_count == 0 && links.joint_count == 0 && links.quiet_time != told_to_sleep &&
+    if (links.contact_count == 0 && links.joint_count == 0 && links.quiet_time != sleep_requested &&
         speed * double(c.settings.sleep_time) > dt * double(c.settings.sleep_speed))
         links.quiet_time = 0;
 }
@@ -142,7 +142,7 @@ class FloatingBody {
     }
     void wet(const ForceField& field, std::vector<SurfaceTriangle>& surface) {
         const Surroundings fluid = around(field);
-        Wetted wetted(fluid);
+        WettedSurface wetted(fluid);
         bool is_wet = false;
         for (std::int32_t s = c_.bodies.links[body_].first_shape; s != none; s = c_.shapes.links[s].next)
             if (!c_.shapes.traits[s].is_trigger) is_wet |= add_shape(std::uint32_t(s), fluid, surface, wetted);
@@ -174,7 +174,7 @@ class FloatingBody {
         s.v = math::to_double(motion_.v) - of_public(field.direction), s.w = math::to_double(motion_.w);
         return s;
     }
-    void take(const ForceField& field, const Surroundings& fluid, const Wetted& wetted) {
+    void take(const ForceField& field, const Surroundings& fluid, const WettedSurface& wetted) {
         const Moments& d = wetted.displaced;
         const double density = field.density, g = math::length(of_public(c_.settings.gravity)), stiff = density * g;
         effect_.any = true;
@@ -209,7 +209,7 @@ class FloatingBody {
     }
     // Adds the wetted part of a shape; false if the shape cannot overlap the fluid.
     bool add_shape(std::uint32_t shape, const Surroundings& fluid, std::vector<SurfaceTriangle>& surface,
-                   Wetted& wetted) {
+                   WettedSurface& wetted) {
         const Geometry& g = c_.shapes.geometry[shape];
         const DVec3 middle =
             placed(math::to_double(g.position) +
@@ -241,7 +241,7 @@ class FloatingBody {
         return true;
     }
     // Adds a whole shape to the displaced volume, given its mass properties for density 1 in the body's frame.
-    void add_whole(const MassSum& solid, Wetted& wetted) const {
+    void add_whole(const MassSum& solid, WettedSurface& wetted) const {
         const math::DSym3& i = solid.inertia;
         const double half = 0.5 * (i.xx + i.yy + i.zz);
         const math::DMat3 r = math::to_matrix(q_);

@@ -20,10 +20,10 @@ constexpr int bodies_per_chunk = 1024; // bodies that a thread takes at a time
 constexpr int bodies_ahead = 8;        // bodies ahead of the loop that are prefetched
 
 void prefetch_poses(const Bodies& bodies, std::int32_t b) {
-    ask_cache(&bodies.motion[b].x);
-    ask_cache(&bodies.motion[b].q);
-    ask_cache(&bodies.counted[b]);
-    ask_cache(&bodies.mass[b]);
+    prefetch(&bodies.motion[b].x);
+    prefetch(&bodies.motion[b].q);
+    prefetch(&bodies.counted[b]);
+    prefetch(&bodies.mass[b]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
@@ -53,10 +53,10 @@ void count(CountedPose& counted, Travel& travel, const BodyMotion& motion, float
 void spend_budget(Bodies& bodies, std::int32_t b) {
     const BodyMotion& motion = bodies.motion[b];
     bodies.counted[b] = {motion.x, motion.q};
-    spend_answers(bodies, b);
+    spend_separations(bodies, b);
 }
 
-void spend_answers(Bodies& bodies, std::int32_t b) {
+void spend_separations(Bodies& bodies, std::int32_t b) {
     bodies.travel[b] += travelled(max_leap);
     bodies.ahead[b] = bodies.boxes_until[b] = bodies.travel[b];
 }
@@ -67,8 +67,8 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     // The turn reach of bodies that do not move is zero.
     std::vector<std::int32_t>& moving = narrow.moving;
-    for (const std::int32_t b : moving) narrow.turn_reach[b] = 0;
-    narrow.turn_reach.resize(bodies.links.size());
+    for (const std::int32_t b : moving) narrow.rotation_bound[b] = 0;
+    narrow.rotation_bound.resize(bodies.links.size());
     moving.clear();
     for (const std::int32_t i : islands.awake)
         for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
@@ -78,9 +78,9 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
     const BodyLinks* const links = bodies.links.data();
     CountedPose* const counted = bodies.counted.data();
     Travel *const travel = bodies.travel.data(), *const ahead = bodies.ahead.data();
-    float* const turn_reaches = narrow.turn_reach.data();
+    float* const turn_reaches = narrow.rotation_bound.data();
     const auto look_ahead = [=](std::int32_t b, float turn_speed) {
-        const float reach = turn_reaches[b] = looked_ahead(dt * turn_speed) * links[b].radius;
+        const float reach = turn_reaches[b] = predicted_rotation(dt * turn_speed) * links[b].radius;
         ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
     };
     thread_pool.for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {

@@ -19,7 +19,7 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
 void spend_budget(Bodies& bodies, std::int32_t body);
 // Invalidates what is known about a body that has moved by its velocities: its motion since the last count still
 // counts.
-void spend_answers(Bodies& bodies, std::int32_t body);
+void spend_separations(Bodies& bodies, std::int32_t body);
 
 // The squared distance between two unit quaternions.
 inline double square_difference(const math::DQuat& p, const math::DQuat& q) {
@@ -59,28 +59,29 @@ inline bool is_near(const Bodies& bodies, const Contacts& contacts, std::uint32_
     const ContactInfo& c = contacts.info[id];
     float radius = bodies.links[c.body_a].radius;
     if (c.b_moves) radius = std::min(radius, bodies.links[c.body_b].radius);
-    return !is_before(contacts.answers[id].until + budget_of(std::min(nearness * double(radius), 0.5 * max_margin)),
+    return !is_before(contacts.separation_budgets[id].until +
+                          budget_of(std::min(nearness * double(radius), 0.5 * max_margin)),
                       travel_of(bodies, c));
 }
 
 // Whether the pair was found so far apart that it cannot touch in this step. `ahead`: Bodies::ahead.
-inline bool stays_apart(const Travel* ahead, const PairAnswer& answer) {
+inline bool stays_apart(const Travel* ahead, const SeparationBudget& answer) {
     return is_before(ahead[answer.body_a] + ahead[answer.body_b], answer.until);
 }
 
 // Records that the pair has just been tested, and stays separated until its bodies have moved by `length`, m, together;
 // 0: it is not separated.
-inline void keep_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id, double length) {
+inline void keep_separation(const Bodies& bodies, Contacts& contacts, std::uint32_t id, double length) {
     contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]);
-    contacts.answers[id].until = contacts.info[id].placed_at + budget_of(length);
+    contacts.separation_budgets[id].until = contacts.info[id].placed_at + budget_of(length);
 }
 // Marks a pair whose contact points the solver does not move along: it is tested again once a body has moved.
-inline void stay_behind(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
-    contacts.answers[id].until = travel_of(bodies, contacts.info[id]) - budget_of(max_margin);
+inline void stay_unsolved(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
+    contacts.separation_budgets[id].until = travel_of(bodies, contacts.info[id]) - budget_of(max_margin);
 }
 // Forces a new test of the pair in the next step.
-inline void drop_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
-    contacts.answers[id].until = contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]) - 1;
+inline void forget_separation(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
+    contacts.separation_budgets[id].until = contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]) - 1;
 }
 
 } // namespace cairn

@@ -30,7 +30,7 @@ struct Polygon {
 
 } // namespace
 
-Wetted::Wetted(const Surroundings& fluid) : fluid_(fluid) {
+WettedSurface::WettedSurface(const Surroundings& fluid) : fluid_(fluid) {
     const auto add = [&](DVec3 n, double most) { sides_[std::size_t(side_count_++)] = {n, most}; };
     if (fluid.vertical >= 0) add(fluid.up, fluid.surface);
     for (int axis = 0; axis < 3; ++axis) {
@@ -42,7 +42,7 @@ Wetted::Wetted(const Surroundings& fluid) : fluid_(fluid) {
     }
 }
 
-void Wetted::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
+void WettedSurface::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
     bool is_cut = false;
     for (int i = 0; i < side_count_; ++i) {
         const Side& side = sides_[std::size_t(i)];
@@ -57,7 +57,7 @@ void Wetted::add_triangle(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, 
     for (int i = 2; i < p.count; ++i) add_piece(p.at[0], p.at[std::size_t(i) - 1], p.at[std::size_t(i)], lid, is_small);
 }
 
-void Wetted::add_piece(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
+void WettedSurface::add_piece(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, bool is_small) {
     const DVec3 area = 0.5 * math::cross(b - a, c - a);
     const double size = math::length(area), level = -dot(area, fluid_.up);
     if (!(size > 0)) return;
@@ -74,11 +74,11 @@ void Wetted::add_piece(DVec3 a, DVec3 b, DVec3 c, std::optional<double> lid, boo
     }
     for (const DVec3 p : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) add_drag(p, n, size / 3);
 }
-void Wetted::add_column(DVec3 p, double area, double lid) {
+void WettedSurface::add_column(DVec3 p, double area, double lid) {
     displaced.add_column(p, fluid_.up, area, lid - dot(fluid_.up, p));
     waterline.add(p, area);
 }
-void Wetted::add_drag(DVec3 at, DVec3 n, double area) {
+void WettedSurface::add_drag(DVec3 at, DVec3 n, double area) {
     const DVec3 v = fluid_.velocity_at(at);
     const double s = dot(n, v), k = s > 0 ? fluid_.pressed * s * area : 0;
     const DVec3 along = v - s * n;
@@ -91,7 +91,7 @@ void Wetted::add_drag(DVec3 at, DVec3 n, double area) {
 
 // The same integrals in closed form. The drag on a partly immersed ball is the share of its immersed volume. The added
 // mass does not rotate with the ball.
-void Wetted::add_ball(DVec3 center, double radius) {
+void WettedSurface::add_ball(DVec3 center, double radius) {
     const double square = radius * radius, whole = 4.0 / 3.0 * math::pi * square * radius;
     double part = 1;
     if (fluid_.vertical >= 0) {

@@ -107,9 +107,9 @@ class Coupling {
 };
 
 // The wetted part of a body in one fluid.
-class Wetted {
+class WettedSurface {
   public:
-    explicit Wetted(const Surroundings& fluid);
+    explicit WettedSurface(const Surroundings& fluid);
 
     // `lid`: the height up to which columns are counted, above all wet parts of the shape; nothing if the displaced
     // volume is known already. `is_small`: the triangle is one of many on a round surface, and is integrated by its

@@ -30,8 +30,8 @@ class KdOrder {
   public:
     std::span<const std::uint32_t> order(std::span<const TreeBox> boxes);
     void give_back() { // frees unused memory
-        for (std::vector<Item>* part : {&items_, &low_, &middle_, &high_}) give_back_all(*part);
-        give_back_all(order_);
+        for (std::vector<Item>* part : {&items_, &low_, &middle_, &high_}) release_memory(*part);
+        release_memory(order_);
     }
     std::size_t bytes() const;
 

@@ -86,7 +86,7 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec
 
 // How far the tight bounds may still change before the fat box no longer contains the required bounds or is far larger
 // than a new one would be, m; -1 if it is so already, or if a bound is NaN.
-double BroadPhase::fat_room(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
+double BroadPhase::fat_box_clearance(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
     const math::DVec3 extent = tight.hi - tight.lo, motion = math::to_double(displacement);
     const double size = std::max(std::max(extent.x, extent.y), extent.z);
     const double margin = std::min(fat_margin, fat_fraction * size);
@@ -171,7 +171,7 @@ void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobilit
     make_proxy(shape);
     fat_[shape] = new_fat(tight, {});
     Proxy& proxy = proxies_[shape];
-    if (mobility == Mobility::fixed || kinematic) proxy.crowd = crowd_of(trigger);
+    if (mobility == Mobility::fixed || kinematic) proxy.crowd = immovable_group_of(trigger);
     if (mobility == Mobility::awake) {
         has_kinematic_ |= std::uint32_t(kinematic);
         place_awake(shape);
@@ -187,7 +187,7 @@ void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 no
     if (shape_count_ == 0) choose_first_origin({point, point});
     Proxy& proxy = make_proxy(shape);
     proxy.state = State::plane;
-    proxy.crowd = crowd_of(trigger);
+    proxy.crowd = immovable_group_of(trigger);
     proxy.place = std::uint32_t(planes_.size());
     planes_.push_back({point, math::to_double(normal), shape, is_sheet});
     all_dirty_ = 1;

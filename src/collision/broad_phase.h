@@ -96,7 +96,7 @@ class BroadPhase {
     // How far bounds and displacement together may change before set_bounds would make a new fat box, m; negative if it
     // would now. Thread-safe.
     double room(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
-        return fat_room(fat_[shape], tight, displacement);
+        return fat_box_clearance(fat_[shape], tight, displacement);
     }
     // set_bounds for many shapes, each listed once, in any order, most of them awake. Uses all threads of the pool.
     void set_bounds(std::span<const NewBounds> all, ThreadPool& thread_pool);
@@ -197,7 +197,7 @@ class BroadPhase {
     // Shapes that cannot be pushed (fixed and kinematic ones) make no pairs with others of the same crowd: triggers are
     // one crowd, all others the other.
     static constexpr std::uint8_t solids = 1, triggers = 2;
-    static std::uint8_t crowd_of(bool trigger) { return trigger ? triggers : solids; }
+    static std::uint8_t immovable_group_of(bool trigger) { return trigger ? triggers : solids; }
     struct Plane {
         math::DVec3 point, normal;
         std::uint32_t shape = 0, is_sheet = 0;
@@ -259,7 +259,7 @@ class BroadPhase {
     void note_change(std::uint32_t shape, const TreeBox& before);
     void note_touched(const TreeBox& box) { touched_.push_back(box); }
     void write_box(std::uint32_t shape);
-    static double fat_room(const DBounds& fat, const DBounds& tight, math::Vec3 displacement);
+    static double fat_box_clearance(const DBounds& fat, const DBounds& tight, math::Vec3 displacement);
     static DBounds new_fat(const DBounds& tight, math::Vec3 displacement);
     void choose_first_origin(const DBounds& bounds);
 
@@ -287,7 +287,8 @@ class BroadPhase {
                   const std::uint32_t* items) const;
     template <class F> void for_each_met(Search& own, const Node8& leaf, const TreeBox& bounds, const F& f) const;
     void mark_crowds();
-    std::uint32_t drop_crowds(Search& own, int which, int home, std::uint32_t count, std::uint8_t crowd) const;
+    std::uint32_t drop_immovable_groups(Search& own, int which, int home, std::uint32_t count,
+                                        std::uint8_t crowd) const;
     void search(int home, ThreadPool* thread_pool);
     void search_group(int home, std::uint32_t first, std::uint32_t end, Search& own, NewRows& found) const;
     void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count, Search& own,

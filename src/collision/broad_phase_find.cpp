@@ -78,7 +78,8 @@ void BroadPhase::mark_crowds() {
 
 // Removes the leaves that belong to a crowd from list `which`, so that n kinematic shapes in one place do not cause n^2
 // tests. Returns how many are left; pads the boxes as the kernels require.
-std::uint32_t BroadPhase::drop_crowds(Search& own, int which, int home, std::uint32_t count, std::uint8_t crowd) const {
+std::uint32_t BroadPhase::drop_immovable_groups(Search& own, int which, int home, std::uint32_t count,
+                                                std::uint8_t crowd) const {
     if (count == 0) return 0;
     const LeafList list = leaf_list(own, which);
     std::uint32_t left = 0;
@@ -128,8 +129,8 @@ void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, 
     if (has_kinematic_) {
         std::uint8_t crowd = 0xff;
         for (std::uint32_t leaf = first; leaf < end; ++leaf) crowd &= crowd_[home][leaf];
-        own_count = drop_crowds(own, 0, home, own_count, crowd);
-        large_count = drop_crowds(own, 1, 1, large_count, crowd);
+        own_count = drop_immovable_groups(own, 0, home, own_count, crowd);
+        large_count = drop_immovable_groups(own, 1, 1, large_count, crowd);
     }
     own.rows.capacity = 8 * (own_count + large_count) + 8;
     if (own.row_keys.size() < 8 * std::size_t(own.rows.capacity))

@@ -31,8 +31,8 @@ void BroadPhase::update(PairSink& sink, ThreadPool* thread_pool) {
     for (const Change& change : changes_) proxies_[change.shape].moved = 0;
     for (const std::uint32_t shape : refiltered_) proxies_[shape].refilter = 0;
     for (const std::uint32_t shape : removed_) proxies_[shape] = Proxy{};
-    give_back_room(changes_), give_back_room(ended_), give_back_room(found_);
-    for (NewRows& rows : new_rows_) give_back_room(rows.leaves), give_back_room(rows.keys);
+    shrink_capacity(changes_), shrink_capacity(ended_), shrink_capacity(found_);
+    for (NewRows& rows : new_rows_) shrink_capacity(rows.leaves), shrink_capacity(rows.keys);
     changes_.clear();
     touched_.clear();
     refiltered_.clear();
@@ -91,8 +91,8 @@ void BroadPhase::sort_awake() {
         }
     }
     unflatten_rows();
-    give_back_all(flat_), give_back_all(merged_), give_back_all(order_), give_back_all(sizes_);
-    give_back_all(items_), give_back_all(boxes_);
+    release_memory(flat_), release_memory(merged_), release_memory(order_), release_memory(sizes_);
+    release_memory(items_), release_memory(boxes_);
     kd_.give_back();
     all_dirty_ = 1;
     steps_since_sort_ = 0;

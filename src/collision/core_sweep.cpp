@@ -430,7 +430,7 @@ RigidPath::Pose RigidPath::at(double time) const {
     return {start + time * translation, turned * rotation}; // a product of two unit quaternions
 }
 
-double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
+double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
@@ -456,10 +456,11 @@ double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, doub
         const Course course = course_of(first, second, {from, to}, {0, part, axis, deeper});
         const double time = course.meeting;
         if (time != overlapped)
-            return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, is_known, from, axis);
+            return time < 1 || is_certain(course, first, second) ? time
+                                                                 : core_time_of_impact(a, b, is_known, from, axis);
         if (held != Held::by_nothing) break; // the solver pushes the shapes apart
     }
-    return time_of_meeting(a, b, true, from, axis);
+    return core_time_of_impact(a, b, true, from, axis);
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
@@ -468,7 +469,7 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, doubl
     const Course course = course_of(first, second, {from, to}, {0, 0, axis});
     const double time = course.meeting;
     if (time == overlapped) return time_of_sinking(a, b, held, from, axis);
-    return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, false, from, axis);
+    return time < 1 || is_certain(course, first, second) ? time : core_time_of_impact(a, b, false, from, axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DVec3 axis) {

@@ -73,7 +73,7 @@ inline constexpr double never = 2;
 inline constexpr double free_share = 0.5;
 // `axis`, in all of these functions: a direction from `a` to `b` along which they may be separated, as the start of the
 // search, or 0; then, if they were tested, the direction in which they were last nearest.
-double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
+double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
 // The means that keep two touching shapes from sinking deeper, beside continuous collision. by_struck_contact: a
 // contact in the solver that has been as deep as cores, and has had an impact since.

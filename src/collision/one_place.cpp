@@ -18,7 +18,7 @@ float coordinate(float number, int axis) {
 
 } // namespace
 
-void offset_in_one_place(float number_a, float number_b, float size, float offset[3]) {
+void coincident_center_offset(float number_a, float number_b, float size, float offset[3]) {
     for (int axis = 0; axis < 3; ++axis)
         offset[axis] = displacement * size * (coordinate(number_b, axis) - coordinate(number_a, axis));
 }

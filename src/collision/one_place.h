@@ -7,6 +7,6 @@ namespace cairn {
 // `size`, depending on its number. So bodies that are created at one position separate in all directions, each in its
 // own. With the same direction for all pairs, the last of n bodies would be pushed out n times as fast as one.
 // (Symbolic perturbation: Edelsbrunner and Muecke, "Simulation of Simplicity", 1990.)
-void offset_in_one_place(float number_a, float number_b, float size, float offset[3]);
+void coincident_center_offset(float number_a, float number_b, float size, float offset[3]);
 
 } // namespace cairn

@@ -141,14 +141,14 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
         note_trigger(s.bodies, s.shapes, s.events, s.contacts.info[id], outcome == entered);
         return;
     }
-    if (outcome != goes_on) {
+    if (outcome != persists) {
         ContactInfo& c = s.contacts.info[id];
         const BegunContact start = outcome == begun ? start_of(s, id, dt) : BegunContact{};
         const bool asleep = is_asleep(s.bodies, s.islands, c);
         // A body that passes by does not wake a sleeping one: only a body that will touch it within the step does.
         if (outcome == begun && asleep && start.passes_by) {
             c.point_count = 0;
-            drop_answer(s.bodies, s.contacts, id);
+            forget_separation(s.bodies, s.contacts, id);
             return;
         }
         if (outcome == begun) {
@@ -198,7 +198,7 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
     const float speed = std::max(approach_of(bodies, shapes, c, m), 0.0f);
     // How far the path of a point may bend because of rotation, beyond its present speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
-        const float turn = looked_ahead(dt * math::length(body.w));
+        const float turn = predicted_rotation(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
     };
     const float more = bend(a, bodies.links[first].radius) + bend(b, bodies.links[second].radius);
@@ -208,7 +208,7 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t id, float distance) {
     ContactInfo& c = contacts.info[id];
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
-    keep_answer(bodies, contacts, id, is_known ? double(distance - c.base_margin) : 0.0);
+    keep_separation(bodies, contacts, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
     return c.point_count == 0 && !c.touching ? apart : ended;
 }
@@ -241,13 +241,13 @@ std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts&
     ContactInfo& c = contacts.info[id];
     if (m.count == 0) return take_apart(bodies, contacts, id, m);
     if (c.is_trigger) {
-        keep_answer(bodies, contacts, id, 0);
+        keep_separation(bodies, contacts, id, 0);
         return trigger_outcome(c, true);
     }
     if (touch)
-        drop_answer(bodies, contacts, id);
+        forget_separation(bodies, contacts, id);
     else
-        keep_answer(bodies, contacts, id, 0);
+        keep_separation(bodies, contacts, id, 0);
     return take_points(bodies, shapes, contacts, islands, id, m,
                        touch ? moment_of(bodies, c, *touch, m) : moment_of_start(bodies, shapes, c));
 }
@@ -342,8 +342,8 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
         for (int k = begin; k < end; ++k) {
             if (k + int(contacts_ahead) < end) {
                 const std::uint32_t next = list[k + int(contacts_ahead)].id;
-                ask_cache(&info[next]);
-                ask_cache(&reports[next]);
+                prefetch(&info[next]);
+                prefetch(&reports[next]);
             }
             const ContactReport& report = reports[list[k].id];
             // Non-finite impulses (of bodies that were stopped for exceeding the number range) must not warm start the

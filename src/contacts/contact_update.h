@@ -11,17 +11,17 @@ namespace cairn {
 
 // The action for a pair, or the result of its test, besides the contact record.
 enum Outcome : std::uint8_t {
-    apart,          // separated as before; or not tested, with no need to solve it
-    ended,          // separated now, was near
-    begun,          // near now, was separated
-    goes_on,        // near as before
-    may_wake,       // near as before, but a body sleeps or B is kinematic and moves: follow_up must look at it
-    skipped,        // the bodies sleep
-    tested_patches, // of a mesh contact
-    entered,        // a shape has entered a trigger
-    left,           // a shape has left a trigger
-    may_fly_by,     // may meet in free flight: contacts/flight.h decides
-    to_test,        // + PairKind
+    apart,                 // separated as before; or not tested, with no need to solve it
+    ended,                 // separated now, was near
+    begun,                 // near now, was separated
+    persists,              // near as before
+    may_wake,              // near as before, but a body sleeps or B is kinematic and moves: follow_up must look at it
+    skipped,               // the bodies sleep
+    tested_patches,        // of a mesh contact
+    entered,               // a shape has entered a trigger
+    left,                  // a shape has left a trigger
+    may_be_in_free_flight, // may meet in free flight: contacts/flight.h decides
+    to_test,               // + PairKind
 };
 
 inline bool moves(const Bodies& bodies, std::int32_t body) {
@@ -33,7 +33,8 @@ inline bool moves(const Bodies& bodies, std::int32_t body) {
 inline float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
+    return c.base_margin + dt * math::length(b.v - a.v) +
+           (narrow.rotation_bound[c.body_a] + narrow.rotation_bound[c.body_b]);
 }
 // The smallest separation of a manifold that has points, m.
 inline float least_separation(const Manifold& m) {
@@ -84,8 +85,8 @@ inline bool is_asleep(const Bodies& bodies, const Islands& islands, const Contac
     return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
 }
 // The outcome of a contact that still has points.
-inline std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
-    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
+inline std::uint8_t persisting_outcome(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : persists;
 }
 // The moment of a manifold that was found at the start of the step.
 inline Moment moment_of_start(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c) {
@@ -101,7 +102,7 @@ inline std::uint8_t take_points(const Bodies& bodies, const Shapes& shapes, Cont
     const bool is_new = c.point_count == 0;
     write_record(shapes, c, r, m, at);
     if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(bodies, islands, c);
+    return is_new ? std::uint8_t(begun) : persisting_outcome(bodies, islands, c);
 }
 
 } // namespace cairn

@@ -26,11 +26,11 @@ DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
            (to_double(to_vec(b.low)) - to_double(to_vec(a.low)));
 }
 // The same for shapes that are to be pushed apart even if their centers coincide: never zero.
-DVec3 offset_between_middles(const ShapePose& a, const ShapePose& b) {
+DVec3 nonzero_center_offset(const ShapePose& a, const ShapePose& b) {
     const DVec3 offset = offset_between(a, b);
     if (!(offset == DVec3{})) return offset;
     float apart[3];
-    offset_in_one_place(a.low[3], b.low[3], a.size[3] + b.size[3], apart);
+    coincident_center_offset(a.low[3], b.low[3], a.size[3] + b.size[3], apart);
     return {double(apart[0]), double(apart[1]), double(apart[2])};
 }
 math::DQuat rotation_of(const ShapePose& pose) {
@@ -91,7 +91,7 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
     const Convex first = convex_of(a, {});
     Manifold out;
     if (kind == PairKind::convex_convex) {
-        const Convex second = convex_of(b, offset_between_middles(a.pose, b.pose));
+        const Convex second = convex_of(b, nonzero_center_offset(a.pose, b.pose));
         if (collide_flat_side(a, b, first, second, double(margin), out)) {
             memory = nothing_met;
             return out;
@@ -116,7 +116,7 @@ void part_points(const PosedShape& a, const PosedShape& b, Manifold& m) {
     if (m.count == 0) return;
     const float least = least_separation(m);
     if (least > 0) return;
-    const Convex first = convex_of(a, {}), second = convex_of(b, offset_between_middles(a.pose, b.pose));
+    const Convex first = convex_of(a, {}), second = convex_of(b, nonzero_center_offset(a.pose, b.pose));
     const CorePair pair{exact_core(first), exact_core(second)};
     const double radii = pair.a.radius + pair.b.radius;
     const GjkResult r = gjk_distance(pair, to_double(to_vec(m.normal)), std::numeric_limits<double>::infinity());

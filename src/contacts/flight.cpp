@@ -178,7 +178,7 @@ class FlightList {
                 follow_up(s, id, ended, dt_);
         }
         s.narrow.outcomes[f.place] = apart;
-        drop_answer(s.bodies, s.contacts, id);
+        forget_separation(s.bodies, s.contacts, id);
         s.narrow.in_flight.push_back(id);
     }
 

@@ -425,13 +425,13 @@ void drop_internal_edge(const Bodies& bodies, Contacts& contacts, NarrowScratch&
         forget_impulses(contacts.records[c], info.point_count);
         contacts.records[c].features = no_features;
     }
-    stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
+    stay_unsolved(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
 }
 
 void test_again(const Bodies& bodies, Contacts& contacts, std::uint32_t c) {
-    drop_answer(bodies, contacts, c);
+    forget_separation(bodies, contacts, c);
     if (contacts.info[c].kind == PairKind::patch)
-        drop_answer(bodies, contacts, std::uint32_t(contacts.info[c].related));
+        forget_separation(bodies, contacts, std::uint32_t(contacts.info[c].related));
 }
 
 void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow,
@@ -441,7 +441,7 @@ void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratc
                   [&](int begin, int end, std::uint32_t* next) {
                       for (int k = begin; k < end; ++k) {
                           if (const int later = k + int(contacts_ahead); later < end)
-                              ask_cache(&contacts.info[solved[std::size_t(later)]]);
+                              prefetch(&contacts.info[solved[std::size_t(later)]]);
                           const std::uint32_t id = solved[std::size_t(k)];
                           if (!contacts.info[id].b_moves) *next++ = id;
                       }

@@ -39,7 +39,7 @@ inline bool turns_until_midway(math::Vec3 w, float time) {
 }
 // Whether one of the bodies rotates that far, or may not be where its velocities predict because it has joints. Then
 // only contacts that keep their normals are found in the middle of the step.
-inline bool is_led_astray(const Bodies& bodies, const ContactInfo& c, float time) {
+inline bool may_leave_predicted_path(const Bodies& bodies, const ContactInfo& c, float time) {
     for (const std::int32_t b : {c.body_a, c.body_b})
         if (bodies.links[b].joint_count > 0 || turns_until_midway(bodies.motion[b].w, time)) return true;
     return false;
@@ -66,7 +66,7 @@ inline bool is_looked_for_midway(const Bodies& bodies, const Shapes& shapes, con
     if (!c.touching || c.point_count == 0 || !may_be_midway(bodies, c, time, c.base_margin)) return false;
     const ContactRecord& last = contacts.records[id];
     if (c.point_count == 1 && is_round_touch(last)) return false;
-    return !is_led_astray(bodies, c, time) || keeps_normal(bodies, shapes, c, last, time);
+    return !may_leave_predicted_path(bodies, c, time) || keeps_normal(bodies, shapes, c, last, time);
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -39,7 +39,7 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
     if (stays_apart(in.bodies, in.shapes, c, m, dt)) return take_apart(in.bodies, contacts, id, m);
     if (!may_meet_in_flight(in, contacts, c, m, dt)) return take_test(in, contacts, narrow, id, m, dt);
     own.flights.add(place, &m, 1);
-    return may_fly_by;
+    return may_be_in_free_flight;
 }
 
 // Takes the result of a test at the start of the step. It is final unless the pair may meet in free flight.
@@ -47,7 +47,7 @@ std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const Na
                              std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
     const ContactInfo& c = contacts.info[id];
     if (!stays_in_contact(in.bodies, c, m, dt)) return take_gap(in, contacts, narrow, place, m, own, dt);
-    keep_answer(in.bodies, contacts, id, 0);
+    keep_separation(in.bodies, contacts, id, 0);
     return take_points(in.bodies, in.shapes, contacts, in.islands, id, m, moment_of_start(in.bodies, in.shapes, c));
 }
 
@@ -79,7 +79,7 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
         (stays_apart(in.bodies, in.shapes, c, m, dt) || may_meet_in_flight(in, contacts, c, m, dt) ||
          moves_far(in, c, m, dt)))
         return false;
-    keep_answer(in.bodies, contacts, id, 0);
+    keep_separation(in.bodies, contacts, id, 0);
     narrow.outcomes[place] = take_points(in.bodies, in.shapes, contacts, in.islands, id, m,
                                          moment_midway(in.bodies, in.shapes, narrow, c, time));
     return true;
@@ -97,7 +97,7 @@ class WideTest {
     void run(const std::uint32_t* places, int count) {
         own_.at_start.clear(), own_.midway.clear();
         for (int i = 0; i < count; ++i) {
-            if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
+            if (i + ahead < count) prefetch(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
             const bool is_midway = is_looked_for_midway(in.bodies, in.shapes, contacts_, id, midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
@@ -128,7 +128,7 @@ class WideTest {
         prefetch_record(contacts_, id,
                         has_one_point(kind_) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord));
         if (may_be_round(kind_))
-            for (const std::uint32_t shape : {c.shape_a, c.shape_b}) ask_cache(&in.shapes.geometry[shape]);
+            for (const std::uint32_t shape : {c.shape_a, c.shape_b}) prefetch(&in.shapes.geometry[shape]);
     }
 
     // Pairs that have separated by the middle of the step are tested at its start instead.
@@ -158,12 +158,12 @@ class WideTest {
         for (int i = 0; i < count; ++i) {
             const std::uint32_t id = narrow_.candidates[own_.at_start[std::size_t(i)]];
             if (i + ahead < count && kind_ == PairKind::box_box)
-                ask_cache(&contacts_.records[narrow_.candidates[own_.at_start[std::size_t(i + ahead)]]].features);
+                prefetch(&contacts_.records[narrow_.candidates[own_.at_start[std::size_t(i + ahead)]]].features);
             const ContactInfo& c = contacts_.info[id];
             batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
             batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
             fill(i, c, id);
-            ask_cache(&in.shapes.links[c.shape_a]); // for write_record
+            prefetch(&in.shapes.links[c.shape_a]); // for write_record
         }
         collide(in.shapes.poses.data(), count);
         std::uint8_t* const outcomes = narrow_.outcomes.data();
@@ -207,13 +207,13 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
                          b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
         Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a_then, b_then, m);
-        drop_what_stays_apart(in, c, c.touching != 0, a_then, b_then, dt, m);
+        drop_separated_points(in, c, c.touching != 0, a_then, b_then, dt, m);
         is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }
     if (!is_settled) {
         Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a, b, m);
-        drop_what_stays_apart(in, c, c.touching != 0, a, b, dt, m);
+        drop_separated_points(in, c, c.touching != 0, a, b, dt, m);
         narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
     }
     if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // kept for separated pairs, too
@@ -226,7 +226,7 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
     const int count = int(places.size()); // not `end`: the chunk that begins there is tested next
     const auto contact_at = [&](int i) { return narrow.candidates[places[i]]; };
     for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
+        if (i + 2 * ahead < count) prefetch(&contacts.info[contact_at(i + 2 * ahead)]);
         if (i + ahead < count) prefetch_pair(in.bodies, in.shapes, contacts, contact_at(i + ahead));
         test_convex(in, contacts, narrow, kind, places[i], own, dt);
     }
@@ -240,7 +240,7 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
         ContactRecord& r = contacts.records[contact];
         r.approach_speed = approach_speed(bodies, c, r);
     });
-    return going_on(bodies, islands, contacts.info[id]);
+    return persisting_outcome(bodies, islands, contacts.info[id]);
 }
 
 std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
@@ -258,7 +258,7 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
-    return c.point_count > 0 ? goes_on : apart;
+    return c.point_count > 0 ? persists : apart;
 }
 
 // The same for a one-way shape: A passes through it while it has no points and is not beyond it.
@@ -271,7 +271,7 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
 // loop is branch-free, as the branch would be unpredictable.
 void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool) {
     const std::uint32_t* const candidates = narrow.candidates.data();
-    const PairAnswer* const pairs = contacts.answers.data();
+    const SeparationBudget* const pairs = contacts.separation_budgets.data();
     const Travel* const ahead = bodies.ahead.data();
     list_in_order(&thread_pool, int(narrow.candidates.size()), pairs_per_chunk, narrow.open, narrow.parts,
                   [=](int begin, int end, std::uint32_t* next) {
@@ -282,7 +282,7 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
                       constexpr int early = 2 * int(contacts_ahead);
                       int k = begin;
                       for (; k < end - early; ++k) {
-                          ask_cache(&pairs[candidates[k + early]]);
+                          prefetch(&pairs[candidates[k + early]]);
                           look_at(k);
                       }
                       for (; k < end; ++k) look_at(k);
@@ -336,7 +336,7 @@ std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& con
         KindCounts kinds{};
         bool any = false;
         for (int i = begin; i < end; ++i) {
-            if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
+            if (i + int(contacts_ahead) < end) prefetch(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
             std::uint8_t outcome = before_test(bodies, contacts, islands, id);
@@ -381,7 +381,7 @@ void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) 
     const std::uint8_t* const outcomes = narrow.outcomes.data();
     const bool any_groups = narrow.any_groups;
     const auto goes_on_alone = [&](std::uint32_t k) {
-        return outcomes[k] == goes_on && !(any_groups && is_group(s.contacts.info[candidates[k]]));
+        return outcomes[k] == persists && !(any_groups && is_group(s.contacts.info[candidates[k]]));
     };
     list_in_order(&thread_pool, int(open.size()), pairs_per_chunk, s.solved, narrow.parts,
                   [&](int begin, int end, std::uint32_t* next) {
@@ -394,7 +394,7 @@ void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) 
                       for (int i = begin; i < end; ++i) {
                           const std::uint32_t k = open[std::size_t(i)];
                           const std::uint8_t outcome = outcomes[k];
-                          if (outcome != apart && outcome != may_fly_by && !goes_on_alone(k)) *next++ = k;
+                          if (outcome != apart && outcome != may_be_in_free_flight && !goes_on_alone(k)) *next++ = k;
                       }
                       return next;
                   });

@@ -136,8 +136,8 @@ struct Sink final : PairSink {
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
         size_contact(shapes, c);
-        contacts.answers[id] = {0, c.body_a, c.body_b};
-        drop_answer(bodies, contacts, id);
+        contacts.separation_budgets[id] = {0, c.body_a, c.body_b};
+        forget_separation(bodies, contacts, id);
         combine_materials(shapes, contacts, id);
         return id;
     }
@@ -179,7 +179,7 @@ std::uint32_t new_contact(Contacts& contacts, std::int32_t body_a) {
     std::uint32_t id;
     if (contacts.free.empty()) {
         id = std::uint32_t(contacts.info.size());
-        set_size(contacts.info, id + 1), set_size(contacts.answers, id + 1);
+        set_size(contacts.info, id + 1), set_size(contacts.separation_budgets, id + 1);
     } else {
         id = contacts.free.back();
         contacts.free.pop_back();
@@ -187,7 +187,7 @@ std::uint32_t new_contact(Contacts& contacts, std::int32_t body_a) {
     contacts.info[id] = {};
     contacts.info[id].in_use = 1;
     contacts.records.open(id, contacts.owners.has(body_a));
-    contacts.answers[id] = {};
+    contacts.separation_budgets[id] = {};
     return id;
 }
 

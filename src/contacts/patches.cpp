@@ -57,7 +57,7 @@ float find_at_start(const NarrowInput& in, const Contacts& contacts, const Narro
     const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
     const float distance = find_patches(a, b, margin, reach_of(group, margin), own.surface, own.hits);
     const bool meets = touches(contacts, group);
-    for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, meets, a, b, dt, hit);
+    for (Manifold& hit : own.hits) drop_separated_points(in, group, meets, a, b, dt, hit);
     return distance;
 }
 
@@ -133,7 +133,7 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
         if (moves_far(in, group, hit, dt)) approach = look_ahead(in, group, k, margin, dt, own, hit, touch);
         if (approach == Approach::passes) continue;
         const bool is_ahead = approach == Approach::later;
-        if (is_ahead) drop_answer(in.bodies, contacts, id);
+        if (is_ahead) forget_separation(in.bodies, contacts, id);
         if (!is_ahead && stays_apart(in.bodies, in.shapes, group, hit, dt)) continue;
         const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
         if (patch == none)
@@ -157,7 +157,7 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     if (group.point_count == 0 ||
         !may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
         return false;
-    if (is_led_astray(in.bodies, group, time))
+    if (may_leave_predicted_path(in.bodies, group, time))
         for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
             if (contacts.info[p].touching &&
                 !keeps_normal(in.bodies, in.shapes, contacts.info[p], contacts.records[p], time))
@@ -166,7 +166,7 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
                      b_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_b);
     find_patches(a_then, b_then, margin, margin, own.surface, own.hits);
     const bool meets = touches(contacts, group);
-    for (Manifold& hit : own.hits) drop_what_stays_apart(in, group, meets, a_then, b_then, dt, hit);
+    for (Manifold& hit : own.hits) drop_separated_points(in, group, meets, a_then, b_then, dt, hit);
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
     own.matched.clear();
     for (const Manifold& hit : own.hits) {
@@ -184,7 +184,7 @@ bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch
     for (std::size_t k = 0; k < own.hits.size(); ++k)
         narrow.patch_outcomes[own.matched[k]] =
             take_points(in.bodies, in.shapes, contacts, in.islands, own.matched[k], own.hits[k], midway);
-    keep_answer(in.bodies, contacts, id, 0);
+    keep_separation(in.bodies, contacts, id, 0);
     return true;
 }
 
@@ -201,7 +201,7 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
         narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
         return;
     }
-    keep_answer(in.bodies, contacts, id, 0);
+    keep_separation(in.bodies, contacts, id, 0);
     if (group.is_trigger) {
         narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
@@ -209,7 +209,7 @@ void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(in, contacts, group, hit, dt); };
     if (!own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
         own.flights.add(place, nullptr, 0);
-        narrow.outcomes[place] = may_fly_by;
+        narrow.outcomes[place] = may_be_in_free_flight;
         return;
     }
     take_group(in, contacts, narrow, place, own, dt);
@@ -221,9 +221,9 @@ std::uint8_t take_fresh_patch(const FollowUpContext& s, std::uint32_t patch, con
         return take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
                              fresh.is_ahead ? &fresh.touch : nullptr);
     if (fresh.is_ahead)
-        drop_answer(s.bodies, s.contacts, patch);
+        forget_separation(s.bodies, s.contacts, patch);
     else
-        keep_answer(s.bodies, s.contacts, patch, 0);
+        keep_separation(s.bodies, s.contacts, patch, 0);
     s.contacts.info[patch].point_count = std::uint8_t(fresh.manifold.count);
     return begun;
 }
@@ -254,7 +254,7 @@ void test_groups(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
     constexpr std::size_t ahead = 4;
     const auto contact_at = [&](std::size_t i) { return narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * ahead < places.size()) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
+        if (i + 2 * ahead < places.size()) prefetch(&contacts.info[contact_at(i + 2 * ahead)]);
         if (i + ahead < places.size()) prefetch_pair(in.bodies, in.shapes, contacts, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < places.size()) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
@@ -290,7 +290,7 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
         follow_up(s, patch, take_fresh_patch(s, patch, fresh), dt);
         if (s.contacts.info[patch].point_count > 0) continue;
         end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // not begun, as its body sleeps
-        drop_answer(s.bodies, s.contacts, id);
+        forget_separation(s.bodies, s.contacts, id);
     }
     s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;
 }

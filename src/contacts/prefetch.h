@@ -10,7 +10,7 @@ namespace cairn {
 void prefetch_pair(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t contact);
 inline void prefetch_record(const Contacts& contacts, std::uint32_t contact, std::size_t size = sizeof(ContactRecord)) {
     const char* record = reinterpret_cast<const char*>(&contacts.records[contact]);
-    for (std::size_t at = 0; at < size; at += 64) ask_cache(record + at);
+    for (std::size_t at = 0; at < size; at += 64) prefetch(record + at);
 }
 // Prefetches patch number n of a mesh contact, if the contact is one. Patches form a linked list, so each is prefetched
 // later than the patch before it.

@@ -113,7 +113,7 @@ RoundPair round_pair(const Geometry& a, const ShapePose& pose_a, const Geometry&
     return {axis_b ? round_about_axis_of_b : round_about_points, *about_b};
 }
 
-void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool touches, const PosedShape& a,
+void drop_separated_points(const NarrowInput& in, const ContactInfo& c, bool touches, const PosedShape& a,
                            const PosedShape& b, float dt, Manifold& m) {
     const auto is_round = [](const Geometry& g) {
         return g.type == ShapeType::cylinder || g.type == ShapeType::capsule;
@@ -126,7 +126,7 @@ void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& c, bool tou
                      pull = math::to_float(acceleration_at(in.bodies, in.fields, in.settings, c.body_a, motion_a.x));
     const math::Vec3 w_a = tilting_part(a.geometry, a.pose, motion_a.w, n),
                      w_b = tilting_part(b.geometry, b.pose, motion_b.w, n), w = w_b - w_a;
-    const float turn = looked_ahead(dt * math::length(w));
+    const float turn = predicted_rotation(dt * math::length(w));
     const float bend = 0.5f * (turn * turn + dt * dt * math::length(pull) / in.bodies.links[c.body_a].radius);
     int lowest = 0, kept = 0;
     for (int i = 1; i < m.count; ++i)

@@ -49,7 +49,7 @@ RoundPair round_pair(const Geometry& a, const ShapePose& pose_a, const Geometry&
 // Removes from a manifold of cylinders or capsules the points that will not touch within the step, given how the bodies
 // tilt about the lowest point by their angular velocities, by gravity and by the approach. So a shape that rolls on its
 // rim has one point. `touches`: whether the pair did before; other pairs are handled only if A has another contact.
-void drop_what_stays_apart(const NarrowInput& in, const ContactInfo& contact, bool touches, const PosedShape& a,
+void drop_separated_points(const NarrowInput& in, const ContactInfo& contact, bool touches, const PosedShape& a,
                            const PosedShape& b, float dt, Manifold& manifold);
 
 } // namespace cairn

@@ -46,11 +46,11 @@ class Stream {
 constexpr std::uint8_t outcome_bits = 15, points_shift = 4, is_open = 128;
 static_assert(to_test <= outcome_bits);
 
-// Sends test results from the rank that made them to the others. TestTeller and TestHearer visit pairs, patches and
+// Sends test results from the rank that made them to the others. TestSender and TestReceiver visit pairs, patches and
 // members in the same order.
-class TestTeller {
+class TestSender {
   public:
-    TestTeller(const NarrowInput& in, const FollowUpContext& context, Stream& stream, float dt)
+    TestSender(const NarrowInput& in, const FollowUpContext& context, Stream& stream, float dt)
         : in(in), s(context), stream_(stream), dt_(dt) {}
 
     void tell(std::uint32_t place) {
@@ -65,7 +65,7 @@ class TestTeller {
   private:
     void tell_contact(std::uint32_t id, std::uint8_t outcome) {
         const ContactInfo& c = s.contacts.info[id];
-        const Travel until = s.contacts.answers[id].until;
+        const Travel until = s.contacts.separation_budgets[id].until;
         const bool is_of_now = c.placed_at == travel_of(in.bodies, c) && until == c.placed_at;
         stream_.put(std::uint8_t(outcome | c.point_count << points_shift | (is_of_now ? is_open : 0)));
         if (!is_of_now) stream_.put(c.placed_at), stream_.put(until);
@@ -80,7 +80,7 @@ class TestTeller {
             one.info.push_back(s.contacts.info[group]);
             one.info[0].kind = PairKind::patch, one.info[0].point_count = 0, one.info[0].touching = 0;
             one.info[0].surface_material = surface_material_of(fresh->manifold);
-            one.answers.emplace_back();
+            one.separation_budgets.emplace_back();
             one.records.open(0, true);
             take_manifold(in.bodies, in.shapes, one, in.islands, 0, fresh->manifold,
                           fresh->is_ahead ? &fresh->touch : nullptr);
@@ -99,14 +99,14 @@ class TestTeller {
     const float dt_;
 };
 
-class TestHearer {
+class TestReceiver {
   public:
-    TestHearer(const NarrowInput& in, const FollowUpContext& context) : in(in), s(context) {}
+    TestReceiver(const NarrowInput& in, const FollowUpContext& context) : in(in), s(context) {}
 
     void hear(std::uint32_t place, Stream& stream) {
         const std::uint32_t id = s.narrow.candidates[place];
         const std::uint8_t outcome = s.narrow.outcomes[place] = hear_contact(id, stream);
-        if (outcome == may_fly_by) s.narrow.at_work.front().flights.add(place, nullptr, 0);
+        if (outcome == may_be_in_free_flight) s.narrow.at_work.front().flights.add(place, nullptr, 0);
         if (outcome != tested_patches) return;
         for_each_patch(s.contacts, id,
                        [&](std::uint32_t patch) { s.narrow.patch_outcomes[patch] = hear_contact(patch, stream); });
@@ -122,7 +122,7 @@ class TestHearer {
   private:
     std::uint8_t hear_contact(std::uint32_t id, Stream& stream) {
         ContactInfo& c = s.contacts.info[id];
-        Travel& until = s.contacts.answers[id].until;
+        Travel& until = s.contacts.separation_budgets[id].until;
         const auto head = stream.take<std::uint8_t>();
         const std::uint8_t outcome = head & outcome_bits;
         if ((head & is_open) != 0)
@@ -155,14 +155,14 @@ void exchange_tests(const NarrowInput& in, const FollowUpContext& s, std::span<c
     narrow.next_begun = 0;
     if (places.empty()) return;
     std::vector<Stream> streams(std::size_t(s.ranks->size()));
-    TestTeller teller(in, s, streams[std::size_t(s.ranks->rank())], dt);
+    TestSender teller(in, s, streams[std::size_t(s.ranks->rank())], dt);
     for (const std::uint32_t place : places)
         if (s.contacts.records.has(narrow.candidates[place])) teller.tell(place);
     for (int root = 0; root < s.ranks->size(); ++root) streams[std::size_t(root)].broadcast(root, *s.ranks);
-    TestHearer hearer(in, s);
+    TestReceiver hearer(in, s);
     for (std::size_t k = 0; k < places.size(); ++k) {
         if (k + contacts_ahead < places.size())
-            ask_cache(&s.contacts.info[narrow.candidates[places[k + contacts_ahead]]]);
+            prefetch(&s.contacts.info[narrow.candidates[places[k + contacts_ahead]]]);
         const std::uint32_t id = narrow.candidates[places[k]];
         if (!s.contacts.records.has(id)) hearer.hear(places[k], streams[std::size_t(owner_of(s.contacts, id))]);
     }

@@ -27,7 +27,7 @@ float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float
 
 // Whether joints constrain a body, so that it does not move exactly as its velocities predict: less so if it is fast,
 // or passes the other body.
-bool is_led(const Bodies& bodies, std::int32_t b) { return bodies.links[b].joint_count > 0; }
+bool has_joints(const Bodies& bodies, std::int32_t b) { return bodies.links[b].joint_count > 0; }
 
 // A jointed body is expected to rotate about the anchor of the joint to its heaviest neighbor, provided that this
 // neighbor is at least as heavy as the body: a door rotates about its hinge, a shin about the knee. A heavier body is
@@ -129,8 +129,8 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
 
 // The displacement of the contact point per change of the unit normal, m, by which the normal impulse on a round shape
 // keeps passing through its center; for two round shapes, the difference of both radii.
-double place_on_round(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
-                      const Nearness& found) {
+double shift_per_normal(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
+                        const Nearness& found) {
     const math::Vec3 normal = math::to_float(found.normal);
     const float apart = float(found.distance);
     return double(contact_radius(shapes.geometry[c.shape_a], at_a.pose, normal, apart)) -
@@ -139,8 +139,8 @@ double place_on_round(const Shapes& shapes, const ContactInfo& c, const PosedBod
 
 // A manifold of one point, where two shapes are nearest on their paths. The normal of two round shapes that the solver
 // updates is kept as found.
-Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a,
-                         const PosedBody& at_b, const Nearness& found) {
+Manifold nearest_point_manifold(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a,
+                                const PosedBody& at_b, const Nearness& found) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - at_a.moved);
     const DVec3 velocity_b =
@@ -150,7 +150,7 @@ Manifold manifold_beside(const Bodies& bodies, const Shapes& shapes, const Conta
                                  .about > 0;
     const DVec3 normal = is_followed ? found.normal : clear_of_approach(found.normal, velocity_b - velocity_a);
     const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal +
-                         place_on_round(shapes, c, at_a, at_b, found) * (normal - found.normal);
+                         shift_per_normal(shapes, c, at_a, at_b, found) * (normal - found.normal);
     Manifold m{};
     math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
     m.count = 1;
@@ -177,7 +177,7 @@ class ExpectedWays {
     Approach take(const Nearness& found, Touch& touch) const {
         if (!(found.distance <= double(c_.base_margin))) return Approach::passes;
         touch.is_beside = found.distance > 0;
-        const bool any_led = is_led(in.bodies, c_.body_a) || is_led(in.bodies, c_.body_b);
+        const bool any_led = has_joints(in.bodies, c_.body_a) || has_joints(in.bodies, c_.body_b);
         const bool is_now = !(found.time > 0) || (any_led && !touch.is_beside);
         const PosedBody at_a = posed_a(found), at_b = posed_b(found);
         touch.passed = at_a.moved - at_b.moved;
@@ -186,7 +186,7 @@ class ExpectedWays {
                         nullptr};
         touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
         touch.arm_a = at_a.arm;
-        if (touch.is_beside) touch.manifold = manifold_beside(in.bodies, in.shapes, c_, at_a, at_b, found);
+        if (touch.is_beside) touch.manifold = nearest_point_manifold(in.bodies, in.shapes, c_, at_a, at_b, found);
         return is_now ? Approach::now : Approach::later;
     }
     Manifold manifold_at_touch(const Nearness& found, float margin) const {
@@ -232,7 +232,7 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
     bool any_led = false;
     float turn = 0, unknown = 0; // rad/s: of both bodies; of those whose rotation moves their surfaces
     for (const std::int32_t b : {c.body_a, c.body_b}) {
-        any_led = any_led || is_led(in.bodies, b);
+        any_led = any_led || has_joints(in.bodies, b);
         const float own = math::length(in.bodies.motion[b].w);
         turn += own;
         if (!turns_on_the_spot(in.bodies.links[b])) unknown += own;

@@ -68,7 +68,7 @@ class ArchiveWriter {
     }
     // Writes elements without the parts that nothing reads. `used(i, room)` returns element i without them: the element
     // itself, or a copy in `room`.
-    template <class T, class F> void used_part(const std::vector<T>& v, const F& used) {
+    template <class T, class F> void live_part(const std::vector<T>& v, const F& used) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         T rooms[2];
         const T *before = nullptr, *now = nullptr;
@@ -82,7 +82,7 @@ class ArchiveWriter {
     }
     // Writes elements relative to a prediction. `foretell(i)`: the likely value of element i, given what has been
     // written before this vector.
-    template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
+    template <class T, class F> void predicted(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         static_assert(archive_detail::has_no_gaps<T>());
         T expected;
@@ -171,8 +171,8 @@ class ArchiveReader {
             raw(v.data(), v.size() * sizeof(T));
         }
     }
-    template <class T, class F> void used_part(std::vector<T>& v, const F&) { (*this)(v); }
-    template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
+    template <class T, class F> void live_part(std::vector<T>& v, const F&) { (*this)(v); }
+    template <class T, class F> void predicted(std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
         v.resize(count(archive_detail::min_packed_size<T>));
         for (std::size_t i = 0; i < v.size(); ++i) {

@@ -6,7 +6,7 @@ namespace cairn {
 // Prefetches the cache line that contains `p`. A compiler may treat a function that only prefetches as one without
 // effect, and drop calls of it (GCC does so with __builtin_prefetch alone): the empty asm statement counts as an
 // effect.
-inline void ask_cache(const void* p) {
+inline void prefetch(const void* p) {
     __builtin_prefetch(p);
     asm volatile("");
 }

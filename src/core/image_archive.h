@@ -41,9 +41,9 @@ class ImageWriter {
         write(v.data(), v.size() * sizeof(T));
     }
     // Parts that nothing reads do not change from state to state, and so cost nothing here.
-    template <class T, class F> void used_part(const std::vector<T>& v, const F&) { (*this)(v); }
+    template <class T, class F> void live_part(const std::vector<T>& v, const F&) { (*this)(v); }
     // Words equal to their prediction are 0 in the image, and so the same from state to state.
-    template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
+    template <class T, class F> void predicted(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 8 == 0);
         scratch_.resize(v.size() * (sizeof(T) / 8));
         for (std::size_t i = 0; i < v.size(); ++i) {
@@ -86,8 +86,8 @@ class ImageReader {
         v.resize(part.size / sizeof(T));
         if (part.size > 0) std::memcpy(static_cast<void*>(v.data()), part.words.data(), part.size);
     }
-    template <class T, class F> void used_part(std::vector<T>& v, const F&) { (*this)(v); }
-    template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
+    template <class T, class F> void live_part(std::vector<T>& v, const F&) { (*this)(v); }
+    template <class T, class F> void predicted(std::vector<T>& v, const F& foretell) {
         const StateImage::Part& part = next();
         v.resize(part.size / sizeof(T));
         for (std::size_t i = 0; i < v.size(); ++i) {

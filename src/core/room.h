@@ -41,7 +41,7 @@ inline constexpr std::size_t kept_room = std::size_t(1) << 16;
 
 // For a list that is rewritten in each step, and still has the elements of the last one. If these are less than a
 // quarter of its capacity, as after a collapse, the excess is freed.
-template <class T> void give_back_room(std::vector<T>& list) {
+template <class T> void shrink_capacity(std::vector<T>& list) {
     const std::size_t room = list.capacity();
     if (room * sizeof(T) <= kept_room || list.size() >= room / 4) return;
     std::vector<T> less;
@@ -50,7 +50,7 @@ template <class T> void give_back_room(std::vector<T>& list) {
     list.swap(less);
 }
 // For a list that few steps need.
-template <class T> void give_back_all(std::vector<T>& list) {
+template <class T> void release_memory(std::vector<T>& list) {
     list.clear();
     if (list.capacity() * sizeof(T) > kept_room) list = std::vector<T>();
 }

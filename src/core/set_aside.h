@@ -22,8 +22,8 @@ class SetAside {
     void begin(Mode mode) { mode_ = mode, next_ = 0; }
 
     template <class T> void operator()(std::vector<T>& v) { take(v); }
-    template <class T, class F> void foretold(std::vector<T>& v, const F&) { take(v); }
-    template <class T, class F> void used_part(std::vector<T>& v, const F&) { take(v); }
+    template <class T, class F> void predicted(std::vector<T>& v, const F&) { take(v); }
+    template <class T, class F> void live_part(std::vector<T>& v, const F&) { take(v); }
     template <class T>
     requires std::is_trivially_copyable_v<T>
     void operator()(T& value) { take(value); }

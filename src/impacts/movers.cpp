@@ -189,8 +189,8 @@ void Movers::set_out(std::int32_t i) {
     // A free body has started at this velocity, which follows from the mean velocity and the change along the path.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
-    if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
-    if (m.is_led) lead_on(i, 0);
+    if (links.joint_count > 0 && !m.turns_over) follow_joint_screw(m, from, to);
+    if (m.is_guided) advance_along_arc(i, 0);
     m.gyrates = m.is_free && gyrates(s.bodies, b, m.spin, from.q, double(dt_));
     if (flies_anew) {
         // The poses do not determine how the solver has rotated the body: it moves freely from its first pose, at the
@@ -212,7 +212,7 @@ void Movers::follow_parabola(std::int32_t i) {
 // Joints rotate a body about the axis of the screw motion that leads from its first to its last pose (Chasles): an
 // imaginary body on that axis guides it. Where the arc deviates from a straight line by less than the depth of a core,
 // the path stays straight.
-void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const {
+void Movers::follow_joint_screw(Mover& m, const CountedPose& from, const BodyMotion& to) const {
     const DQuat by = RigidPath::between(from.x, from.q, to.x, to.q).by;
     const DVec3 way = to.x - from.x;
     const double sine = math::length(by.vector()); // of half the angle
@@ -220,7 +220,7 @@ void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion&
     const DVec3 axis = (1 / sine) * by.vector(), slide = dot(way, axis) * axis, across = way - slide;
     if (!(math::length(across) * sine > 4 * core_depth_of(double(s.bodies.links[m.body].inner_radius)))) return;
     const DVec3 pivot = from.x + 0.5 * (across + (by.w / sine) * math::cross(axis, across));
-    m.is_led = true;
+    m.is_guided = true;
     m.lead = RigidPath::between(pivot, from.q, pivot + slide, to.q);
     m.arm = math::rotate(math::conjugate(from.q), from.x - pivot);
     m.turned = {0, 0, 0, 1};
@@ -229,7 +229,7 @@ void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion&
 void Movers::carry(std::int32_t i, double time, std::int32_t carrier, DVec3 axis) {
     Mover& m = (*this)[i];
     const MovingState now = state_at(i, time);
-    m.is_led = m.is_changed = true;
+    m.is_guided = m.is_changed = true;
     m.carrier = carrier;
     m.lead = path_of(carrier);
     const RigidPath::Pose there = m.lead.at(time);
@@ -247,12 +247,12 @@ void Movers::carry(std::int32_t i, double time, std::int32_t carrier, DVec3 axis
     motion.v = math::to_float(to_double(by.v) + math::cross(w, arm) + slide);
     motion.w = math::to_float(now.w);
     motion.v_rest = motion.w_rest = {};
-    lead_on(i, time);
+    advance_along_arc(i, time);
 }
 
 // Advances along the arc in straight parts that deviate from it by less than the depth of a core. Their number is
 // limited to that of arcs that occur in a step of usual length.
-void Movers::lead_on(std::int32_t i, double time) {
+void Movers::advance_along_arc(std::int32_t i, double time) {
     Mover& m = (*this)[i];
     const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
     const double bend = dot(m.lead.turn, m.lead.turn) * math::length(m.arm); // m, per square of the time
@@ -363,7 +363,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         until = std::min(time + part, 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
-    } else if (m.is_led) { // it leaves its arc
+    } else if (m.is_guided) { // it leaves its arc
         motion.x = now.x + left * now.v;
         motion.q = turned_by(left * now.w, now.q);
         motion.v = math::to_float(now.v), motion.w = math::to_float(now.w);
@@ -376,7 +376,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         motion.v_rest = motion.w_rest = {};
         push_end(m.body, now, left, dv, dw);
     }
-    m.is_led = false;
+    m.is_guided = false;
     m.carrier = none;
     lead_to_end(m, now, time, until);
 }
@@ -401,7 +401,7 @@ void Movers::lead_to_end(Mover& m, const MovingState& now, double time, double u
 void Movers::push_way(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
     Mover& m = (*this)[i];
     MovingState now = state_at(i, time);
-    if (m.is_free || m.is_led) {
+    if (m.is_free || m.is_guided) {
         now.v += dv, now.w += dw;
         return redirect(i, time, now);
     }
@@ -435,7 +435,7 @@ DBounds Movers::bounds_of_way(const Mover& m, double from) const {
     const double later = (1 - m.path.until) * double(dt_);
     DVec3 end = start + left;
     double r = double(s.bodies.links[m.body].radius);
-    if (m.is_led) {
+    if (m.is_guided) {
         end = s.bodies.motion[m.body].x;
         r += m.lead.sagitta(math::length(m.arm));
     } else if (later > 0) {
@@ -448,7 +448,7 @@ DBounds Movers::bounds_of_way(const Mover& m, double from) const {
     return bounds;
 }
 
-void Movers::put_back(std::int32_t i) {
+void Movers::write_final_poses(std::int32_t i) {
     const Mover& m = (*this)[i];
     BodyMotion& motion = s.bodies.motion[m.body];
     if (m.has_stopped()) {
@@ -468,11 +468,11 @@ void Movers::put_back(std::int32_t i) {
     place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
 }
 
-std::size_t Movers::put_back() {
+std::size_t Movers::write_final_poses() {
     std::size_t stopped = 0;
     for (std::int32_t i = 0; i < count(); ++i) {
         stopped += (*this)[i].has_stopped();
-        if (is_put_back((*this)[i])) put_back(i);
+        if (is_put_back((*this)[i])) write_final_poses(i);
     }
     return stopped;
 }

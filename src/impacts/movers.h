@@ -59,14 +59,14 @@ class Movers {
     // Lets a kinematic body carry this one along from `time` to the end of the step. After that, it slides on at its
     // relative speed from before, without the component along `axis` (of any length), the direction of approach.
     void carry(std::int32_t i, double time, std::int32_t carrier, math::DVec3 axis);
-    // Starts the next part of the path of a guided body (Mover::is_led).
-    void lead_on(std::int32_t i, double time);
+    // Starts the next part of the path of a guided body (Mover::is_guided).
+    void advance_along_arc(std::int32_t i, double time);
     // Marks that the body rests on another one in the direction of the unit vector `down`: forces in this direction do
     // not accelerate it.
     void rest_on(std::int32_t i, math::DVec3 down);
     void stop(std::int32_t i, double time) { (*this)[i].until = time; }
     // Writes the poses of all redirected or stopped bodies at the end of the step. Returns how many were stopped.
-    std::size_t put_back();
+    std::size_t write_final_poses();
     bool is_put_back(std::int32_t body) const { return of_body(body) != none && is_put_back((*this)[of_body(body)]); }
 
     // Path of a slow body, or one that forces do not move: from its pose at the start of the step to that at its end.
@@ -93,12 +93,12 @@ class Movers {
     double longest_chord(const Mover& m) const;
     double offset_of_velocity() const;
     int substeps_in(double duration) const;
-    void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;
+    void follow_joint_screw(Mover& m, const CountedPose& from, const BodyMotion& to) const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
     void push_end(std::int32_t body, const MovingState& now, double left, math::DVec3 dv, math::DVec3 dw) const;
     void lead_to_end(Mover& m, const MovingState& now, double time, double until) const;
-    void put_back(std::int32_t i);
+    void write_final_poses(std::int32_t i);
 
     const MoverContext s;
     const float dt_;

@@ -75,7 +75,7 @@ class ImpactQueue {
                 meet(m.pair, m.time);
         }
         report_passed_triggers(s.bodies, s.shapes, movers_, step.solver.sweep, scratch_, s.events, dt_);
-        s.statistics.stopped_bodies += movers_.put_back();
+        s.statistics.stopped_bodies += movers_.write_final_poses();
         std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has their bounds already
             return movers_.is_put_back(s.shapes.links[e.shape].body);
         });
@@ -99,7 +99,7 @@ class ImpactQueue {
         if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
         go_to_next_part(i, time);
         expect_renewal(i);
-        ask_again(i, time); // no new pairs: its path was searched up to the end of the step
+        recompute_times(i, time); // no new pairs: its path was searched up to the end of the step
     }
 
     // Records the path that a mover took until it is redirected.
@@ -109,8 +109,8 @@ class ImpactQueue {
 
     void go_to_next_part(std::int32_t i, double time) {
         end_path(i, time);
-        if (movers_[i].is_led)
-            movers_.lead_on(i, time);
+        if (movers_[i].is_guided)
+            movers_.advance_along_arc(i, time);
         else
             movers_.redirect(i, time, movers_.state_at(i, time));
     }
@@ -152,7 +152,7 @@ class ImpactQueue {
         pairs_[k].was_carried = true;
         expect_renewal(i);
         look_near(i, time);
-        ask_again(i, time);
+        recompute_times(i, time);
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
 
@@ -163,7 +163,7 @@ class ImpactQueue {
             const std::int32_t k = mover_at(body, time);
             if (movers_[k].has_stopped()) return;
             movers_.stop(k, time);
-            ask_again(k, time);
+            recompute_times(k, time);
         });
     }
     // Mover of a body, which is created if necessary and advanced to the time.
@@ -174,7 +174,7 @@ class ImpactQueue {
     }
 
     // Recomputes the times of all pairs of redirected movers. Each computation reads only the two bodies of its pair.
-    void ask_again(std::span<const std::int32_t> changed, double time) {
+    void recompute_times(std::span<const std::int32_t> changed, double time) {
         asked_.clear();
         for (std::size_t n = 0; n < changed.size(); ++n)
             pairs_.for_each_of(changed[n], [&](std::int32_t k) {
@@ -195,7 +195,7 @@ class ImpactQueue {
         });
         for (const std::int32_t k : asked_) expect(k);
     }
-    void ask_again(std::int32_t i, double time) { ask_again(std::span(&i, 1), time); }
+    void recompute_times(std::int32_t i, double time) { recompute_times(std::span(&i, 1), time); }
 
     bool can_go_on(std::int32_t b) const {
         return s.bodies.is_dynamic(b) && is_on_its_own(s.bodies, s.islands, b) && s.bodies.links[b].joint_count == 0;
@@ -314,7 +314,7 @@ class ImpactQueue {
         if (is_impact) pairs_[k].touches = !outcome.bounces;
         changed_.clear();
         if (!is_impact && (!(outcome.approach > 0) || pair.rests)) {
-            if (!part_ways(k, time)) return false;
+            if (!separate_paths(k, time)) return false;
             follow(time);
             return true;
         }
@@ -331,7 +331,7 @@ class ImpactQueue {
             if (pair.second != none) movers_.rest_on(pair.second, -outcome.normal);
         }
         for (std::size_t i = 0; i < struck_.size(); ++i) go_on(i, time);
-        part_ways(k, time);
+        separate_paths(k, time);
         follow(time);
         return true;
     }
@@ -339,7 +339,7 @@ class ImpactQueue {
     // A body moved by the solver goes straight from its first to its last pose, not at its final velocity: two bodies
     // whose velocities do not approach may still come nearer on their paths. The paths are then separated as by an
     // impact without bounce. Returns false if they do not come nearer.
-    bool part_ways(std::int32_t k, double time) {
+    bool separate_paths(std::int32_t k, double time) {
         const SweptPair pair = pairs_[k];
         if (points_.empty() || (!is_moved_by_solver(pair.first) && !is_moved_by_solver(pair.second))) return false;
         const auto on_its_way = [&](std::int32_t mover, std::uint32_t shape) {
@@ -369,7 +369,7 @@ class ImpactQueue {
     }
     bool is_free(std::int32_t i) const { return i != none && movers_[i].is_free; }
     bool is_moved_by_solver(std::int32_t i) const {
-        return i != none && !movers_[i].is_free && !movers_[i].is_led && !movers_[i].has_stopped();
+        return i != none && !movers_[i].is_free && !movers_[i].is_guided && !movers_[i].has_stopped();
     }
     void push(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
         if (i == none || movers_[i].has_stopped()) return;
@@ -386,7 +386,7 @@ class ImpactQueue {
     // Searches near the new paths of redirected movers, and recomputes all of their pairs.
     void follow(double time) {
         for (const std::int32_t i : changed_) look_near(i, time);
-        ask_again(changed_, time);
+        recompute_times(changed_, time);
     }
 
     // Continues a body with its velocities after the impact.
@@ -442,7 +442,7 @@ class ImpactQueue {
     // Writes the struck point to the contact's record. `normal`: from A of the contact. Returns whether touching
     // begins.
     bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
-        drop_answer(s.bodies, s.contacts, id); // so that the next step tests the pair in any case
+        forget_separation(s.bodies, s.contacts, id); // so that the next step tests the pair in any case
         bool has_touched = s.contacts.info[id].touching;
         if (is_group(s.contacts.info[id])) {
             for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)

@@ -210,7 +210,7 @@ void SweptPairs::list_passing() {
     const auto write = [&](int begin, int end, PassingPair* next) {
         for (int i = begin; i < end; ++i) {
             const std::uint32_t id = in.narrow.candidates[in.narrow.open[std::size_t(i)]];
-            const PairAnswer& answer = in.contacts.answers[id];
+            const SeparationBudget& answer = in.contacts.separation_budgets[id];
             const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
             const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
             if (!a_is_fast && !b_is_fast) continue;
@@ -440,7 +440,7 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     const Held by = gyrates ? Held::by_nothing : Held::perhaps;
     const Held held = !is_held ? by : pair.touches ? Held::by_struck_contact : Held::by_contact;
     if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.axis);
-    if (turns || catches) return time_of_meeting(a, b, false, from, pair.axis);
+    if (turns || catches) return core_time_of_impact(a, b, false, from, pair.axis);
     return time_of_impact(a, b, held, from, pair.axis);
 }
 

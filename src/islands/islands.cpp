@@ -132,7 +132,7 @@ void split_island(Bodies& bodies, const Contacts& contacts, Islands& islands, co
 
 void measure_rest(const Bodies& bodies, Islands& islands, std::int32_t i) {
     Island& island = islands.all[i];
-    float least = told_to_sleep, greatest = 0;
+    float least = sleep_requested, greatest = 0;
     bool allowed = true;
     for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
         const float quiet = bodies.links[b].quiet_time;
@@ -228,7 +228,7 @@ void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& island
         const std::int32_t i = bodies.is_dynamic(told) ? bodies.links[told].island : none;
         if (i == none || islands.all[i].position == none) continue;
         measure_rest(bodies, islands, i);
-        if (islands.all[i].min_quiet_time < told_to_sleep) continue;
+        if (islands.all[i].min_quiet_time < sleep_requested) continue;
         put_to_sleep(bodies, islands, events, i);
         any = true;
     }

@@ -109,7 +109,7 @@ StandingColumn column_of(const Bodies& bodies, const Island& island, const BodyW
     return column;
 }
 
-void hold_from_side(StandingColumn& column, DVec3 at, math::Vec3 normal) {
+void add_side_support(StandingColumn& column, DVec3 at, math::Vec3 normal) {
     const DVec3 n = math::to_double(normal);
     const double z = std::max(math::dot(column.up, at - column.origin) - column.bottom, 0.0);
     column.sides.squares = column.sides.squares + squared(z * n);

@@ -47,7 +47,7 @@ void add_to_extent(Extent& extent, const Extent& more);
 StandingColumn column_of(const Bodies& bodies, const Island& island, const BodyWeights& weights);
 // Adds the support by a contact that carries a load, at the position of its body.
 inline bool may_hold_from_side(const ContactInfo& c) { return !c.b_moves && c.force > 0; }
-void hold_from_side(StandingColumn& column, math::DVec3 at, math::Vec3 normal);
+void add_side_support(StandingColumn& column, math::DVec3 at, math::Vec3 normal);
 
 // The pull of gravity and fields on several bodies divided by their rms width, 1/s^2. A single body carries only
 // itself: 0.

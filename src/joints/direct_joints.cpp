@@ -238,7 +238,7 @@ DVec3 return_speed(DVec3 v) {
 
 } // namespace
 
-void seek_impulses(const SetView& v, double rate) {
+void solve_impulse_increments(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
     for (std::size_t i = 0; i < n; ++i) {
         const DirectRow& r = v.rows[i];
@@ -268,7 +268,7 @@ void seek_impulses(const SetView& v, double rate) {
     }
 }
 
-void keep_given(const SetView& v) {
+void commit_increments(const SetView& v) {
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
         r.impulse += r.given, r.drive.impulse += r.drive.given;
@@ -308,13 +308,13 @@ bool bound_drives(const Joints& joints, const SetView& v) {
 }
 
 void seek_within_bounds(const Joints& joints, const SetView& v, double rate) {
-    seek_impulses(v, rate);
-    for (int round = 0; round < max_bound_rounds && bound_drives(joints, v); ++round) seek_impulses(v, rate);
+    solve_impulse_increments(v, rate);
+    for (int round = 0; round < max_bound_rounds && bound_drives(joints, v); ++round) solve_impulse_increments(v, rate);
 }
 
 void solve_rows(const Joints& joints, const SetView& v, double rate) {
     seek_within_bounds(joints, v, rate);
-    keep_given(v);
+    commit_increments(v);
 }
 
 double return_rate(const SetView& v, double h) {

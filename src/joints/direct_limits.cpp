@@ -113,8 +113,8 @@ class BoundBlock {
             apply(v, *bounds_[i].limit, bounds_[i].row, bounds_[i].sign * (impulses_[i] - impulse_of(i)));
             bounds_[i].limit->impulse[bounds_[i].side] = impulses_[i];
         }
-        seek_impulses(v, rate);
-        if (keeps) keep_given(v);
+        solve_impulse_increments(v, rate);
+        if (keeps) commit_increments(v);
     }
 
   private:
@@ -141,7 +141,7 @@ class BoundBlock {
         for (std::size_t i = 0; i < count_; ++i) {
             if (!(own[i] > 0)) continue;
             apply(v, *bounds_[i].limit, bounds_[i].row, bounds_[i].sign / own[i]);
-            seek_impulses(v, rate);
+            solve_impulse_increments(v, rate);
             const bool is_held = !(speed_of(v, bounds_[i]) - before[i] > held_response);
             if (!is_held) {
                 for (std::size_t k = 0; k < count_; ++k) at(k, kept) = own[i] * (speed_of(v, bounds_[k]) - before[k]);

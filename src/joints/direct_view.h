@@ -25,10 +25,10 @@ struct SetView {
 };
 
 // Finds the impulses that take the velocities of the rows to -rate x error, and those of drives to their softened
-// targets, and applies them to the bodies. They are kept as `given`, apart from the rows' impulses, until keep_given
-// adds them.
-void seek_impulses(const SetView& v, double rate);
-void keep_given(const SetView& v);
+// targets, and applies them to the bodies. They are kept as `given`, apart from the rows' impulses, until
+// commit_increments adds them.
+void solve_impulse_increments(const SetView& v, double rate);
+void commit_increments(const SetView& v);
 
 // Computes the Jacobian and error of a node at the present poses; for a drive, also its softness and target.
 void refresh_row(const Joints& joints, const SetView& v, std::size_t node, double h);

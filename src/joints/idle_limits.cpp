@@ -42,10 +42,10 @@ JointTravel travel_of(const Bodies& bodies, const JointInfo& joint) {
 
 // Prefetches the data of a joint that are needed here.
 void prefetch(const Joints& joints, std::uint32_t joint) {
-    ask_cache(&joints.info[joint]);
+    prefetch(&joints.info[joint]);
     const JointAxes& axes = joints.axes[joint];
-    ask_cache(&axes.states[0]);
-    ask_cache(&axes.states[max_joint_axes - 1]);
+    prefetch(&axes.states[0]);
+    prefetch(&axes.states[max_joint_axes - 1]);
 }
 
 // Whether the row need not be solved in this step.

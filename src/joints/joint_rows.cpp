@@ -60,10 +60,10 @@ void prefetch_joint(const Joints& joints, const JointLayout& layout, std::size_t
     if (place >= layout.joints.size()) return;
     const std::uint32_t joint = layout.joints[place];
     const char* const info = reinterpret_cast<const char*>(&joints.info[joint]);
-    ask_cache(info), ask_cache(info + 64);
+    prefetch(info), prefetch(info + 64);
     if (layout.only_points) return;
-    for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
-    ask_cache(&joints.axes[joint].states[0]);
+    for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) prefetch(info + at);
+    prefetch(&joints.axes[joint].states[0]);
 }
 
 // Placement of a joint at the start of the step, for all of its rows: with its frames, or with only its anchors if the

@@ -19,7 +19,7 @@ const KernelTable table = {
     .solver = solver_kernels(),
     .joints = joint_kernels(),
     .broad = broad_kernels(),
-    .triangles = {see_triangles, touch_on_box, touch_on_triangle},
+    .triangles = {classify_triangles, touch_on_box, touch_on_triangle},
     CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL) // designated by name, so that no kernel can take another's place
 };
 

@@ -113,10 +113,10 @@ Accessors::Layout Accessors::layout(const Value& accessor, const char* type, std
 }
 
 void Accessors::spend(std::uint64_t numbers, const Value& place) {
-    if (numbers > numbers_left_) {
+    if (numbers > remaining_numbers_) {
         place.fail("must not bring the numbers of the whole file above " + std::to_string(max_accessor_numbers));
     }
-    numbers_left_ -= numbers;
+    remaining_numbers_ -= numbers;
 }
 
 std::vector<double> Accessors::numbers(const Value& accessor, const Layout& layout) {

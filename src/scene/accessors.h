@@ -43,7 +43,7 @@ class Accessors {
 
     std::optional<Value> accessors_;
     Buffers buffers_;
-    std::uint64_t numbers_left_ = max_accessor_numbers;
+    std::uint64_t remaining_numbers_ = max_accessor_numbers;
 };
 
 } // namespace cairn::scene

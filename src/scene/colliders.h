@@ -24,7 +24,7 @@ class Colliders {
     // trigger; other surfaces are refused there. Throws Error naming the place.
     std::vector<TurnedShape> shapes(const Value& geometry, const glm::dvec3& scale, BodyType type, bool is_trigger,
                                     std::vector<std::string>& warnings);
-    Substance substance(const Value& index) const { return definitions_.substance(index); }
+    PhysicsMaterial substance(const Value& index) const { return definitions_.substance(index); }
 
   private:
     const std::vector<Hull>& parts_of(const Value& geometry, const Value& node, const glm::dvec3& scale,

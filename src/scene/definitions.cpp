@@ -166,9 +166,9 @@ TurnedShape Definitions::shape(const Value& index, const glm::dvec3& scale, Acce
                 "\" are not supported; there are sphere, box, capsule, cylinder, plane and CAIRN_height_field");
 }
 
-Substance Definitions::substance(const Value& index) const {
+PhysicsMaterial Definitions::substance(const Value& index) const {
     const Value found = element(materials_, index, max_definitions, "physics materials");
-    Substance result;
+    PhysicsMaterial result;
     Material& material = result.material;
     if (const auto value = found.find("staticFriction")) material.static_friction = value->real(nonnegative_float);
     if (const auto value = found.find("dynamicFriction")) material.dynamic_friction = value->real(nonnegative_float);

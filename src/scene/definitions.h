@@ -14,7 +14,7 @@ namespace cairn::scene {
 inline constexpr std::size_t max_definitions = 1'000'000;
 
 // A physics material: the engine's surface properties, and those that Cairn adds in CAIRN_material.
-struct Substance {
+struct PhysicsMaterial {
     Material material;
     float density = 1000.0f; // kg/m^3
     Vec3 surface_velocity{0.0f, 0.0f, 0.0f};
@@ -39,7 +39,7 @@ class Definitions {
     // component of which is zero. `accessors` provides the heights of height fields.
     TurnedShape shape(const Value& index, const glm::dvec3& scale, Accessors& accessors,
                       std::vector<std::string>& warnings) const;
-    Substance substance(const Value& index) const;
+    PhysicsMaterial substance(const Value& index) const;
     // Returns the materials of triangles (of a primitive) or cells (of a height field), as `own`, its extension object,
     // lists them. Without material indices all parts have the first material.
     SurfaceMaterials surface_materials(const Value& own, std::size_t parts, Accessors& accessors) const;

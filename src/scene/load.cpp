@@ -353,7 +353,7 @@ class Builder {
     // A zero moment stands for infinite inertia about that axis.
     glm::dvec3 real_moments(const Value& motion, const glm::dvec3& given) {
         if (given.x == 0.0 || given.y == 0.0 || given.z == 0.0) return given;
-        const auto nearest = nearest_real_moments(given);
+        const auto nearest = nearest_valid_moments(given);
         if (!nearest) return given;
         warnings_.push_back(motion.place() +
                             "inertiaDiagonal: one moment exceeds the sum of the other two, which no "
@@ -373,7 +373,7 @@ class Builder {
     void add_collider(const Value& here, const Value& collider, BodyId body, const NodeTransform& in_body) {
         ShapeDef def;
         if (const auto index = collider.find("physicsMaterial")) {
-            const Substance substance = colliders_.substance(*index);
+            const PhysicsMaterial substance = colliders_.substance(*index);
             def.density = substance.density;
             def.material = substance.material;
             def.surface_velocity = substance.surface_velocity;

@@ -44,7 +44,7 @@ MassProperties MassSum::properties_with(const glm::dmat3& inertia) const {
 MassProperties MassSum::properties() const { return properties_with(inertia_about_center()); }
 
 MassProperties MassSum::real_properties(const std::string& where, std::vector<std::string>& warnings) const {
-    return properties_with(real_inertia(inertia_about_center(), where, warnings));
+    return properties_with(valid_inertia(inertia_about_center(), where, warnings));
 }
 
 PrincipalAxes principal_axes(glm::dmat3 matrix) {
@@ -73,7 +73,7 @@ PrincipalAxes principal_axes(glm::dmat3 matrix) {
     return {{matrix[0][0], matrix[1][1], matrix[2][2]}, axes};
 }
 
-std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
+std::optional<glm::dvec3> nearest_valid_moments(const glm::dvec3& moments) {
     constexpr double tolerance = 1e-4; // relative to the largest
     int largest = 0;
     for (int i = 1; i < 3; ++i) {
@@ -90,9 +90,9 @@ std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
     return result;
 }
 
-glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings) {
+glm::dmat3 valid_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings) {
     const PrincipalAxes principal = principal_axes(inertia);
-    const auto nearest = nearest_real_moments(principal.values);
+    const auto nearest = nearest_valid_moments(principal.values);
     const glm::dvec3 moments = nearest ? *nearest : principal.values;
     for (int i = 0; i < 3; ++i) {
         if (!(moments[i] > 0.0)) {

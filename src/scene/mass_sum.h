@@ -21,7 +21,7 @@ class MassSum {
     double mass() const { return mass_; }
     double inertia_size() const; // norm of the inertia about the center of mass, over all entries
     MassProperties properties() const;
-    // The mass properties with an inertia that is physically possible: see real_inertia.
+    // The mass properties with an inertia that is physically possible: see valid_inertia.
     MassProperties real_properties(const std::string& where, std::vector<std::string>& warnings) const;
 
   private:
@@ -35,7 +35,7 @@ class MassSum {
 };
 
 // The inertia (kg m2) of a ball of 0.1 m radius, a substitute where a file gives no inertia.
-inline glm::dmat3 blank_inertia(double mass) { return glm::dmat3(0.4 * mass * 0.1 * 0.1); }
+inline glm::dmat3 fallback_inertia(double mass) { return glm::dmat3(0.4 * mass * 0.1 * 0.1); }
 
 // Eigenvalues of a symmetric matrix, and the rotation whose columns are its eigenvectors (Jacobi, Golub and Van Loan,
 // Matrix Computations, section 8.5). A diagonal matrix keeps its axes.
@@ -47,10 +47,10 @@ PrincipalAxes principal_axes(glm::dmat3 matrix);
 
 // Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Returns
 // nothing if the moments satisfy it to the engine's tolerance, else the nearest moments that do (by least squares).
-std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
+std::optional<glm::dvec3> nearest_valid_moments(const glm::dvec3& moments);
 
 // Returns the inertia, or the nearest one that a body can have, with a warning. Throws Error (invalid_file) naming
 // `where` if one of its principal moments is not positive.
-glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
+glm::dmat3 valid_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
 
 } // namespace cairn::scene

@@ -271,7 +271,7 @@ MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name) {
     return mesh;
 }
 
-Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material) {
+Surface visual_surface(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material) {
     const bool mirrors = scale.x * scale.y * scale.z < 0.0;
     const auto has_all = [](const std::vector<std::uint32_t>& list) {
         return !list.empty() && std::find(list.begin(), list.end(), MeshFile::nothing) == list.end();

@@ -33,7 +33,8 @@ struct MeshFile {
 
 /// Returns the visual surface of a mesh file: all of its triangles, or those with one of its materials. Vertices are
 /// split where texture coordinates or normals differ.
-Surface look_of(const MeshFile& mesh, const glm::dvec3& scale, std::optional<std::uint32_t> material = std::nullopt);
+Surface visual_surface(const MeshFile& mesh, const glm::dvec3& scale,
+                       std::optional<std::uint32_t> material = std::nullopt);
 
 /// Wavefront OBJ: `v` and `f` lines with indices in any form, also negative; polygons are cut into fans from their
 /// first corner. `vt`, `vn`, `usemtl` and `mtllib` lines are read for visuals. Groups are ignored, other lines are

@@ -123,14 +123,14 @@ std::shared_ptr<const Surface> MeshStore::look(const NamedFile& file, const glm:
     const MeshFile& mesh = read(file);
     if (mesh.coordinates.empty() && mesh.normals.empty()) return surface(file, scale);
     std::shared_ptr<const Surface>& found = scaled_[key(file, scale)].look;
-    if (!found) found = std::make_shared<const Surface>(look_of(mesh, scale));
+    if (!found) found = std::make_shared<const Surface>(visual_surface(mesh, scale));
     return found;
 }
 
-const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::dvec3& scale,
-                                              std::vector<std::string>& warnings) {
+const std::vector<MeshVisual>& MeshStore::looks(const NamedFile& file, const glm::dvec3& scale,
+                                                std::vector<std::string>& warnings) {
     const MeshFile& mesh = read(file);
-    std::vector<MeshLook>& found = scaled_[key(file, scale)].looks;
+    std::vector<MeshVisual>& found = scaled_[key(file, scale)].looks;
     if (!found.empty()) return found;
     std::map<std::string, Mtl> materials;
     const fs::path folder = file.path.parent_path();
@@ -153,10 +153,10 @@ const std::vector<MeshLook>& MeshStore::looks(const NamedFile& file, const glm::
         return found;
     }
     for (std::uint32_t i = 0; i < mesh.materials.size(); ++i) {
-        Surface part = look_of(mesh, scale, i);
+        Surface part = visual_surface(mesh, scale, i);
         if (part.indices.empty()) continue;
         const Mtl& material = materials[mesh.materials[i]];
-        MeshLook made{nullptr, material.color, nullptr};
+        MeshVisual made{nullptr, material.color, nullptr};
         if (!material.picture.empty() && !part.coordinates.empty())
             try_to(
                 [&] {
@@ -178,11 +178,11 @@ void add_mesh_looks(const fs::path& file, double scale, Scene& scene) {
     const fs::path folder = folder_on_disk(file.parent_path());
     MeshStore store;
     const std::string name = file.filename().generic_string();
-    const std::vector<MeshLook>& looks =
+    const std::vector<MeshVisual>& looks =
         store.looks({folder / file.filename(), folder, name, name}, glm::dvec3(scale), scene.warnings);
-    if (std::none_of(looks.begin(), looks.end(), [](const MeshLook& look) { return look.color || look.texture; }))
+    if (std::none_of(looks.begin(), looks.end(), [](const MeshVisual& look) { return look.color || look.texture; }))
         return;
-    for (const MeshLook& look : looks) {
+    for (const MeshVisual& look : looks) {
         scene.visuals.push_back(
             {scene.world.bodies().at(0), {}, look.surface, look.color.value_or(Vec3(1.0f)), look.texture});
     }

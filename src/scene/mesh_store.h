@@ -21,7 +21,7 @@ struct NamedFile {
 };
 
 // The part of a mesh file that has one of its materials.
-struct MeshLook {
+struct MeshVisual {
     std::shared_ptr<const Surface> surface;
     std::optional<Vec3> color;              // none: the file does not give a color
     std::shared_ptr<const Texture> texture; // none: no texture
@@ -37,15 +37,15 @@ class MeshStore {
     std::shared_ptr<const Surface> look(const NamedFile& file, const glm::dvec3& scale);
     // Returns the surface for visuals, split by material. Textures and materials that cannot be read are left out, with
     // a warning.
-    const std::vector<MeshLook>& looks(const NamedFile& file, const glm::dvec3& scale,
-                                       std::vector<std::string>& warnings);
+    const std::vector<MeshVisual>& looks(const NamedFile& file, const glm::dvec3& scale,
+                                         std::vector<std::string>& warnings);
     Pictures& pictures() { return pictures_; }
 
   private:
     using Key = std::tuple<std::string, double, double, double>;
     struct Scaled {
         std::shared_ptr<const Surface> surface, look;
-        std::vector<MeshLook> looks;
+        std::vector<MeshVisual> looks;
     };
     const MeshFile& read(const NamedFile& file);
     static Key key(const NamedFile& file, const glm::dvec3& scale);

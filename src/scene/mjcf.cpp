@@ -54,7 +54,7 @@ void settle_masses(MjcfModel& model) {
         } else if (!(least > 0.0)) {
             model.warnings.push_back(part.body.place +
                                      " has no inertia about some axis; that of a ball of 0.1 m radius is added");
-            masses.push_back({0.0, blank_inertia(mass), {center, {1, 0, 0, 0}}});
+            masses.push_back({0.0, fallback_inertia(mass), {center, {1, 0, 0, 0}}});
         }
     }
 }
@@ -67,7 +67,7 @@ void dress(MjcfPart& part) {
     if (part.lacks_looks) has_looks = false;
     for (MjcfGeom& geom : part.geoms) {
         if (has_looks && geom.look) {
-            ModelLook look = *geom.look;
+            ModelVisual look = *geom.look;
             if (!look.surface) look.surface = std::make_shared<const Surface>(tessellate(geom.shape->shape));
             part.body.looks.push_back(std::move(look));
         }

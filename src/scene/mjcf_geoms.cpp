@@ -289,7 +289,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         geom.shape = std::move(shape);
     }
     if (group <= last_seen_group && rgba[3] > 0.0) {
-        ModelLook look;
+        ModelVisual look;
         look.at = frame * solid.turn;
         look.color = geom_color(rgba) * tint;
         look.surface = look_surface(element, solid, assets);

@@ -92,7 +92,7 @@ class MjcfJointMaker {
             } else {
                 def->body_b = part.id;
                 create(*def, first, count);
-                if (first > 0 && !parent_collides) keep_apart(parent.id);
+                if (first > 0 && !parent_collides) disable_collision(parent.id);
             }
             first += count;
         }
@@ -122,7 +122,7 @@ class MjcfJointMaker {
     }
 
     // With a light body between them, a body and its parent share no joint that would disable their collision.
-    void keep_apart(BodyId parent) {
+    void disable_collision(BodyId parent) {
         JointDef def;
         def.body_a = parent;
         def.body_b = part_->id;

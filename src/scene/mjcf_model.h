@@ -52,7 +52,7 @@ struct MjcfJoint {
 struct MjcfGeom {
     std::string name, place;
     std::optional<ModelShape> shape; // none: a visual only
-    std::optional<ModelLook> look;   // none: invisible; without a surface: shown as the shape
+    std::optional<ModelVisual> look; // none: invisible; without a surface: shown as the shape
     unsigned contype = 1, conaffinity = 1;
 };
 

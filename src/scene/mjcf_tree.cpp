@@ -246,7 +246,7 @@ class TreeReader {
         MjcfPart& part = model_.parts[place.part];
         if (diagonal || full) {
             const bool is_zero = inertia == glm::dmat3(0.0);
-            if (!is_zero) inertia = real_inertia(inertia, element.place(), model_.warnings);
+            if (!is_zero) inertia = valid_inertia(inertia, element.place(), model_.warnings);
         }
         part.body.masses.push_back({mass, inertia, at});
         part.own_mass += mass;

@@ -66,7 +66,7 @@ BodyId add_model_body(const ModelBody& body, Scene& scene) {
             throw Error(ErrorCode::invalid_file, shape.place, {}, error.what());
         }
     }
-    for (const ModelLook& look : body.looks) {
+    for (const ModelVisual& look : body.looks) {
         scene.visuals.push_back({id, look.at.transform(), look.surface, look.color, look.texture, {}, look.finish});
     }
     Body made = scene.world.body(id);

@@ -29,7 +29,7 @@ struct ModelShape {
     bool is_trigger = false;
 };
 
-struct ModelLook {
+struct ModelVisual {
     std::shared_ptr<const Surface> surface;
     Rigid at;
     Vec3 color{1.0f, 1.0f, 1.0f};
@@ -43,7 +43,7 @@ struct ModelBody {
     Rigid world;
     std::vector<ModelMass> masses; // at least one for a dynamic body
     std::vector<ModelShape> shapes;
-    std::vector<ModelLook> looks;                    // none: the body is shown by its shapes
+    std::vector<ModelVisual> looks;                  // none: the body is shown by its shapes
     glm::dvec3 velocity{0.0}, angular_velocity{0.0}; // of the origin of the body; in world axes
     double gravity_scale = 1.0;
     double linear_damping = 0.0, angular_damping = 0.0; // 1/s

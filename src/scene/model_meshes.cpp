@@ -59,9 +59,9 @@ std::shared_ptr<const Surface> ModelMeshes::look(const XmlText& name, const std:
     return store_.look(named(name, path, subfolder, scale), scale);
 }
 
-const std::vector<MeshLook>& ModelMeshes::looks(const XmlText& name, const std::string& path,
-                                                const std::string& subfolder, const glm::dvec3& scale,
-                                                std::vector<std::string>& warnings) {
+const std::vector<MeshVisual>& ModelMeshes::looks(const XmlText& name, const std::string& path,
+                                                  const std::string& subfolder, const glm::dvec3& scale,
+                                                  std::vector<std::string>& warnings) {
     return store_.looks(named(name, path, subfolder, scale), scale, warnings);
 }
 

@@ -26,8 +26,8 @@ class ModelMeshes {
     // Returns the mesh for visuals: all of it, or split by material (scene/mesh_store.h).
     std::shared_ptr<const Surface> look(const XmlText& name, const std::string& path, const std::string& subfolder,
                                         const glm::dvec3& scale);
-    const std::vector<MeshLook>& looks(const XmlText& name, const std::string& path, const std::string& subfolder,
-                                       const glm::dvec3& scale, std::vector<std::string>& warnings);
+    const std::vector<MeshVisual>& looks(const XmlText& name, const std::string& path, const std::string& subfolder,
+                                         const glm::dvec3& scale, std::vector<std::string>& warnings);
     // Returns the content of a picture file under the same rules. Throws Error: unsupported if it is neither PNG nor
     // JPEG.
     std::shared_ptr<const std::string> picture(const XmlText& name, const std::string& path,

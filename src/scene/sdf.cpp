@@ -375,7 +375,7 @@ class SdfReader {
         for (ModelMass& mass : part.masses) mass.at = at * mass.at, into.masses.push_back(mass);
         const bool hides = (into.looks.empty() && !into.shapes.empty()) || (part.looks.empty() && !part.shapes.empty());
         for (ModelShape& shape : part.shapes) shape.at = at * shape.at, into.shapes.push_back(shape);
-        for (ModelLook& look : part.looks) look.at = at * look.at, into.looks.push_back(look);
+        for (ModelVisual& look : part.looks) look.at = at * look.at, into.looks.push_back(look);
         if (hides) into.looks.clear();
     }
 

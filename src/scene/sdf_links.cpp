@@ -77,7 +77,7 @@ class LinkReader {
         if (link_.is_static) return;
         const std::string place = inertial ? inertial->place() : element.place();
         if (mass == 0.0) inertial->fail("must have a mass > 0");
-        inertia = real_inertia(inertia, link_.place + ": inertial", model_.warnings);
+        inertia = valid_inertia(inertia, link_.place + ": inertial", model_.warnings);
         link_.body.masses.push_back({mass, inertia, at});
     }
 
@@ -189,7 +189,7 @@ class LinkReader {
             const LinkSolid solid = read_geometry(*geometry, true);
             if (!solid.shape && !solid.surface) return true;
             const Rigid at = place_of(visual) * (solid.surface ? Rigid() : solid.turn);
-            std::vector<MeshLook> parts;
+            std::vector<MeshVisual> parts;
             if (const auto mesh = geometry->child("mesh")) {
                 const MeshRequest asked = request(*mesh);
                 parts = meshes_.looks(asked.uri, asked.path, "", asked.scale, model_.warnings);
@@ -200,8 +200,8 @@ class LinkReader {
             }
             const auto material = visual.child("material");
             const std::shared_ptr<const Texture> texture = material ? texture_of(*material) : nullptr;
-            for (const MeshLook& part : parts) {
-                ModelLook look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
+            for (const MeshVisual& part : parts) {
+                ModelVisual look{part.surface, at, part.color.value_or(Vec3(1.0f)), part.texture};
                 if (material) { // it overrides the materials of the file
                     look.texture = part.surface->coordinates.empty() ? nullptr : texture;
                     look.color = color_of(*material, look.texture != nullptr);

@@ -104,10 +104,10 @@ std::optional<Triangles> Surfaces::read_primitive(const Value& primitive, std::v
 
 Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const Value& place) {
     const std::size_t numbers = triangles.vertices.size() + triangles.normals.size() + triangles.indices.size();
-    if (numbers > numbers_left_) {
+    if (numbers > remaining_numbers_) {
         place.fail("must not bring the corners of all meshes in use above " + std::to_string(max_surface_numbers));
     }
-    numbers_left_ -= numbers;
+    remaining_numbers_ -= numbers;
     const bool mirrors = glm::determinant(map.linear) < 0.0;
     Triangles result = triangles;
     for (Vec3& vertex : result.vertices) {

@@ -72,7 +72,7 @@ class Surfaces {
     Accessors accessors_;
     const NodeGraph& graph_;
     std::map<std::size_t, std::vector<Triangles>> read_;
-    std::size_t numbers_left_ = max_surface_numbers;
+    std::size_t remaining_numbers_ = max_surface_numbers;
 };
 
 } // namespace cairn::scene

@@ -161,10 +161,10 @@ class FinishReader {
 
 bool Textures::is_textured(const Value& material) { return info_of(material).has_value(); }
 
-Covering Textures::covering(const Value& material, const Triangles& triangles, const Warn& warn) {
+MaterialAppearance Textures::covering(const Value& material, const Triangles& triangles, const Warn& warn) {
     const auto read = [&](const Value& info, bool is_data) { return read_texture(info, material, is_data); };
     FinishReader reader(material, triangles, surfaces_.accessors(), read, warn);
-    Covering result;
+    MaterialAppearance result;
     result.texture =
         reader.take(info_of(material), false, " (its texture is not shown: a plain gray, tinted by the base color)");
     try {

@@ -13,7 +13,7 @@
 namespace cairn::scene {
 
 // The texture and finish that a material gives a surface, and the texture coordinates of its vertices.
-struct Covering {
+struct MaterialAppearance {
     std::shared_ptr<const Texture> texture; // none: no texture
     std::shared_ptr<const Finish> finish;   // none: the material does not define a finish
     std::vector<glm::vec2> coordinates;     // empty: no texture
@@ -28,7 +28,7 @@ class Textures {
 
     // `warn` is called for everything that is left out: pictures that are missing or of an unsupported kind.
     using Warn = std::function<void(const std::string&)>;
-    Covering covering(const Value& material, const Triangles& triangles, const Warn& warn);
+    MaterialAppearance covering(const Value& material, const Triangles& triangles, const Warn& warn);
 
   private:
     std::string read_picture(const Value& image);

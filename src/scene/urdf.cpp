@@ -35,7 +35,7 @@ class RobotBuilder {
         scene_.info.title = model_.getName();
         walk();
         for (RobotPart& part : parts_) add_body(part);
-        separate_overlaps(name_, parts_, scene_);
+        disable_overlapping_collisions(name_, parts_, scene_);
         RobotJoints(name_, parts_, scene_).add();
         return std::move(scene_);
     }
@@ -130,7 +130,7 @@ class RobotBuilder {
             const std::string whole = where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial");
             if (sum.inertia_size() <= negligible * sum.mass()) {
                 scene_.warnings.push_back(whole + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
-                sum.add_inertia(blank_inertia(sum.mass()));
+                sum.add_inertia(fallback_inertia(sum.mass()));
             }
             return sum.real_properties(whole, scene_.warnings);
         }
@@ -141,7 +141,7 @@ class RobotBuilder {
         }
         scene_.warnings.push_back(
             where + " has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
-        sum.add(blank_mass, blank_inertia(blank_mass), {});
+        sum.add(blank_mass, fallback_inertia(blank_mass), {});
         return sum.properties();
     }
 

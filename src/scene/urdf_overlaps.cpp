@@ -68,7 +68,7 @@ std::string names_of(const std::set<PartPair>& pairs, const std::vector<RobotPar
 
 // Two shapes collide if each is in a layer that the other collides with. So one part of each overlapping pair needs a
 // layer of its own, which the other part's filter excludes.
-void separate_overlaps(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene) {
+void disable_overlapping_collisions(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene) {
     std::set<PartPair> apart = overlaps(parts, scene.world), left = apart;
     if (apart.empty()) return;
     const std::vector<std::size_t> cover = take_covering_parts(left);

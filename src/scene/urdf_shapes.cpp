@@ -153,7 +153,7 @@ void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& a
     }
 }
 
-std::vector<MeshLook> RobotShapes::looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local) {
+std::vector<MeshVisual> RobotShapes::looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local) {
     if (geometry.type != urdf::Geometry::MESH) {
         const Turned made = shape(geometry, place, true);
         local.rotation = glm::normalize(local.rotation * made.rotation);
@@ -185,10 +185,10 @@ bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& 
         const std::string place = name_ + ": link \"" + link.name + "\": visual " + std::to_string(i + 1);
         try {
             Rigid local = at * rigid(visual.origin, place);
-            const std::vector<MeshLook> parts = looks(*visual.geometry, place, local);
+            const std::vector<MeshVisual> parts = looks(*visual.geometry, place, local);
             const std::optional<Vec3> color = color_of(visual);
             const std::shared_ptr<const Texture> texture = texture_of(visual, place);
-            for (const MeshLook& part : parts) {
+            for (const MeshVisual& part : parts) {
                 VisualMesh made;
                 made.body = body;
                 made.surface = part.surface;

@@ -43,7 +43,7 @@ class RobotShapes {
     NamedFile file_of(const std::string& filename, const std::string& place);
     std::shared_ptr<const Surface> triangles(const urdf::Mesh& mesh, const std::string& place);
     // Returns the meshes of a visual, in the frame `local`, which is adjusted where the shape needs a rotation.
-    std::vector<MeshLook> looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
+    std::vector<MeshVisual> looks(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
     // Returns the texture of a visual's material; null if there is none, or if it cannot be shown, which is warned of.
     std::shared_ptr<const Texture> texture_of(const urdf::Visual& visual, const std::string& place);
 

@@ -57,7 +57,7 @@ class WorldMaker {
   private:
     struct Part {
         std::optional<ModelShape> shape;
-        std::optional<ModelLook> look;
+        std::optional<ModelVisual> look;
         std::vector<std::size_t> groups, pairs;
         double mass = 0.0; // given by the file; 0: computed from the density
         double density = 0.0;
@@ -170,7 +170,7 @@ class WorldMaker {
             note_filters(place, part);
         }
         if (place.is_seen) {
-            part.look = ModelLook{solid.surface, solid.surface ? Rigid() : solid.at};
+            part.look = ModelVisual{solid.surface, solid.surface ? Rigid() : solid.at};
             dress(place, owner.body.world, *part.look);
             if (!touches && !part.look->surface) {
                 part.look->surface = std::make_shared<const Surface>(tessellate(*solid.shape));
@@ -179,7 +179,7 @@ class WorldMaker {
         owner.parts.push_back(std::move(part));
     }
 
-    void dress(const UsdPlace& place, const Rigid& body, ModelLook& look) {
+    void dress(const UsdPlace& place, const Rigid& body, ModelVisual& look) {
         try {
             looks_.dress(place, body, look);
         } catch (const Error& error) { // visuals do not affect the simulation
@@ -191,7 +191,7 @@ class WorldMaker {
         if (!place.is_seen) return;
         try {
             const UsdSolid solid = usd_solid(stage_, place, Rigid(), true, false, scene_.warnings);
-            ModelLook look;
+            ModelVisual look;
             look.surface = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
             look.at = solid.surface ? Rigid() : solid.at;
             dress(place, Rigid(), look);
@@ -306,7 +306,7 @@ class WorldMaker {
         const glm::dvec3 inertia = stage_.vector3(prim, "physics:diagonalInertia", glm::dvec3(0.0));
         if (!(sum.mass() > 0.0)) {
             const double mass = given > 0.0 ? given : 1.0;
-            sum.add(mass, blank_inertia(mass), {});
+            sum.add(mass, fallback_inertia(mass), {});
             if (inertia == glm::dvec3(0.0)) {
                 scene_.warnings.push_back(made.body.place + ": has no collider with mass; it is taken as a ball of " +
                                           std::to_string(mass) + " kg and 0.1 m radius");
@@ -323,7 +323,7 @@ class WorldMaker {
             at.rotation = stage_.rotation(prim, "physics:principalAxes");
             const glm::dvec3 d = inertia * (meters * meters);
             const glm::dmat3 tensor(d.x, 0, 0, 0, d.y, 0, 0, 0, d.z);
-            const glm::dmat3 real = real_inertia(tensor, made.body.place, scene_.warnings);
+            const glm::dmat3 real = valid_inertia(tensor, made.body.place, scene_.warnings);
             moments = {real[0][0], real[1][1], real[2][2]};
         }
         made.body.masses.push_back(

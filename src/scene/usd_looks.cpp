@@ -97,7 +97,7 @@ Vec3 UsdLooks::color(const UsdPlace& place) {
     return color_from(color != nullptr ? color->numbers : std::vector<double>(), default_gray);
 }
 
-void UsdLooks::dress(const UsdPlace& place, const Rigid& body, ModelLook& look) {
+void UsdLooks::dress(const UsdPlace& place, const Rigid& body, ModelVisual& look) {
     const Paint& own = paint(place);
     look.color = color(place);
     look.finish = own.finish;

@@ -22,7 +22,7 @@ class UsdLooks {
     // Returns the color of a shape: that of its material, else its own, else gray.
     Vec3 color(const UsdPlace& place);
     // Applies the material of the prim to a look. `body`: the frame of the look's surface.
-    void dress(const UsdPlace& place, const Rigid& body, ModelLook& look);
+    void dress(const UsdPlace& place, const Rigid& body, ModelVisual& look);
 
   private:
     struct Paint {

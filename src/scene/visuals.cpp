@@ -185,7 +185,7 @@ const Visuals::Dressed& Visuals::dressed(const Value& mesh, std::size_t part, co
         const Textures::Warn warn = [&](const std::string& line) {
             if (warned_.insert(line).second) warnings.push_back(line);
         };
-        Covering cover;
+        MaterialAppearance cover;
         if (triangles.material) cover = textures_.covering(material(*triangles.material), triangles, warn);
         Surface surface{std::move(made.vertices), std::move(made.normals), std::move(made.indices),
                         std::move(cover.coordinates)};

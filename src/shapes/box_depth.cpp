@@ -80,7 +80,7 @@ class BoxDepthSearch {
 
     DVec3 to_box(DVec3 p) const { return to_local(box_, p - box_.center); }
     DVec3 farthest(DVec3 d) const { return to_box(core_support(core_, box_.axes * d)); }
-    double half_shadow(DVec3 normal) const { return dot(half_, math::abs(normal)); }
+    double half_projection(DVec3 normal) const { return dot(half_, math::abs(normal)); }
     DVec3 corner(DVec3 d) const {
         return {d.x < 0 ? -half_.x : half_.x, d.y < 0 ? -half_.y : half_.y, d.z < 0 ? -half_.z : half_.z};
     }
@@ -101,7 +101,7 @@ class BoxDepthSearch {
     // A face of the other shape, given by its outward normal.
     void try_face_of_other(DVec3 out) {
         const DVec3 normal = -out, met = farthest(out), on_box = corner(normal);
-        const double depth = half_shadow(normal) - dot(normal, met);
+        const double depth = half_projection(normal) - dot(normal, met);
         offer({depth, normal, on_box, on_box - depth * normal, true});
     }
     void try_faces_of_other() {

@@ -68,14 +68,14 @@ double inner_radius(const Convex& c) {
 }
 
 // Whether the shape overlaps a ball inside the other by more than a depth, which proves an overlap without GJK.
-bool holds_ball(const Convex& c, const Convex& other, double depth) {
+bool overlaps_inner_ball(const Convex& c, const Convex& other, double depth) {
     if (!has_nearest(c)) return false;
     const DVec3 p = to_local(c, inside_of(other) - c.center), off = p - *nearest_in_core(c, p);
     const double reach = inner_radius(other) + outer_radius(c) - depth;
     return reach > 0 && dot(off, off) < reach * reach;
 }
 bool overlap_by_formula(const Convex& a, const Convex& b, double depth) {
-    return holds_ball(a, b, depth) || holds_ball(b, a, depth);
+    return overlaps_inner_ball(a, b, depth) || overlaps_inner_ball(b, a, depth);
 }
 
 bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }

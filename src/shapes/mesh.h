@@ -32,7 +32,7 @@ struct BoxBlock {
     math::Vec3 hi_of(std::size_t i) const { return {hi[0][i], hi[1][i], hi[2][i]}; }
     // Prefetches all cache lines of the block.
     void ask() const {
-        for (const float* p : {&lo[0][0], &lo[2][0], &hi[1][0], &hi[2][7]}) ask_cache(p);
+        for (const float* p : {&lo[0][0], &lo[2][0], &hi[1][0], &hi[2][7]}) prefetch(p);
     }
     // One bit per box that overlaps the box from `least` to `greatest` (touching counts).
     unsigned meets(math::Vec3 least, math::Vec3 greatest) const {

@@ -207,7 +207,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     if (!is_finite || !is_place(motion.x + dx)) {
         motion.v = motion.w = {};
         motion.turned = {};
-        spend_answers(bodies, b); // its contacts were stored as if it had moved with its row
+        spend_separations(bodies, b); // its contacts were stored as if it had moved with its row
         return 1;
     }
     motion.x += dx;
@@ -217,7 +217,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     const bool clamped = clamp_velocity(settings, v, w);
     motion.v = v;
     motion.w = w;
-    if (was_cut) spend_answers(bodies, b); // for the same reason
+    if (was_cut) spend_separations(bodies, b); // for the same reason
     return clamped || was_cut ? 1 : 0;
 }
 
@@ -285,9 +285,9 @@ bool take_listed_bodies(const Bodies& bodies, const SolverScratch& solver, const
 
 } // namespace
 
-void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
-                const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
-                const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+void gather_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
+                  const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
+                  const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     if (!take_listed_bodies(bodies, solver, batch, scratch))
         gather_bodies(bodies, islands, fields, settings, solver, batch, scratch, thread_pool);
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
@@ -312,9 +312,9 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
     }
 }
 
-void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                 const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
-                 float dt) {
+void scatter_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
+                   const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
+                   float dt) {
     if (scratch.border) leave_out_ghosts(scratch);
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());

@@ -13,16 +13,16 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fi
 
 // Lays out and fills the rows and lanes of a batch, for substeps of h seconds. For a batch that is cut
 // (BatchScratch::border), only the rows and lanes that this rank needs.
-void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
-                const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
-                const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h);
+void gather_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
+                  const ForceFields& fields, const WorldDef& settings, SolverScratch& solver, const DirectSets& direct,
+                  const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 // Subtracts the motion of moving surfaces (belts) from the poses of their rows, after the last substep.
 void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch,
                           float dt);
 // Moves the bodies of a batch by the displacements of their rows, and finalizes them.
-void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                 const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
-                 float dt);
+void scatter_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
+                   const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
+                   float dt);
 
 // Moves and finalizes bodies that nothing touches.
 void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,

@@ -75,9 +75,9 @@ template <> struct NotStruck<PointRows<1>> {
 template <int N> struct NotStruck<ContactBlock<N>> { // only friction at the friction center acts
     using B = ContactBlock<N>;
     static constexpr auto list = std::tuple(
-        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::passing_square, &B::turning, &B::sliding,
-        &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
-        &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
+        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::max_offset_change_square, &B::turning,
+        &B::sliding, &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius,
+        &B::tangent_impulse, &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
 };
 
 // Copies one lane of an array, or of an array of arrays.
@@ -118,7 +118,7 @@ template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& 
 // the batch, so each of its blocks can use a discard row of the batch.
 template <class Block, class Impact>
 void copy_run(BatchScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
-              StruckBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
+              ImpactBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
     ImpactWork& work = scratch.impact;
     const auto begin = work.listed.begin() + std::ptrdiff_t(run.begin),
                end = work.listed.begin() + std::ptrdiff_t(run.end);

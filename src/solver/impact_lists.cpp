@@ -44,7 +44,7 @@ void find_components(const Bodies& bodies, const Joints& joints, BatchScratch& s
         component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
         work.rows_of.add(component[row], row);
     }
-    work.struck_when.assign(rows, untouched);
+    work.impact_round.assign(rows, untouched);
     work.speed.assign(rows, unknown_speed);
     work.group.assign(rows, none);
     work.place_of.resize(rows);
@@ -93,7 +93,7 @@ void find_sets(const DirectSets& direct, BatchScratch& scratch) {
 void begin_lists(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
-        for (const std::int32_t component : work.ever_struck) work.struck_when[component] = untouched;
+        for (const std::int32_t component : work.all_impact_groups) work.impact_round[component] = untouched;
     } else {
         find_components(bodies, joints, scratch);
         find_sets(direct, scratch);
@@ -102,7 +102,7 @@ void begin_lists(const Bodies& bodies, const Joints& joints, const DirectSets& d
         find_runs(scratch);
         work.has_components = true;
     }
-    work.struck.clear(), work.ever_struck.clear(), work.struck_lanes.clear();
+    work.struck.clear(), work.all_impact_groups.clear(), work.struck_lanes.clear();
 }
 
 void empty_lists(ImpactWork& work) {
@@ -120,9 +120,9 @@ std::int32_t held_row(const BatchScratch& scratch, std::int32_t body) {
 
 void mark_row(ImpactWork& work, std::int32_t row) {
     const std::int32_t component = work.component[row];
-    if (component == fixed_row || work.struck_when[component] == in_this_round) return;
-    if (work.struck_when[component] == untouched) work.ever_struck.push_back(component);
-    work.struck_when[component] = in_this_round;
+    if (component == fixed_row || work.impact_round[component] == in_this_round) return;
+    if (work.impact_round[component] == untouched) work.all_impact_groups.push_back(component);
+    work.impact_round[component] = in_this_round;
     work.struck.push_back(component);
 }
 
@@ -239,7 +239,7 @@ bool may_close(BatchScratch& scratch, const Block& b, std::size_t lane, std::int
 
 bool is_in_round(const ImpactWork& work, std::int32_t row) {
     const std::int32_t component = work.component[row];
-    return component != fixed_row && work.struck_when[component] == in_this_round;
+    return component != fixed_row && work.impact_round[component] == in_this_round;
 }
 
 // Lists the contacts of a row that the impact may close.
@@ -299,7 +299,7 @@ template <class Block> bool is_hit(const BatchScratch& scratch, const Block& b, 
 }
 
 // Whether an impact has driven a body away from the bodies that joints connect to it, because they took no part.
-bool is_torn(const BatchScratch& scratch, std::int32_t row, const SolverVelocity& before) {
+bool is_pulled_from_joints(const BatchScratch& scratch, std::int32_t row, const SolverVelocity& before) {
     const ImpactWork& work = scratch.impact;
     if (is_in_round(work, row) || work.rows_of.next[work.rows_of.first[work.component[row]]] < 0) return false;
     const math::Vec3 change = math::to_vec(scratch.velocity[row].v) - math::to_vec(before.v);
@@ -337,7 +337,7 @@ void find_groups(BatchScratch& scratch) {
         work.place_of[row] = place;
     }
     const auto place_of = [&](std::int32_t row) { return work.place_of[row]; };
-    put_together(work.groups, work.rows, work.sorted_rows, place_of);
+    group_by_part(work.groups, work.rows, work.sorted_rows, place_of);
     for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[row]);
     work.last = work.before;
     for (ImpactWork::ListedLane& lane : work.listed) lane.group = place_of(lane.group);
@@ -378,8 +378,8 @@ void list_impact(BatchScratch& scratch, float h) {
     });
     list_sets(scratch);
     find_groups(scratch);
-    put_together(work.listed_runs, work.listed, work.sorted_lanes,
-                 [](const ImpactWork::ListedLane& lane) { return lane.run; });
+    group_by_part(work.listed_runs, work.listed, work.sorted_lanes,
+                  [](const ImpactWork::ListedLane& lane) { return lane.run; });
 }
 
 bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness) {
@@ -387,7 +387,7 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
     work.hits.clear();
     for (std::size_t i = 0; i < work.rows.size(); ++i) {
         const std::int32_t row = work.rows[i];
-        if (is_torn(scratch, row, work.before[i]))
+        if (is_pulled_from_joints(scratch, row, work.before[i]))
             work.hits.push_back({scratch.row_bodies[row], scratch.row_bodies[row]});
         list_hits(scratch, row, work.four_sides_of, scratch.four_lanes, scratch.four_blocks, softness.h);
         list_hits(scratch, row, work.one_sides_of, scratch.one_lanes, scratch.one_blocks, softness.h);
@@ -400,9 +400,9 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
     for (const ImpactWork::Group& group : work.groups)
         for (std::size_t i = group.begin; i < group.end; ++i) {
             const std::int32_t row = work.rows[i], component = work.component[row];
-            if (work.struck_when[component] != in_this_round) continue;
+            if (work.impact_round[component] != in_this_round) continue;
             if (!group.goes_on)
-                work.struck_when[component] = in_an_earlier_round;
+                work.impact_round[component] = in_an_earlier_round;
             else if (row == component)
                 work.struck.push_back(component);
         }

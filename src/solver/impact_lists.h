@@ -45,7 +45,7 @@ inline void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_
 
 // Groups the items by part (a stable counting sort).
 template <class Part, class Item, class F>
-void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
+void group_by_part(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
     for (Part& part : parts) part.end = 0;
     for (const Item& item : items) ++parts[part_of(item)].end;
     std::size_t begin = 0;

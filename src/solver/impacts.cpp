@@ -29,7 +29,7 @@ SolverVelocity* velocities(BatchScratch& scratch) {
     return scratch.border ? scratch.impact.shared.velocity.data() : scratch.velocity.data();
 }
 
-void strike_run(BatchScratch& scratch, int type, std::size_t first, int count, float h) {
+void solve_impact_run(BatchScratch& scratch, int type, std::size_t first, int count, float h) {
     SolverVelocity* const velocity = velocities(scratch);
     with_type(scratch, type, [&](auto&, auto& struck) {
         auto* const blocks = struck.blocks.data() + first;
@@ -48,11 +48,11 @@ void strike_run(BatchScratch& scratch, int type, std::size_t first, int count, f
     });
 }
 
-void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
-    for (const StruckRun& run : scratch.impact.runs)
+void solve_impact_pass(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+    for (const ImpactRun& run : scratch.impact.runs)
         for_chunks(thread_pool, int(run.count), blocks_per_chunk(thread_pool, int(run.count)),
                    [&](int begin, int end, int) {
-                       strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
+                       solve_impact_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
                    });
 }
 
@@ -62,7 +62,7 @@ template <class F> void for_struck_contacts(BatchScratch& scratch, F&& f) {
     f(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks), std::size_t(4));
 }
 
-void aim_all(BatchScratch& scratch, const SolverBodies& bodies, const BounceSettings& settings) {
+void find_rebounds(BatchScratch& scratch, const SolverBodies& bodies, const BounceSettings& settings) {
     for_struck_contacts(scratch, [&](const SolverKernels::ForPoints& k, auto& struck, std::size_t points) {
         if (struck.blocks.empty()) return;
         struck.leave.resize(points * struck.blocks.size()), struck.meets.resize(struck.leave.size());
@@ -182,9 +182,9 @@ bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets&
             share_impact(scratch, *ranks);
             retire_lanes(scratch); // of groups without a body that this rank needs
         }
-        if (bounce) aim_all(scratch, bounce->bodies, bounce->settings);
+        if (bounce) find_rebounds(scratch, bounce->bodies, bounce->settings);
         for (int pass = 0; pass < max_passes; ++pass) {
-            strike_all(scratch, thread_pool, softness.h);
+            solve_impact_pass(scratch, thread_pool, softness.h);
             join_sets(joints, direct, scratch, softness.h);
             if (!settle_groups(scratch, bounce ? bounced : settled)) break;
         }

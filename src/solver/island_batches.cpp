@@ -60,8 +60,8 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
         SortedContact* const out = unsorted.data();
         constexpr int ahead = 2 * int(contacts_ahead);
         for (int k = begin; k < end; ++k) {
-            if (k + 2 * ahead < end) ask_cache(&info[ids[k + 2 * ahead]]);
-            if (k + ahead < end) ask_cache(&links[info[ids[k + ahead]].body_a].island);
+            if (k + 2 * ahead < end) prefetch(&info[ids[k + 2 * ahead]]);
+            if (k + ahead < end) prefetch(&links[info[ids[k + ahead]].body_a].island);
             const std::uint32_t id = ids[k];
             ContactInfo& c = info[id];
             const bool moves = c.b_moves || settings[c.body_b].type == BodyType::kinematic;
@@ -116,8 +116,8 @@ void choose_substeps(const Bodies& bodies, const Contacts& contacts, Islands& is
                 columns.sides.push_back({id, {}});
         find_normals(contacts, columns.sides, ranks);
         for (const ContactNormal& side : columns.sides)
-            hold_from_side(columns.all[std::size_t(column_of_contact(side.contact))],
-                           bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
+            add_side_support(columns.all[std::size_t(column_of_contact(side.contact))],
+                             bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
     }
     for (const StandingColumn& column : columns.all) {
         Island& island = islands.all[column.island];

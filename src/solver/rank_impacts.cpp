@@ -60,8 +60,8 @@ struct SharedLanes {
 };
 
 template <class Block, class Impact>
-void append_block(const BatchScratch& scratch, const StruckRun& run, std::size_t block,
-                  const StruckBlocks<Block, Impact>& struck, Bytes& bytes) {
+void append_block(const BatchScratch& scratch, const ImpactRun& run, std::size_t block,
+                  const ImpactBlocks<Block, Impact>& struck, Bytes& bytes) {
     const Block& b = struck.blocks[block];
     SharedLanes lanes = {};
     lanes.type = run.type, lanes.listed = run.listed;
@@ -121,7 +121,7 @@ void number_bodies(const std::vector<SharedBlock>& blocks, ImpactWork::Shared& s
 
 // Sets for each lane the rows of both bodies, the row that B's velocity is written to, and the group of both bodies.
 template <class Block, class Impact>
-void take_block(const SharedBlock& from, ImpactWork& work, StruckBlocks<Block, Impact>& to) {
+void take_block(const SharedBlock& from, ImpactWork& work, ImpactBlocks<Block, Impact>& to) {
     ImpactWork::Shared& shared = work.shared;
     const auto new_row = [&](const SolverVelocity& velocity) {
         shared.velocity.push_back(velocity);
@@ -178,7 +178,7 @@ void find_shared_groups(ImpactWork& work) {
         }
         place[row] = place[root];
     }
-    put_together(work.groups, work.rows, work.sorted_rows, [&](std::int32_t row) { return place[row]; });
+    group_by_part(work.groups, work.rows, work.sorted_rows, [&](std::int32_t row) { return place[row]; });
     for_contact_types(work, [&](auto& struck) {
         for (auto& lane : struck.lanes)
             if (lane.group != none) lane.group = place[lane.group];
@@ -196,7 +196,7 @@ void share_bodies(Communicator& ranks, std::vector<std::int32_t>& bodies) { shar
 void share_impact(BatchScratch& scratch, Communicator& ranks) {
     ImpactWork& work = scratch.impact;
     Bytes own;
-    for (const StruckRun& run : work.runs)
+    for (const ImpactRun& run : work.runs)
         for (std::size_t k = run.first; k < run.first + run.count; ++k)
             if (run.type == four_points_type)
                 append_block(scratch, run, k, std::get<four_points_type>(work.blocks), own);

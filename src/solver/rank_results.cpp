@@ -36,7 +36,7 @@ void unpack(Bodies& bodies, SolverScratch& solver, const RankPart& part, const s
         Travel travel;
         std::memcpy(&travel, in, sizeof(Travel));
         in += sizeof(Travel);
-        if (travel != bodies.travel[b]) spend_answers(bodies, b); // its displacement was limited, or it was stopped
+        if (travel != bodies.travel[b]) spend_separations(bodies, b); // its displacement was limited, or it was stopped
     }
     for (const std::uint32_t id : part.contacts) {
         std::memcpy(&solver.reports[id], in, sizeof(ContactReport));

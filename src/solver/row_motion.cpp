@@ -217,14 +217,14 @@ void move_to_velocity(BatchScratch& scratch, std::size_t row, math::Vec3 turn) {
 
 } // namespace
 
-void hold_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
+void use_midpoint_spin(BatchScratch& scratch, ThreadPool* thread_pool) {
     scratch.held_turns.resize(scratch.spin_rows.size() + scratch.spinning_rows.size());
     for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
         const math::Vec3 turn = scratch.held_turns[k] = math::to_vec(scratch.free_correction[row].w);
         if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, turn);
     });
 }
-void release_what_turns(BatchScratch& scratch, ThreadPool* thread_pool) {
+void restore_end_spin(BatchScratch& scratch, ThreadPool* thread_pool) {
     for_turning_rows(scratch, thread_pool, [&](std::size_t row, std::size_t k) {
         const math::Vec3 turn = scratch.held_turns[k];
         if (!(turn == math::Vec3{})) move_to_velocity(scratch, row, -turn);

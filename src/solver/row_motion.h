@@ -20,8 +20,8 @@ void update_free_motion(const Bodies& bodies, const ForceFields& fields, const W
 // velocity in the middle of the substep, half a substep before that at its end: between these two calls, rows hold the
 // angular velocity of the middle. With that of the end constrained instead, a taut chain with a spinning link gained
 // energy, and tops on their tips nutated.
-void hold_what_turns(BatchScratch& scratch, ThreadPool* thread_pool);
-void release_what_turns(BatchScratch& scratch, ThreadPool* thread_pool);
+void use_midpoint_spin(BatchScratch& scratch, ThreadPool* thread_pool);
+void restore_end_spin(BatchScratch& scratch, ThreadPool* thread_pool);
 // After the poses of a substep: computes the rotations of bodies that turn by many radians per substep, or whose
 // moments of inertia differ by a factor of a million, for which single precision and a series for small angles are not
 // accurate enough.

@@ -166,7 +166,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
-        hold_what_turns(scratch, thread_pool);
+        use_midpoint_spin(scratch, thread_pool);
         begin_direct_limits(direct, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.solve(blocks, velocity, joint_soft);
@@ -182,9 +182,9 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
         turn_spinning_rows(bodies, scratch, h);
         release_direct_bodies(direct, scratch, thread_pool);
-        release_what_turns(scratch, thread_pool);
+        restore_end_spin(scratch, thread_pool);
         renew_inertia(bodies, scratch, thread_pool);
-        hold_what_turns(scratch, thread_pool);
+        use_midpoint_spin(scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.relax(blocks, solver_bodies, joint_soft);
         });
@@ -192,7 +192,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
-        release_what_turns(scratch, thread_pool);
+        restore_end_spin(scratch, thread_pool);
         solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, struck);
     }
 }
@@ -238,8 +238,8 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
     const float h = dt / float(batch.substeps);
-    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.fields, s.settings, s.solver, s.direct, batch,
-               scratch, thread_pool, h);
+    gather_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.fields, s.settings, s.solver, s.direct, batch,
+                 scratch, thread_pool, h);
     if (scratch.row_count() > 0) {
         if (!s.contacts.records.is_whole()) number_places(s.contacts, scratch);
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, h);
@@ -261,7 +261,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
+    scatter_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
 }
 
 // Among the batches that one rank or every rank solves as a whole, finds those so large that one thread alone would

@@ -161,7 +161,7 @@ void count_standing_loads(const Bodies& bodies, Contacts& contacts, Islands& isl
             if (may_hold_from_side(contacts.info[c.id])) sides.push_back({c.id, {}});
         find_normals(contacts, sides, ranks);
         for (const ContactNormal& side : sides)
-            hold_from_side(column, bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
+            add_side_support(column, bodies.motion[contacts.info[side.contact].body_a].x, side.normal);
         IslandLoad greatest{false, 0, 0, stable_sinking(column), island.pull_by_width};
         structure.hand_down((scratch.weighed_for[i] & for_its_substeps) != 0,
                             [&](const StandingContact& c, float load) {

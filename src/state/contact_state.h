@@ -75,7 +75,7 @@ inline std::uint16_t surface_material_of(const Manifold& patch) {
 
 // The result of a pair's last test: the sum of its bodies' travels until which the pair stays separated; for a pair
 // that has points or may get them at any time, that sum at the time of the test.
-struct PairAnswer {
+struct SeparationBudget {
     Travel until = 0;
     std::int32_t body_a = none, body_b = none;
 };
@@ -91,7 +91,7 @@ struct Contacts {
     ContactRecords records;
     BodyOwners owners;
     std::vector<ContactInfo> info;
-    std::vector<PairAnswer> answers;
+    std::vector<SeparationBudget> separation_budgets;
     std::vector<std::uint32_t> free; // unused contacts
 };
 

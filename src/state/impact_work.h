@@ -13,7 +13,7 @@
 
 namespace cairn {
 
-template <class Block, class Impact> struct StruckBlocks {
+template <class Block, class Impact> struct ImpactBlocks {
     struct Lane {
         std::uint32_t source; // the lane of the batch that was copied
         std::int32_t group;   // its index in ImpactWork::groups; none: an empty lane
@@ -25,14 +25,14 @@ template <class Block, class Impact> struct StruckBlocks {
     std::vector<Block> blocks;
     std::vector<Impact> impacts; // one for each block
     std::vector<Lane> lanes;     // 8 for each block; without a group: empty
-    // For each point of a block of contacts, if any of them bounces, else empty: see AimedSpeeds.
+    // For each point of a block of contacts, if any of them bounces, else empty: see ReboundTargets.
     std::vector<Lanes> leave, meets;
 
     void clear() { blocks.clear(), impacts.clear(), lanes.clear(), leave.clear(), meets.clear(); }
 };
 
 // Blocks of one color and type, in ImpactWork::blocks.
-struct StruckRun {
+struct ImpactRun {
     int type;
     std::uint32_t listed; // index in ImpactWork::listed_runs
     std::uint32_t first, count;
@@ -67,8 +67,8 @@ struct ImpactWork {
     std::array<std::vector<std::uint32_t>, block_types> run_of_lane; // index in `listed_runs`
 
     // The state of components in this impact; the next impact resets it.
-    std::vector<std::uint8_t> struck_when;         // by component: not yet, in this round, or in an earlier one
-    std::vector<std::int32_t> struck, ever_struck; // components of this round, and of all rounds
+    std::vector<std::uint8_t> impact_round;              // by component: not yet, in this round, or in an earlier one
+    std::vector<std::int32_t> struck, all_impact_groups; // components of this round, and of all rounds
     // Bodies that meet: the first belongs to a group that took part, or is about to.
     struct Hit {
         std::int32_t first, other;
@@ -84,8 +84,8 @@ struct ImpactWork {
     struct Group {
         std::size_t begin, end; // in `rows`
         bool is_settled;
-        bool goes_on; // one of its bodies is driven into a body that took no part
-        // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (AimedSpeeds::meets).
+        bool persists; // one of its bodies is driven into a body that took no part
+        // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (ReboundTargets::meets).
         double impulse = 0, moment = 0;
     };
     std::vector<Group> groups;
@@ -114,11 +114,11 @@ struct ImpactWork {
     std::vector<ListedLane> listed, sorted_lanes;
     std::vector<ListedRun> listed_runs;
 
-    std::tuple<StruckBlocks<PointBlock, JointImpact>, StruckBlocks<TurnBlock, JointImpact>,
-               StruckBlocks<AxisBlock, JointImpact>, StruckBlocks<ContactBlock<1>, ContactImpact<1>>,
-               StruckBlocks<ContactBlock<4>, ContactImpact<4>>>
+    std::tuple<ImpactBlocks<PointBlock, JointImpact>, ImpactBlocks<TurnBlock, JointImpact>,
+               ImpactBlocks<AxisBlock, JointImpact>, ImpactBlocks<ContactBlock<1>, ContactImpact<1>>,
+               ImpactBlocks<ContactBlock<4>, ContactImpact<4>>>
         blocks;
-    std::vector<StruckRun> runs; // in the order of the solver
+    std::vector<ImpactRun> runs; // in the order of the solver
 
     // For a batch that is cut, instead of the rows of the batch: the bodies of all ranks that take part
     // (rank_impacts.h).

@@ -30,7 +30,7 @@ struct Island {
 };
 
 // Value of BodyLinks::quiet_time for a body that was told to sleep and that nothing has moved since.
-inline constexpr float told_to_sleep = std::numeric_limits<float>::max();
+inline constexpr float sleep_requested = std::numeric_limits<float>::max();
 
 struct Islands {
     std::vector<Island> all;

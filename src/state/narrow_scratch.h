@@ -72,7 +72,7 @@ struct FlightPairs {
     std::vector<Manifold> hits;
 
     void clear() {
-        give_back_room(pairs), give_back_room(hits);
+        shrink_capacity(pairs), shrink_capacity(hits);
         pairs.clear(), hits.clear();
     }
     void add(std::uint32_t place, const Manifold* first, std::size_t count) {
@@ -116,7 +116,7 @@ struct NarrowScratch {
     std::vector<std::vector<std::uint32_t>> lists;
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> moving;         // awake bodies, then kinematic bodies
-    std::vector<float> turn_reach;            // by body, m: see bodies.h
+    std::vector<float> rotation_bound;        // by body, m: see bodies.h
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic bodies at rest
     std::vector<std::uint8_t> changes;        // 1 for solved contacts that began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs; pairs nearby in space are near each other

@@ -215,7 +215,7 @@ struct BatchScratch {
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // bodies that the wide kernel rotates
     std::vector<std::int32_t> spin_rows; // rows of the lanes of spin_blocks
-    std::vector<math::Vec3> held_turns;  // of spin_rows, then of spinning_rows: see hold_what_turns
+    std::vector<math::Vec3> held_turns;  // of spin_rows, then of spinning_rows: see use_midpoint_spin
     // By row, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;

@@ -26,8 +26,8 @@ struct StepScratch {
 
     // After a step: releases lists that grew for fast bodies, impacts and escaped fat boxes, if they now need less
     // memory.
-    void give_back_room() {
-        const auto give_back = [](auto&... lists) { (cairn::give_back_room(lists), ...); };
+    void shrink_capacity() {
+        const auto give_back = [](auto&... lists) { (cairn::shrink_capacity(lists), ...); };
         give_back(solver.escaped, solver.fast, solver.strayed);
         for (BatchScratch& own : solver.at_work)
             give_back(own.finalized.escaped, own.finalized.fast, own.finalized.strayed);

@@ -20,7 +20,7 @@ struct Mover {
     std::int32_t body;
     bool is_free = false;       // neither contacts nor joints have moved it: it is in free flight
     bool gyrates = false;       // it also changes its angular velocity by itself too fast for the solver
-    bool is_led = false;        // joints make it rotate about an axis, or a kinematic body carries it along
+    bool is_guided = false;     // joints make it rotate about an axis, or a kinematic body carries it along
     bool is_fast = false;       // it moves so far that its core may pass another
     bool turns_over = false;    // it turns by more than half a revolution, so its poses do not define the rotation
     bool is_changed = false;    // it is not where the solver has put it
@@ -30,7 +30,7 @@ struct Mover {
     double until = 1;               // the time when it stops
     std::int32_t first_pair = none; // head of its list in SweepScratch::pairs
     RigidPath path;                 // the current path
-    // For a body with is_led: its motion relative to what leads it; the kinematic body that carries it, or none.
+    // For a body with is_guided: its motion relative to what leads it; the kinematic body that carries it, or none.
     RigidPath lead;
     math::DVec3 arm;
     math::DQuat turned;

@@ -42,7 +42,7 @@ class Workers {
             changed_.wait_for(lock, std::chrono::milliseconds(20));
             const Count now = count_;
             lock.unlock();
-            source_.attend();
+            source_.poll();
             if (!goes_on(now)) stop_ = true;
             lock.lock();
         }

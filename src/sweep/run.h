@@ -23,7 +23,7 @@ class Source {
     // Returns an index into the list of missing chunks; thread-safe. An index beyond its end means that none is left.
     virtual std::uint64_t next() = 0;
     // Called periodically by the thread that called `run_chunks`.
-    virtual void attend() {}
+    virtual void poll() {}
 };
 
 class LocalSource : public Source {

@@ -274,7 +274,7 @@ const Structure structures[] = {
     {"Jenga tower with blocks taken out", build_jenga, 0.03, 0.03, false},
 };
 
-struct Stood {
+struct StabilityResult {
     double overlap = 0, down = 0, sideways = 0, creep = 0; // m; creep: during the last quarter of the time
 
     void stand(const Structure& structure, bool sleep, double seconds, double dt, int every, Curve& sag) {
@@ -316,7 +316,7 @@ Result measure_towers() {
         for (const double dt : time_steps) {
             if (dt != time_steps[0] && !structure.at_every_step) continue;
             const double seconds = dt == time_steps[0] ? 60 : dt == time_steps[1] ? 15 : 5;
-            Stood stood;
+            StabilityResult stood;
             Curve unused, sag{structure.name, {}, {}};
             stood.stand(structure, true, seconds, dt, 10, unused);
             stood.stand(structure, false, seconds, dt, 10, sag);
@@ -326,7 +326,7 @@ Result measure_towers() {
     const Structure pyramid{"pyramid of 100 rows", build_pyramid, 0.2, 0.1, false};
     for (const bool sleep : {true, false}) {
         const double seconds = sleep ? 60 : 8;
-        Stood stood;
+        StabilityResult stood;
         Curve sag{pyramid.name, {}, {}};
         stood.stand(pyramid, sleep, seconds, time_steps[0], 20, sag);
         if (!sleep) plot.curves.push_back(sag);

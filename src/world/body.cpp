@@ -404,8 +404,8 @@ void Body::sleep() {
     motion.v = motion.w = motion.v_rest = motion.w_rest = {};
     s.bodies.forces[a.b] = {};
     std::erase(s.bodies.pushed, a.index());
-    if (s.bodies.links[a.b].quiet_time == told_to_sleep) return;
-    s.bodies.links[a.b].quiet_time = told_to_sleep;
+    if (s.bodies.links[a.b].quiet_time == sleep_requested) return;
+    s.bodies.links[a.b].quiet_time = sleep_requested;
     s.islands.told.push_back(a.index());
 }
 

@@ -22,14 +22,14 @@ class NoSource final : public CommandSource {
 
 } // namespace
 
-void World::Impl::require_not_telling(const char* call) const {
+void World::Impl::require_not_notifying(const char* call) const {
     if (telling) throw Error(ErrorCode::wrong_state, call, "", "not allowed while the listener is told of a change");
 }
 
 void World::set_command_listener(std::shared_ptr<CommandListener> listener) {
     impl_->require_idle("World::set_command_listener");
-    impl_->require_whole("World::set_command_listener");
-    impl_->require_not_telling("World::set_command_listener");
+    impl_->require_usable("World::set_command_listener");
+    impl_->require_not_notifying("World::set_command_listener");
     impl_->listener = std::move(listener);
     if (!impl_->listener) return;
     try {

@@ -102,7 +102,7 @@ class LineWriter {
 } // namespace
 
 std::vector<DebugLine> World::debug_lines(const DebugLinesDef& what) const {
-    impl_->require_whole("World::debug_lines");
+    impl_->require_usable("World::debug_lines");
     require_above("DebugLinesDef.size", what.size, 0);
     require_at_least("DebugLinesDef.impulse_scale", what.impulse_scale, 0);
     std::vector<DebugLine> lines;

@@ -51,7 +51,7 @@ struct World::Impl {
 
     // The state for a query with this filter. Throws Error(invalid_handle) if the filter ignores a body that does not
     // exist.
-    const State& seen_by(const QueryFilter& filter, const char* call) const {
+    const State& for_queries(const QueryFilter& filter, const char* call) const {
         for (const BodyId id : filter.ignored_bodies) index_of(id);
         return whole(call);
     }
@@ -77,9 +77,9 @@ struct World::Impl {
     // Replaces the state by one with the same definitions, saved by this process and therefore trusted. Allocates no
     // new memory in general; if memory runs out nevertheless, the world becomes unusable.
     void restore_in_place(ImageReader& reader);
-    // As above, from untrusted bytes, which are checked. On an exception the world stays unchanged. `tell_of_it()` is
-    // called when nothing else can fail, and sees the world before the change.
-    template <class F> void restore_in_place(ArchiveReader& reader, F&& tell_of_it);
+    // As above, from untrusted bytes, which are checked. On an exception the world stays unchanged. `notify_listener()`
+    // is called when nothing else can fail, and sees the world before the change.
+    template <class F> void restore_in_place(ArchiveReader& reader, F&& notify_listener);
     SetAside set_aside; // the state before the last checked restore, kept for its memory
     // Takes over from `other` the members that belong to the world rather than to its state: threads, communicator,
     // listener.
@@ -94,14 +94,14 @@ struct World::Impl {
     // Throws Error(wrong_state) while another thread is in a step.
     void require_idle(const char* call) const;
     // Throws Error(wrong_state) after a call has run out of memory half way.
-    void require_whole(const char* call) const;
+    void require_usable(const char* call) const;
     const State& whole(const char* call) const {
-        require_whole(call);
+        require_usable(call);
         return state;
     }
 
     // Throws Error(wrong_state) while the listener is being notified of a change.
-    void require_not_telling(const char* call) const;
+    void require_not_notifying(const char* call) const;
     // Notifies the listener, if there is one. `command`: one from commands/generated/calls.h.
     template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
 
@@ -118,8 +118,8 @@ struct World::Impl {
       public:
         Change(Impl& impl, Command, const Given&... arguments) : impl_(impl), arguments_(arguments...) {
             impl.require_idle(Command::name);
-            impl.require_whole(Command::name);
-            impl.require_not_telling(Command::name);
+            impl.require_usable(Command::name);
+            impl.require_not_notifying(Command::name);
         }
         ~Change() {
             if (begun_ && std::uncaught_exceptions() > exceptions_) impl_.failed_call = Command::name;

@@ -50,12 +50,12 @@ bool bounds_overlap(const DBounds& a, const DBounds& b) {
 
 } // namespace
 
-Sight::Sight(const State& state, const QueryFilter& filter)
+QueryVisibility::QueryVisibility(const State& state, const QueryFilter& filter)
     : state_(state), filter_(filter),
       sees_all_others_(filter.layers == all_layers && filter.own_layers == all_layers && filter.static_bodies &&
                        filter.kinematic_bodies && filter.dynamic_bodies && filter.ignored_bodies.empty()) {}
 
-bool Sight::passes(const CollisionFilter& layers, std::int32_t body) const {
+bool QueryVisibility::passes(const CollisionFilter& layers, std::int32_t body) const {
     if (filter_.layers != all_layers && (layers.layers & filter_.layers) == 0) return false;
     if (filter_.own_layers != all_layers && (layers.collides_with & filter_.own_layers) == 0) return false;
     const BodyType type = state_.bodies.settings[body].type;
@@ -69,8 +69,8 @@ bool Sight::passes(const CollisionFilter& layers, std::int32_t body) const {
 std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
                                       const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->seen_by(filter, "World::cast_ray");
-    const Sight sight(s, filter);
+    const State& s = impl_->for_queries(filter, "World::cast_ray");
+    const QueryVisibility sight(s, filter);
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
@@ -89,8 +89,8 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
 std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
                                         const QueryFilter& filter) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->seen_by(filter, "World::cast_ray_all");
-    const Sight sight(s, filter);
+    const State& s = impl_->for_queries(filter, "World::cast_ray_all");
+    const QueryVisibility sight(s, filter);
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
         if (!sight.sees(shape)) return max;
@@ -110,8 +110,8 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, const QueryFilt
         if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
             refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
     const DBounds box{to_math(bounds.min), to_math(bounds.max)};
-    const State& s = impl_->seen_by(filter, "World::overlap_bounds");
-    const Sight sight(s, filter);
+    const State& s = impl_->for_queries(filter, "World::overlap_bounds");
+    const QueryVisibility sight(s, filter);
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {

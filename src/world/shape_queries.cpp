@@ -214,9 +214,9 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     const ShapeData data = make_shape_data(shape);
     const DVec3 origin = to_math(start.position), way = math::to_double(to_math(translation));
     const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation));
-    const State& s = impl_->seen_by(filter, "World::cast_shape");
+    const State& s = impl_->for_queries(filter, "World::cast_shape");
     const ShapeCast cast(s.shapes, origin, moving, way);
-    const Sight sight(s, filter);
+    const QueryVisibility sight(s, filter);
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
     s.broad_phase.query_sweep(
@@ -242,8 +242,8 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
     const double most = std::min(max_distance, 1e15); // the range of positions, m
     const DVec3 origin = to_math(point);
-    const State& s = impl_->seen_by(filter, "World::closest_point");
-    const Sight sight(s, filter);
+    const State& s = impl_->for_queries(filter, "World::closest_point");
+    const QueryVisibility sight(s, filter);
     std::optional<NearPoint> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_near(origin, most, [&](std::uint32_t other, double limit) {
@@ -270,8 +270,8 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, c
     const PosedInQuery asking(g, data, {}, g.rotation);
     std::optional<QuerySolid> solid;
     if (!is_surface(g.type)) solid.emplace(asking);
-    const State& s = impl_->seen_by(filter, "World::overlap");
-    const Sight sight(s, filter);
+    const State& s = impl_->for_queries(filter, "World::overlap");
+    const QueryVisibility sight(s, filter);
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (!sight.sees(other) || (sight.any() && !found.empty())) return;

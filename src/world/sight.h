@@ -8,9 +8,9 @@
 namespace cairn {
 
 // Decides which shapes a query sees. Keeps references to the state and the filter, which must not change meanwhile.
-class Sight {
+class QueryVisibility {
   public:
-    Sight(const State& state, const QueryFilter& filter);
+    QueryVisibility(const State& state, const QueryFilter& filter);
     bool sees(std::uint32_t shape) const {
         const ShapeTraits& traits = state_.shapes.traits[shape];
         if (traits.is_trigger && !filter_.triggers) return false;

@@ -35,10 +35,10 @@ template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_
 std::uint64_t layout() {
     Hash64 hash;
     add_field_counts<BodyMotion, CountedPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
-                     ContactRecord, ContactInfo, PairAnswer, Island, JointInfo, JointAxisRule, JointAxisState,
+                     ContactRecord, ContactInfo, SeparationBudget, Island, JointInfo, JointAxisRule, JointAxisState,
                      Character>(hash);
     for (const std::size_t size : {sizeof(State), sizeof(BodyMotion), sizeof(CountedPose), sizeof(BodyMass),
-                                   sizeof(ContactRecord), sizeof(ContactInfo), sizeof(PairAnswer), sizeof(Island),
+                                   sizeof(ContactRecord), sizeof(ContactInfo), sizeof(SeparationBudget), sizeof(Island),
                                    sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef),
                                    sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef), sizeof(Character)})
         hash.add(size);
@@ -170,7 +170,7 @@ void World::Impl::restore_in_place(ImageReader& reader) {
     failed_call = nullptr;
 }
 
-template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&& tell_of_it) {
+template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&& notify_listener) {
     gather_records();
     state.contacts.owners = {};
     const auto go_through = [&](SetAside::Mode mode) {
@@ -197,7 +197,7 @@ template <class F> void World::Impl::restore_in_place(ArchiveReader& reader, F&&
         const Statistics found = state.statistics;
         exchange();
         state.statistics = before;
-        tell_of_it();
+        notify_listener();
         exchange();
         state.statistics = found;
     }
@@ -238,7 +238,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
 
 Snapshot World::save() const {
     impl_->require_idle("World::save");
-    impl_->require_whole("World::save");
+    impl_->require_usable("World::save");
     impl_->gather_records();
     Snapshot snapshot;
     snapshot.definitions = impl_->definitions();
@@ -303,7 +303,7 @@ Snapshot without_world(const Snapshot& snapshot) {
 
 void World::restore(const Snapshot& snapshot) {
     impl_->require_idle("World::restore");
-    impl_->require_not_telling("World::restore");
+    impl_->require_not_notifying("World::restore");
     Header header = read_header(snapshot);
     if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
     const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
@@ -312,15 +312,15 @@ void World::restore(const Snapshot& snapshot) {
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
-    const auto tell_of_it = [&] { impl_->tell(commands::world_restore, snapshot); };
-    if (are_the_same) return impl_->restore_in_place(reader, tell_of_it);
+    const auto notify_listener = [&] { impl_->tell(commands::world_restore, snapshot); };
+    if (are_the_same) return impl_->restore_in_place(reader, notify_listener);
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     check_definitions(fresh->state, {fresh->names, fresh->user_data, fresh->def_of, fresh->joint_defs});
     serialize_state(reader, fresh->state, [](StatePart) {});
     name_world_in_events(fresh->state);
     reader.end();
     check_state(fresh->state);
-    tell_of_it();
+    notify_listener();
     fresh->take_over(*impl_);
     impl_ = std::move(fresh);
 }

@@ -32,7 +32,7 @@ SnapshotRing& SnapshotRing::operator=(SnapshotRing&&) noexcept = default;
 void SnapshotRing::push(const World& world) {
     World::Impl& impl = *world.impl_;
     impl.require_idle("SnapshotRing::push");
-    impl.require_whole("SnapshotRing::push");
+    impl.require_usable("SnapshotRing::push");
     Ring& ring = *ring_;
     try {
         impl.gather_records();
@@ -55,7 +55,7 @@ void SnapshotRing::restore(World& world, std::size_t back) {
         refuse("SnapshotRing::restore back", std::to_string(back),
                "must be less than the number of states, " + std::to_string(ring.frames.size()));
     impl.require_idle("SnapshotRing::restore");
-    impl.require_not_telling("SnapshotRing::restore");
+    impl.require_not_notifying("SnapshotRing::restore");
     const std::size_t left = ring.frames.size() - back;
     try {
         for (std::size_t i = ring.frames.size() - 1; i >= left; --i) apply_delta(ring.image, ring.frames[i - 1].back);

@@ -46,12 +46,12 @@ CAIRN_ARCHIVES_MEMBERS(1, Characters);
 
 template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.bodies.motion), archive(s.bodies.forces), archive(s.bodies.pushed), archive(s.bodies.links);
-    archive.foretold(s.bodies.counted, [&](std::size_t i) {
+    archive.predicted(s.bodies.counted, [&](std::size_t i) {
         return i < s.bodies.motion.size() ? CountedPose{s.bodies.motion[i].x, s.bodies.motion[i].q} : CountedPose{};
     });
     archive(s.bodies.travel), archive(s.bodies.ahead), archive(s.bodies.boxes_until);
     archive(s.shapes.links);
-    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
+    archive.predicted(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
     archive(s.islands.falling_asleep), archive(s.islands.waking), archive(s.islands.told);
     archive(s.characters.all);
@@ -94,11 +94,11 @@ template <class Archive> void serialize_contacts(Archive& archive, State& s) {
             return room = {};
         };
     };
-    archive.used_part(s.contacts.records.whole(), [&](std::size_t i, ContactRecord& room) -> const ContactRecord& {
+    archive.live_part(s.contacts.records.whole(), [&](std::size_t i, ContactRecord& room) -> const ContactRecord& {
         return used_record(contacts.info[i], contacts.records[i], room);
     });
-    archive.used_part(s.contacts.info, used(contacts.info)),
-        archive.used_part(s.contacts.answers, used(contacts.answers));
+    archive.live_part(s.contacts.info, used(contacts.info)),
+        archive.live_part(s.contacts.separation_budgets, used(contacts.separation_budgets));
     archive(s.contacts.free);
 }
 

@@ -54,7 +54,7 @@ class StateCheck final : PairReader {
         require_count("shapes.links", shapes_.links.size(), shape_count_);
         require_count("shapes.poses", shapes_.poses.size(), shape_count_);
         require_count("contacts.records", contacts_.records.places(), contacts_.info.size());
-        require_count("contacts.answers", contacts_.answers.size(), contacts_.info.size());
+        require_count("contacts.separation_budgets", contacts_.separation_budgets.size(), contacts_.info.size());
     }
 
     void check_bodies() const {
@@ -308,9 +308,9 @@ class StateCheck final : PairReader {
             const ShapePair pair = pair_of_[id];
             require_sound((c.shape_a == pair.a && c.shape_b == pair.b) || (c.shape_a == pair.b && c.shape_b == pair.a),
                           shape_place, c.shape_a, "must be those of its pair in the broad phase");
-            const PairAnswer& answer = contacts_.answers[id];
-            require_sound(answer.body_a == c.body_a && answer.body_b == c.body_b, {"contacts.answers", id, "body"},
-                          answer.body_a, "must be those of the contact");
+            const SeparationBudget& answer = contacts_.separation_budgets[id];
+            require_sound(answer.body_a == c.body_a && answer.body_b == c.body_b,
+                          {"contacts.separation_budgets", id, "body"}, answer.body_a, "must be those of the contact");
             ++groups_and_pairs_;
         }
         if (!is_solved) return;

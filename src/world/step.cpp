@@ -132,7 +132,7 @@ void World::Impl::make_step(float dt) {
     for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // forces act for one step
     state.bodies.pushed.clear();
     state.events.publish();
-    step.give_back_room();
+    step.shrink_capacity();
     times.total = clock.total();
 
     ++state.steps;

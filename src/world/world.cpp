@@ -52,26 +52,26 @@ World::Impl::Impl(const WorldDef& def) {
 }
 
 std::int32_t World::Impl::index_of(BodyId id) const {
-    require_whole("BodyId");
+    require_usable("BodyId");
     return std::int32_t(checked_index("BodyId", id, state.bodies.slots));
 }
 std::uint32_t World::Impl::index_of(ShapeId id) const {
-    require_whole("ShapeId");
+    require_usable("ShapeId");
     return checked_index("ShapeId", id, state.shapes.slots);
 }
 std::uint32_t World::Impl::index_of(JointId id) const {
-    require_whole("JointId");
+    require_usable("JointId");
     return checked_index("JointId", id, state.joints.slots);
 }
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
-    require_whole("ForceFieldId");
+    require_usable("ForceFieldId");
     return checked_index("ForceFieldId", id, state.fields.slots);
 }
 void World::Impl::require_idle(const char* call) const {
     if (stepping)
         throw Error(ErrorCode::wrong_state, call, "", "not allowed while a step or a query of this world runs");
 }
-void World::Impl::require_whole(const char* call) const {
+void World::Impl::require_usable(const char* call) const {
     if (failed_call)
         throw Error(ErrorCode::wrong_state, call, "",
                     std::string("refused: the world ran out of memory in ") + failed_call +
@@ -127,7 +127,7 @@ int World::threads() const { return impl_->step.thread_pool->threads(); }
 
 void World::set_communicator(std::shared_ptr<Communicator> communicator) {
     impl_->require_idle("World::set_communicator");
-    impl_->require_whole("World::set_communicator");
+    impl_->require_usable("World::set_communicator");
     if (communicator) {
         const int rank = communicator->rank(), size = communicator->size();
         if (size < 1) refuse("World::set_communicator size", std::to_string(size), "must be at least 1");

@@ -53,7 +53,7 @@ class LocalRank final : public cairn::Communicator {
         ++broadcasts;
         for (int other = 0; other < size() && root == rank_; ++other)
             if (other != rank_) post_->send(rank_, other, bytes);
-        if (root == rank_) bytes_told += bytes.size();
+        if (root == rank_) bytes_sent += bytes.size();
         if (root != rank_) take(root, bytes);
     }
     std::uint64_t sum(std::uint64_t number) override {
@@ -68,7 +68,7 @@ class LocalRank final : public cairn::Communicator {
         return all;
     }
     int exchanges = 0, broadcasts = 0;
-    std::size_t bytes_told = 0; // sent to all others
+    std::size_t bytes_sent = 0; // sent to all others
 
   private:
     // A message of unexpected size shows that the ranks have diverged.

@@ -82,9 +82,9 @@ std::vector<Course> run_on_ranks(Scene& scene, const Snapshot& start, int ranks,
             Course& course = courses[std::size_t(rank)] = run_alone(scene, world, steps, asked_every);
             course.exchanges = communicator->exchanges;
             world.step(1.0f / 60);
-            const std::size_t before = communicator->bytes_told;
+            const std::size_t before = communicator->bytes_sent;
             static_cast<void>(world.save());
-            course.bytes_of_end = communicator->bytes_told - before;
+            course.bytes_of_end = communicator->bytes_sent - before;
         });
     for (std::thread& thread : all) thread.join();
     return courses;

@@ -44,7 +44,7 @@ class Room {
         const int steps = 10 + bytes_.pick(31);
         for (int i = 0; i < steps; ++i) {
             world_.step(dt_);
-            const cairn_test::CoresMet met = watch.look(world_, double(dt_));
+            const cairn_test::CoreEncounters met = watch.look(world_, double(dt_));
             std::string what = met.passed + met.deep > 0 ? met.worst : std::string();
             for (const BodyId id : bodies_)
                 if (!is_inside(id)) what = "body " + std::to_string(id.index()) + " has left the room";

@@ -106,7 +106,7 @@ void CoreWatch::move(Member& member, const BodyState& to, double dt, int impacts
     if (member.is_static)
         member.way.knots = {{0, to.center, to.rotation}, end};
     else if (dt > 0)
-        member.way = find_way(member.free, member.state, to, dt);
+        member.way = reconstruct_path(member.free, member.state, to, dt);
     // Several impacts may look like a single one at a place beyond the body that was hit.
     if (member.way.is_broken && impacts != 1) member.way = {};
     member.state = to;
@@ -160,7 +160,7 @@ bool CoreWatch::do_meet_on_way(const Member& a, const Member& b, Inside Part::*i
     return false;
 }
 
-void CoreWatch::judge(const World& world, std::size_t i, std::size_t k, CoresMet& met) {
+void CoreWatch::judge(const World& world, std::size_t i, std::size_t k, CoreEncounters& met) {
     const Member &a = members_[i], &b = members_[k];
     if (a.is_static && b.is_static) return;
     const std::size_t pair = i * members_.size() + k;
@@ -199,7 +199,7 @@ std::vector<bool> CoreWatch::touching(const World& world) const {
     return pairs;
 }
 
-CoresMet CoreWatch::look(const World& world, double dt) {
+CoreEncounters CoreWatch::look(const World& world, double dt) {
     for (Member& member : members_) {
         int impacts = 0;
         for (const ContactHit& hit : world.contact_hits())
@@ -209,7 +209,7 @@ CoresMet CoreWatch::look(const World& world, double dt) {
     // A pair in contact at the end counts as in contact during the step.
     const std::vector<bool> touch_now = touching(world);
     for (std::size_t i = 0; i < touched_.size(); ++i) touched_[i] = touched_[i] || touch_now[i];
-    CoresMet met;
+    CoreEncounters met;
     for (std::size_t a = 0; a < members_.size(); ++a)
         for (std::size_t b = a + 1; b < members_.size(); ++b) judge(world, a, b, met);
     touched_ = touch_now;

@@ -10,7 +10,7 @@
 namespace cairn_test {
 
 // Counts of pairs of bodies in one step. Pairs whose joint disables their collision do not count; filters are ignored.
-struct CoresMet {
+struct CoreEncounters {
     int overlapping = 0; // cores overlap at the end of the step
     // The paths of both are known (flown_way.h), without impact or contact, and their cores met.
     int passed = 0;
@@ -26,7 +26,7 @@ class CoreWatch {
     // reported.
     explicit CoreWatch(const cairn::World& world);
     // Evaluates the one step of `dt` seconds since the last call. The world must have the same bodies and shapes.
-    CoresMet look(const cairn::World& world, double dt);
+    CoreEncounters look(const cairn::World& world, double dt);
 
   private:
     struct Inside {               // an inset part of a shape
@@ -46,7 +46,7 @@ class CoreWatch {
         glm::dvec3 center{0, 0, 0}; // center of mass in the body's frame, m
         FreeBody free{};
         BodyState state{};
-        FlownWay way{};
+        BodyPath way{};
         glm::dvec3 low{0, 0, 0}, high{0, 0, 0}; // bounds over the step
     };
 
@@ -59,7 +59,7 @@ class CoreWatch {
     static bool do_meet_at_end(const Member& a, const Member& b, Inside Part::*inside);
     static bool do_meet_on_way(const Member& a, const Member& b, Inside Part::*inside);
     std::vector<bool> touching(const cairn::World& world) const; // pairs of members
-    void judge(const cairn::World& world, std::size_t a, std::size_t b, CoresMet& met);
+    void judge(const cairn::World& world, std::size_t a, std::size_t b, CoreEncounters& met);
 
     std::vector<Member> members_;
     std::vector<bool> overlapped_, touched_; // per pair of members, at the last call

@@ -45,7 +45,7 @@ CrowdSeen watch_crowd(const Crowd& cell) {
         for (int i = 0; i < int(cell.seconds * 60); ++i) {
             world.step(frame);
             ++seen.steps;
-            const CoresMet met = watch.look(world, double(frame));
+            const CoreEncounters met = watch.look(world, double(frame));
             seen.overlapping += met.overlapping;
             seen.passed += met.passed;
             seen.deep += met.deep;

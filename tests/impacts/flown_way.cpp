@@ -109,7 +109,7 @@ std::vector<Knot> ended_at(const Flight& flight, const BodyState& to) {
 
 } // namespace
 
-FlownWay find_way(const FreeBody& body, const BodyState& from, const BodyState& to, double dt) {
+BodyPath reconstruct_path(const FreeBody& body, const BodyState& from, const BodyState& to, double dt) {
     Flight straight(body, dt, from);
     straight.go_to(1);
     if (is_at(body, straight.state(), to)) return {ended_at(straight, to), false};

@@ -29,12 +29,12 @@ struct Knot {
     glm::dquat rotation{1, 0, 0, 0};
 };
 
-struct FlownWay {
+struct BodyPath {
     std::vector<Knot> knots{}; // none: no such path exists
     bool is_broken = false;    // by an impact
 };
 
 // The path between two states `dt` seconds apart of a body without forces, with at most one impact.
-FlownWay find_way(const FreeBody& body, const BodyState& from, const BodyState& to, double dt);
+BodyPath reconstruct_path(const FreeBody& body, const BodyState& from, const BodyState& to, double dt);
 
 } // namespace cairn_test

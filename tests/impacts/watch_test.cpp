@@ -17,7 +17,7 @@ double angle_between(const glm::dquat& a, const glm::dquat& b) {
 
 // A symmetric top with the moments 1, 1, 2 spins about its axis at w3 and precesses about its angular momentum, both at
 // constant rates.
-TEST(FlownWay, OfASymmetricTopIsThatOfPoinsot) {
+TEST(BodyPath, OfASymmetricTopIsThatOfPoinsot) {
     const double dt = 1.0 / 60, w1 = 40, w3 = 30;
     const FreeBody top{{1, 1, 2}, {1, 0, 0, 0}, 0.1, 1e-4};
     const glm::dvec3 momentum(w1, 0, 2 * w3); // the body begins with the identity rotation
@@ -28,7 +28,7 @@ TEST(FlownWay, OfASymmetricTopIsThatOfPoinsot) {
     };
     const BodyState from{{0, 0, 0}, rotation_at(0), {3, 0, 0}, spin_at(0)};
     const BodyState to{{3 * dt, 0, 0}, rotation_at(dt), {3, 0, 0}, spin_at(dt)};
-    const FlownWay way = find_way(top, from, to, dt);
+    const BodyPath way = reconstruct_path(top, from, to, dt);
     ASSERT_GT(way.knots.size(), 2u);
     EXPECT_FALSE(way.is_broken);
     for (const Knot& knot : way.knots) {
@@ -37,15 +37,15 @@ TEST(FlownWay, OfASymmetricTopIsThatOfPoinsot) {
     }
     BodyState other = to;
     other.rotation = turn({0, 0.01, 0}) * to.rotation;
-    EXPECT_TRUE(find_way(top, from, other, dt).knots.empty());
+    EXPECT_TRUE(reconstruct_path(top, from, other, dt).knots.empty());
 }
 
-TEST(FlownWay, HasTheImpactWhereTheLinesMeet) {
+TEST(BodyPath, HasTheImpactWhereTheLinesMeet) {
     const FreeBody ball{{1, 1, 1}, {1, 0, 0, 0}, 0.05, 1e-4};
     const BodyState from{{0, 0, 0}, {1, 0, 0, 0}, {60, 30, 0}, {0, 0, 10}};
     const double dt = 1.0 / 60, time = 0.3;
     const BodyState to{{0.3 - 0.7 * 0.5, 0.5, 0}, turn({0, 0, (10 * time - 20 * 0.7) * dt}), {-30, 30, 0}, {0, 0, -20}};
-    const FlownWay way = find_way(ball, from, to, dt);
+    const BodyPath way = reconstruct_path(ball, from, to, dt);
     ASSERT_EQ(way.knots.size(), 3u);
     EXPECT_TRUE(way.is_broken);
     EXPECT_NEAR(way.knots[1].time, time, 1e-9);
@@ -82,7 +82,7 @@ TEST(CoreWatch, SeesWhatPassesThroughAWall) {
         add_ghost(world, make_bullet(kind, 0.05).shapes, def);
         CoreWatch watch(world);
         world.step(frame);
-        const CoresMet met = watch.look(world, double(frame));
+        const CoreEncounters met = watch.look(world, double(frame));
         EXPECT_EQ(met.passed, 1) << name_of(kind);
         EXPECT_EQ(met.overlapping, 0) << name_of(kind);
     }
@@ -106,7 +106,7 @@ TEST(CoreWatch, SeesWhatPassesAfterAnImpact) {
     CoreWatch watch(world);
     world.step(frame);
     EXPECT_LT(world.body(ball).linear_velocity().x, -29);
-    const CoresMet met = watch.look(world, double(frame));
+    const CoreEncounters met = watch.look(world, double(frame));
     EXPECT_EQ(met.deep, 1);
     EXPECT_NE(met.worst, "");
 }
@@ -125,7 +125,7 @@ TEST(CoreWatch, SeesNothingWhereBallsOnlyBounce) {
     for (int i = 0; i < 20; ++i) {
         world.step(frame);
         impacts += world.statistics().impacts;
-        const CoresMet met = watch.look(world, double(frame));
+        const CoreEncounters met = watch.look(world, double(frame));
         EXPECT_EQ(met.overlapping + met.passed + met.deep, 0) << i << ": " << met.worst;
     }
     EXPECT_GT(impacts, 10u);

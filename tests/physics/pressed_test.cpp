@@ -68,7 +68,7 @@ double impulse_on(const World& world, BodyId body) {
 
 // A body falls a little and then lies or rolls. Returns the fraction of the pressing force that the ground carries,
 // averaged over 20 steps; negative if the body has fallen through.
-double share_borne(RandomStart& random, int kind, Ground ground, Pull pull) {
+double fraction_of_force_carried(RandomStart& random, int kind, Ground ground, Pull pull) {
     WorldDef def = without_sleep();
     def.gravity = Vec3(random.turned({0, -pull.acceleration, 0}));
     World world(def);
@@ -96,7 +96,7 @@ TEST(Pressed, TheGroundBearsWhatPresses) {
             for (const Ground ground : grounds)
                 for (std::uint32_t seed = 0; seed < 4; ++seed) {
                     RandomStart random(seed * 100 + std::uint32_t(kind));
-                    const double share = share_borne(random, kind, ground, pull);
+                    const double share = fraction_of_force_carried(random, kind, ground, pull);
                     EXPECT_GT(share, 0.0) << pull.acceleration << " " << pull.step << ", kind " << kind << ", ground "
                                           << int(ground) << ", " << seed;
                     unsteady += !(std::fabs(share - 1) < 0.02);

@@ -53,7 +53,7 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
         const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // less is not looked at
         if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
         DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
-        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false, 0, axis);
+        const double time = cairn::core_time_of_impact(swept(a, path_a), swept(b, path_b), false, 0, axis);
         ++(time <= 1 ? met : missed);
         for (int i = 0; i <= looks; ++i) {
             const double t = double(i) / looks;

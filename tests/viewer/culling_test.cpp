@@ -15,7 +15,7 @@ using namespace cairn;
 using namespace cairn::viewer;
 
 TEST(Culling, WhatIsInThePictureIsDrawn) {
-    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(400, 0.5f)), MeshLook::terrain);
+    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(400, 0.5f)), MeshVisual::terrain);
     ASSERT_GT(field.parts.size(), 30u);
     std::mt19937 random(3);
     std::uniform_real_distribution<float> place(-90.0f, 90.0f), height(1.0f, 40.0f), unit(-1.0f, 1.0f);
@@ -44,7 +44,7 @@ TEST(Culling, WhatIsInThePictureIsDrawn) {
 }
 
 TEST(Culling, MostOfALargeFieldIsLeftOutFromNearby) {
-    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshLook::terrain);
+    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshVisual::terrain);
     const OrbitCamera camera(CameraPose{{-480.0, 5.0, -480.0}, {-490.0, 2.0, -490.0}}); // looks at a corner
     const Instance instance;
     std::size_t drawn = 0;
@@ -57,7 +57,7 @@ TEST(Culling, MostOfALargeFieldIsLeftOutFromNearby) {
 }
 
 TEST(Culling, PartsCoverAMeshInOrder) {
-    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(150, 1.0f)), MeshLook::terrain);
+    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(150, 1.0f)), MeshVisual::terrain);
     std::size_t next = 0;
     for (const MeshPart& part : field.parts) {
         EXPECT_EQ(part.first, next);

@@ -34,7 +34,7 @@ struct Sheet {
         const float left = is_mirrored ? 1.0f : 0.0f;
         const std::vector<glm::vec2> places{{left, 1}, {1 - left, 1}, {1 - left, 0}, {left, 0}};
         const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
-        ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangles, places, colors), MeshLook::visual);
+        ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangles, places, colors), MeshVisual::visual);
         mesh.finish = finish;
         Visual visual{body, {}, std::make_shared<const ShapeMesh>(std::move(mesh)), color};
         FrameOptions options;

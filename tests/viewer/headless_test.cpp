@@ -147,7 +147,7 @@ TEST(HeadlessRenderer, TexturesCoverMeshesAsTheFileHasThem) {
     const std::vector<glm::vec2> coordinates{{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
     const auto shown = [&](float cutoff, ColorMode colors) {
-        ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangles, coordinates), MeshLook::visual);
+        ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangles, coordinates), MeshVisual::visual);
         TextureStyle style;
         style.is_smooth = false, style.alpha_cutoff = cutoff;
         mesh.texture = std::make_shared<const TexturePicture>(read_texture(test::shared(test::four_texels()), style));

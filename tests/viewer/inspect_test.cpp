@@ -145,7 +145,7 @@ TEST(Inspect, ASavedSceneHasTheMeshesOfItsFile) {
     const std::vector<Vec3> corners{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const std::vector<std::uint32_t> triangle{0, 1, 2};
     const auto mesh =
-        std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(corners, {}, triangle), MeshLook::visual));
+        std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(corners, {}, triangle), MeshVisual::visual));
     const auto load = [&](const std::string& path) {
         LoadedScene scene = test::load_boxes(path);
         scene.visuals.push_back({scene.world.bodies().back(), {}, mesh, {1, 0, 0}});

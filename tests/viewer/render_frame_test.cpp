@@ -68,12 +68,12 @@ TEST(RenderFrame, ShapesOfTheSameDataAreInstancesOfOneMesh) {
     const RenderFrame frame = make_frame(world, {}, CameraPose{}, {}, meshes);
     ASSERT_EQ(frame.meshes.size(), 3u);
     EXPECT_EQ(frame.meshes[0].instances.size(), 3u);
-    EXPECT_EQ(frame.meshes[0].mesh->look, MeshLook::facets);
+    EXPECT_EQ(frame.meshes[0].mesh->look, MeshVisual::facets);
     EXPECT_EQ(frame.meshes[0].instances[1].position, Vec3(Position(3.0, 4.0, 0.0) - frame.origin));
     EXPECT_EQ(frame.meshes[1].instances.size(), 2u);
-    EXPECT_EQ(frame.meshes[1].mesh->look, MeshLook::surface);
+    EXPECT_EQ(frame.meshes[1].mesh->look, MeshVisual::surface);
     EXPECT_EQ(frame.meshes[1].instances[0].color, surface_color());
-    EXPECT_EQ(frame.meshes[2].mesh->look, MeshLook::terrain);
+    EXPECT_EQ(frame.meshes[2].mesh->look, MeshVisual::terrain);
     EXPECT_EQ(frame.meshes[2].instances[0].color, terrain_color());
     EXPECT_EQ(frame.meshes[2].instances[0].pattern, 1.0f);
 
@@ -98,7 +98,8 @@ TEST(RenderFrame, SlopesAreNotTintedWhereColorsMeanSomething) {
 std::shared_ptr<const ShapeMesh> some_visual() {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::uint32_t> triangle{0, 1, 2};
-    return std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(points, {}, triangle), MeshLook::visual));
+    return std::make_shared<const ShapeMesh>(
+        make_shape_mesh(visual_triangles(points, {}, triangle), MeshVisual::visual));
 }
 
 // A body of the color of highlights is told from its neighbors, too.

@@ -231,7 +231,7 @@ TEST(ShapeMeshes, VisualsKeepTheirNormalsOrAreFlat) {
 
 TEST(ShapeMeshes, TheBallAroundAMeshHoldsItAll) {
     const cairn::Mesh cube = test::cube_surface();
-    const ShapeMesh mesh = make_shape_mesh(surface_triangles(cube.vertices(), cube.indices()), MeshLook::surface);
+    const ShapeMesh mesh = make_shape_mesh(surface_triangles(cube.vertices(), cube.indices()), MeshVisual::surface);
     EXPECT_LT(glm::length(mesh.center), 1e-6f);
     EXPECT_NEAR(mesh.radius, std::sqrt(3.0f), 1e-5f);
 }

@@ -42,7 +42,7 @@ TEST(SideRun, GoesOnAsItWasWhereTheOtherIsChanged) {
     seek(shot.stage, parting);
     shot.stage.apply(command::BranchOff{});
     ASSERT_TRUE(shot.stage.state().other);
-    EXPECT_EQ(shot.stage.state().other->parted_at, parting);
+    EXPECT_EQ(shot.stage.state().other->branched_at, parting);
     EXPECT_EQ(shot.stage.state().timeline.last, parting); // a new future begins
     EXPECT_EQ(shot.stage.state().other->difference.elsewhere, 0u);
     const BodyId ball = shot.stage.state().layout->bodies[3].id;

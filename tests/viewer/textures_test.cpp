@@ -149,7 +149,7 @@ TEST(Bending, InPicturesFollowsTheBodiesAndHidesTheirShapes) {
     }
     const std::vector<Vec3> corners{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const std::vector<std::uint32_t> triangle{0, 1, 2};
-    ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangle), MeshLook::visual);
+    ShapeMesh mesh = make_shape_mesh(visual_triangles(corners, {}, triangle), MeshVisual::visual);
     mesh.weights = {{{0, 0, 0, 0}, {1, 0, 0, 0}}, {{1, 0, 0, 0}, {1, 0, 0, 0}}, {{0, 1, 0, 0}, {0.5f, 0.5f, 0, 0}}};
     visual.mesh = std::make_shared<const ShapeMesh>(std::move(mesh));
     const CameraPose camera{{1e6, 10.0, 20.0}, {1e6, 10.0, 0.0}, 0.8f};

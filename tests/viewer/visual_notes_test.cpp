@@ -21,7 +21,7 @@ std::shared_ptr<const ShapeMesh> mesh_of_triangles(int triangles) {
         indices.push_back(std::uint32_t(i));
     }
     return std::make_shared<const ShapeMesh>(
-        make_shape_mesh(visual_triangles(vertices, {}, indices), MeshLook::visual));
+        make_shape_mesh(visual_triangles(vertices, {}, indices), MeshVisual::visual));
 }
 
 struct VisualNotes : testing::Test {
@@ -46,7 +46,7 @@ TEST_F(VisualNotes, ComeBackAsTheyWere) {
         EXPECT_EQ(back[i].local.position, visuals[i].local.position);
         EXPECT_EQ(back[i].local.rotation, visuals[i].local.rotation);
         EXPECT_EQ(back[i].color, visuals[i].color);
-        EXPECT_EQ(back[i].mesh->look, MeshLook::visual);
+        EXPECT_EQ(back[i].mesh->look, MeshVisual::visual);
         const TriangleMesh &before = visuals[i].mesh->triangles, &now = back[i].mesh->triangles;
         EXPECT_EQ(now.indices, before.indices);
         ASSERT_EQ(now.vertices.size(), before.vertices.size());

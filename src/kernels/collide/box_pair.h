@@ -56,7 +56,7 @@ template <bool flat>
 CAIRN_INLINE BoxPairx8 gather_boxes(const ShapePose* poses, const std::uint32_t* first, const std::uint32_t* second) {
     const ShapePosex8 a = gather_shapes(poses, first), b = gather_shapes(poses, second);
     const Mat3x8 ra = to_matrix(a.q), rb = to_matrix(b.q);
-    BoxPairx8 p = {flat ? offset_between(a, b) : offset_between_middles(a, b),
+    BoxPairx8 p = {flat ? offset_between(a, b) : nonzero_center_offset(a, b),
                    {ra.c0, ra.c1, ra.c2},
                    {rb.c0, rb.c1, rb.c2},
                    {a.size.x, a.size.y, a.size.z},

@@ -58,7 +58,7 @@ CAIRN_INLINE BoxFace4 best_box_face(const BoxFrame& box, const Point4& a, const 
 CAIRN_INLINE f64x4 code(TriangleView view) { return splat4(static_cast<double>(view)); }
 
 // Tests four triangles and writes the results to the batch; returns lower bounds of their distances.
-CAIRN_INLINE f64x4 see_four(const BoxFrame& box, TriangleBatch& batch, int first) {
+CAIRN_INLINE f64x4 classify_four(const BoxFrame& box, TriangleBatch& batch, int first) {
     const Point4 a = corner_of(box, batch, 0, first), b = corner_of(box, batch, 1, first),
                  c = corner_of(box, batch, 2, first);
     const Point4 up = cross(b - a, c - a);
@@ -100,9 +100,9 @@ CAIRN_INLINE f64x4 see_four(const BoxFrame& box, TriangleBatch& batch, int first
 
 } // namespace
 
-void see_triangles(const BoxFrame& box, TriangleBatch& batch) {
+void classify_triangles(const BoxFrame& box, TriangleBatch& batch) {
     f64x4 least = splat4(1e30);
-    for (int first = 0; first < batch.count; first += 4) least = min(see_four(box, batch, first), least);
+    for (int first = 0; first < batch.count; first += 4) least = min(classify_four(box, batch, first), least);
     batch.distance = min(min(splat4(least[0]), splat4(least[1])), min(splat4(least[2]), splat4(least[3])))[0];
 }
 

@@ -5,7 +5,7 @@
 
 namespace cairn::CAIRN_ISA {
 
-void see_triangles(const BoxFrame& box, TriangleBatch& batch);
+void classify_triangles(const BoxFrame& box, TriangleBatch& batch);
 void touch_on_box(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
 void touch_on_triangle(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
 

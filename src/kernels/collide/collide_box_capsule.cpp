@@ -33,7 +33,7 @@ struct AxisAtBoxx8 {
 
 CAIRN_INLINE AxisAtBoxx8 axis_at_box(const ShapePosex8& box, const ShapePosex8& capsule) {
     const Capsulex8 shape = capsule_of(capsule);
-    const Vec3x8 c = rotate_back(box.q, offset_between_middles(box, capsule)), u = rotate_back(box.q, shape.axis);
+    const Vec3x8 c = rotate_back(box.q, nonzero_center_offset(box, capsule)), u = rotate_back(box.q, shape.axis);
     AxisAtBoxx8 p = {{box.size.x, box.size.y, box.size.z},
                      {c.x, c.y, c.z},
                      {u.x, u.y, u.z},

@@ -83,7 +83,7 @@ void sphere_capsule(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
         const Capsulex8 c = capsule_of(b);
-        const Vec3x8 offset = offset_between_middles(a, b);
+        const Vec3x8 offset = nonzero_center_offset(a, b);
         const Vec3x8 between = offset + clamp(-dot(offset, c.axis), -c.half, c.half) * c.axis;
         const f32x8 least = square(splat(crossing) * (a.radius + c.length()));
         f32x8 distance;
@@ -97,7 +97,7 @@ void sphere_capsule(CAIRN_COLLIDE_PARAMETERS) {
 void capsule_capsule(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
-        const AxisPairx8 p = pair_axes(capsule_of(a), capsule_of(b), offset_between_middles(a, b));
+        const AxisPairx8 p = pair_axes(capsule_of(a), capsule_of(b), nonzero_center_offset(a, b));
         const f32x8 limit = load_unaligned(margin + k);
         f32x8 s, t, distance;
         nearest_places(p, s, t);

@@ -41,7 +41,7 @@ CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8& a, const ShapePosex8& b) {
 // Squared length in m^2 below which a direction counts as undefined: two centers, or a center and a surface, coincide.
 constexpr float no_direction = 1e-30f;
 
-inline void part_middles(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& offset) {
+inline void separate_coincident_centers(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& offset) {
     const int lanes = bits(dot(offset, offset) <= splat(no_direction));
     alignas(32) float x[8], y[8], z[8], number_a[8], number_b[8], size[8];
     store(x, offset.x), store(y, offset.y), store(z, offset.z);
@@ -49,16 +49,16 @@ inline void part_middles(const ShapePosex8& a, const ShapePosex8& b, Vec3x8& off
     for (int i = 0; i < 8; ++i) {
         if ((lanes >> i & 1) == 0) continue;
         float apart[3];
-        offset_in_one_place(number_a[i], number_b[i], size[i], apart);
+        coincident_center_offset(number_a[i], number_b[i], size[i], apart);
         x[i] = apart[0], y[i] = apart[1], z[i] = apart[2];
     }
     offset = {load(x), load(y), load(z)};
 }
 
 // The offset between centers, never zero, for shapes that can be pushed out in any direction.
-CAIRN_INLINE Vec3x8 offset_between_middles(const ShapePosex8& a, const ShapePosex8& b) {
+CAIRN_INLINE Vec3x8 nonzero_center_offset(const ShapePosex8& a, const ShapePosex8& b) {
     Vec3x8 offset = offset_between(a, b);
-    if (any(dot(offset, offset) <= splat(no_direction))) part_middles(a, b, offset);
+    if (any(dot(offset, offset) <= splat(no_direction))) separate_coincident_centers(a, b, offset);
     return offset;
 }
 

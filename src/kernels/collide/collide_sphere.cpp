@@ -8,7 +8,7 @@ void sphere_sphere(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
         f32x8 distance;
-        const Vec3x8 normal = direction(offset_between_middles(a, b), splat(no_direction), up(), distance);
+        const Vec3x8 normal = direction(nonzero_center_offset(a, b), splat(no_direction), up(), distance);
         const f32x8 separation = distance - (a.radius + b.radius);
         write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation,
                                separation);
@@ -20,7 +20,7 @@ void sphere_sphere(CAIRN_COLLIDE_PARAMETERS) {
 void sphere_box(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
-        const Vec3x8 h = b.size, p = rotate_back(b.q, -offset_between_middles(a, b));
+        const Vec3x8 h = b.size, p = rotate_back(b.q, -nonzero_center_offset(a, b));
         const Vec3x8 closest = {clamp(p.x, -h.x, h.x), clamp(p.y, -h.y, h.y), clamp(p.z, -h.z, h.z)};
         const Vec3x8 outward = p - closest;
         const mask8 outside = dot(outward, outward) > splat(no_direction);

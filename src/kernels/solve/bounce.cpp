@@ -86,7 +86,8 @@ template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Ve
 
 // The contact at the start of the substep.
 template <int N>
-CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a, const Velocityx8& b) {
+CAIRN_INLINE Meeting<N> impact_state_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a,
+                                         const Velocityx8& b) {
     Meeting<N> m;
     m.normal = load3(block.normal);
     m.d = d;
@@ -141,8 +142,8 @@ template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block
 }
 
 template <int N>
-CAIRN_INLINE Meeting<N> meeting_later(const ContactBlock<N>& block, const Meeting<N>& now, const Velocityx8& a,
-                                      const Velocityx8& b, const Surroundings& around, float h) {
+CAIRN_INLINE Meeting<N> impact_state_later(const ContactBlock<N>& block, const Meeting<N>& now, const Velocityx8& a,
+                                           const Velocityx8& b, const Surroundings& around, float h) {
     Meeting<N> m = now;
     const Vec3x8 passed = splat(h) * (around.other_a.v - around.other_b.v) - (splat(h) * now.correction) * (a.v - b.v);
     m.d = now.d + passed;
@@ -256,7 +257,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     if (!block.bounces) return false;
     const TwoTwists free = free_velocities(bodies, block.a, block.b),
                     carried = carried_over(bodies, block.a, block.b, free);
-    Meeting<N> now = meeting_now(block, load3(block.d), free.a, free.b);
+    Meeting<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
     mask8 arrives[N];
     mask8 may_bounce = arriving(block, now, carried, settings, arrives);
     if (!any(may_bounce)) return false;
@@ -268,7 +269,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     }
     // d in the block is limited, because carried-over impulses act there (refresh_arm); a bounce acts at the actual d.
     // A lane must arrive with both: else the result would depend on whether another lane of its block does.
-    now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), free.a, free.b);
+    now = impact_state_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), free.a, free.b);
     if (!any(may_bounce & arriving(block, now, carried, settings, arrives))) return false;
     for (int i = 0; i < N; ++i) arrives[i] = arrives[i] & may_bounce;
     const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
@@ -282,7 +283,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     }
     // The bodies meet within the substep: the correction takes back none to all of the change of velocity.
     now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
-    Meeting<N> m = meeting_later(block, now, free.a, free.b, around, settings.h);
+    Meeting<N> m = impact_state_later(block, now, free.a, free.b, around, settings.h);
     mask8 bounces = zero() > one();
     for (int i = 0; i < N; ++i) {
         arrives[i] = arrives[i] & (m.v[i] < splat(-settings.threshold));
@@ -337,7 +338,7 @@ BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies,
 }
 
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
+void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed, int count, const SolverBodies& bodies,
                   const BounceSettings& settings) {
     auto* all = static_cast<const ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
@@ -346,7 +347,7 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
         const f32x8 restitution = load(block.restitution);
         const TwoTwists free = free_velocities(bodies, block.a, block.b),
                         carried = carried_over(bodies, block.a, block.b, free);
-        const Meeting<N> now = meeting_now(block, load3(block.d), free.a, free.b);
+        const Meeting<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
         const Velocityx8 other_a = gather_twist(bodies.velocity_correction, block.a),
                          other_b = gather_twist(bodies.velocity_correction, block.b);
         mask8 arrives[N];
@@ -373,8 +374,10 @@ void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, i
     }
 }
 
-template void aim_contacts<1>(const void*, void*, const AimedSpeeds&, int, const SolverBodies&, const BounceSettings&);
-template void aim_contacts<4>(const void*, void*, const AimedSpeeds&, int, const SolverBodies&, const BounceSettings&);
+template void aim_contacts<1>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
+                              const BounceSettings&);
+template void aim_contacts<4>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
+                              const BounceSettings&);
 template BounceCount bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
 template BounceCount bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
 

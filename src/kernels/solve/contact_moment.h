@@ -37,7 +37,7 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
-inline constexpr float unseen = 1e-6f; // m: smaller motions are neglected
+inline constexpr float negligible_motion = 1e-6f; // m: smaller motions are neglected
 
 // Whether the rotation of a body moves its contact point by less than a quarter of its arm's length (0.25 rad) up to a
 // time. For a round surface the motion is that of the center of curvature, which has another arm than the point: the
@@ -88,11 +88,12 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const f32x8 square = until * until;
     mask8 touches = mask_from_bits(0);
     for (int i = 0; i < N; ++i)
-        touches = touches | (load(block.impulse[i]) > zero()) | (load(block.separation0[i]) <= splat(unseen));
+        touches =
+            touches | (load(block.impulse[i]) > zero()) | (load(block.separation0[i]) <= splat(negligible_motion));
     const mask8 moves = (is_edge | face_a | face_b) & touches &
                         (any_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
                         (any_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
-                        (square * square * most > splat(unseen * unseen));
+                        (square * square * most > splat(negligible_motion * negligible_motion));
     block.turns = std::uint8_t(bits(moves));
     if (!block.turns) return;
     const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled +

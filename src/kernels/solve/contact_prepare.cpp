@@ -109,7 +109,7 @@ template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& b
 // that it corrects, which happens soon if B is a thin rod. The inverse inertia counts with the mean of its eigenvalues
 // weighted by themselves: their value if they are equal, otherwise about that of the axis with the least moment of
 // inertia.
-CAIRN_INLINE f32x8 passing_square(const Inertiax8& a, const Inertiax8& b, Vec3x8 center_b) {
+CAIRN_INLINE f32x8 max_offset_change_square(const Inertiax8& a, const Inertiax8& b, Vec3x8 center_b) {
     const Sym3x8& i = b.inverse_inertia;
     const f32x8 sum = (i.xx + i.yy) + i.zz, aside = (i.xy * i.xy + i.xz * i.xz) + i.yz * i.yz,
                 squares = ((i.xx * i.xx + i.yy * i.yy) + i.zz * i.zz) + (aside + aside);
@@ -142,7 +142,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     store3(block.rolling_impulse, zero3());
 
     const Vec3x8 center_b = center + d;
-    store(block.passing_square, passing_square(a, b, center_b));
+    store(block.max_offset_change_square, max_offset_change_square(a, b, center_b));
     store_couplings(block, friction_couplings(normal, center, center_b, t1, t2, a, b));
 }
 
@@ -207,7 +207,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         block.rounds_moved = 0;
 
     Before start = {zero3(), zero3(), zero()};
-    const bool is_of_later = any(found > zero());
+    const bool found_later = any(found > zero());
     Velocityx8 at_a, at_b;
     const mask8 face_a = radius_a == splat(on_face), face_b = radius_b == splat(on_face);
     const bool any_face = any(face_a | face_b);
@@ -218,8 +218,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         if (any_face) gather_field(record, point_offset(1), rim_axis.x, rim_axis.y, rim_axis.z, rim_radius);
     }
     const bool may_turn = N == 1 || any_face;
-    if (may_turn || is_of_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
-    if (is_of_later) {
+    if (may_turn || found_later) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
+    if (found_later) {
         start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
     }
     const Vec3x8 d0 = d - start.passed;

@@ -11,8 +11,9 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// The smallest change of d that is followed, as a fraction of the greatest (the square root of passing_square).
-constexpr float min_passing = 2.5e-6f;
+// The smallest change of d that is followed, as a fraction of the greatest (the square root of
+// max_offset_change_square).
+constexpr float min_offset_change = 2.5e-6f;
 
 // Updates d to the current poses, so that impulses act on both bodies at one point of the world and angular momentum is
 // conserved while the bodies pass each other. The impulses that are carried into the next substep acted with the old d;
@@ -21,9 +22,9 @@ constexpr float min_passing = 2.5e-6f;
 template <int N, class Among>
 CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
     const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
-    const f32x8 limit = load(block.passing_square);
+    const f32x8 limit = load(block.max_offset_change_square);
     Vec3x8 d = load3(block.d0) + passed, change = d - old;
-    mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * limit);
+    mask8 moves = among(dot(change, change) > splat(min_offset_change * min_offset_change) * limit);
     if (has_rounds(block)) moves = and_not(moves, mask_from_bits(block.rounds));
     if (!any(moves)) return;
     // The couplings K are those of d_touch: d is followed only as far from it as they still hold.
@@ -139,7 +140,7 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
 }
 
 // Applies the moment on A and the impulse on both that carried impulses lack as points moved and normals rotated.
-CAIRN_INLINE void push_on(const ContactBlock<1>& block, Velocityx8& a, Velocityx8& b) {
+CAIRN_INLINE void apply_missing_impulses(const ContactBlock<1>& block, Velocityx8& a, Velocityx8& b) {
     const mask8 rounds = mask_from_bits(block.rounds_moved), places = mask_from_bits(block.rims_a | block.rims_b);
     if (has_rims(block) || block.rounds_moved)
         a.w = a.w - select(places | rounds, turned_a(block, load3(block.rim_moment)), zero3());
@@ -214,8 +215,8 @@ CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftnes
 // start in `solve`, of its end in `relax`. `late`: s, from the middle to the moment of d. Without this, a plank that
 // slides over spinning rollers is rotated by them.
 template <int N>
-CAIRN_INLINE void add_motion_of_places(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
-                                       const Velocityx8& a, const Velocityx8& b, float late, f32x8* v) {
+CAIRN_INLINE void add_contact_point_motion(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
+                                           const Velocityx8& a, const Velocityx8& b, float late, f32x8* v) {
     if (!block.turns && !has_rims(block)) return;
     const mask8 moves = mask_from_bits(block.turns | block.rims_a | block.rims_b);
     const f32x8 of_arm = select(moves, splat(late) * dot(normal, cross(b.w, b.v - a.v)), zero());
@@ -232,7 +233,7 @@ CAIRN_INLINE void opening_velocities(const ContactBlock<N>& block, const Contact
                                      f32x8* v) {
     if (!is_all_round(block)) {
         normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-        add_motion_of_places<N>(block, softness, normal, rows.a, rows.b, late, v);
+        add_contact_point_motion<N>(block, softness, normal, rows.a, rows.b, late, v);
     }
     if constexpr (N == 1)
         if (has_rounds(block)) {
@@ -248,7 +249,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     rows.b = gather_velocity(velocity, block.b);
     if (block.moved) rows.b.w = rows.b.w + turned_b(block, load3(block.moved_moment));
     if constexpr (N == 1)
-        if (block.moved) push_on(block, rows.a, rows.b);
+        if (block.moved) apply_missing_impulses(block, rows.a, rows.b);
     const mask8 immovable = load(block.mass_b) == zero();
     const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
     const f32x8 push_rate = select(immovable, splat(fixed.push_rate), splat(other.push_rate));
@@ -271,7 +272,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
 // Whether any contact is hit faster than `impact_speed`: those lanes keep their old impulses. As this is rare, it is
 // first tested whether the sum of the impulses changes a body's velocity by more than that.
 template <int N>
-CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
+CAIRN_INLINE int defer_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
                                const ContactSoftness& softness) {
     const f32x8 speed = splat(softness.impact_speed);
     const mask8 jolts = max(load(block.mass_a), load(block.mass_b)) * sum > speed;
@@ -311,7 +312,7 @@ CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, con
         torque = torque + d * arm_of(block, normal, i);
     }
     int struck = 0;
-    if constexpr (Watched) struck = leave_impacts<N>(block, normal, sum, torque, rows, softness);
+    if constexpr (Watched) struck = defer_impacts<N>(block, normal, sum, torque, rows, softness);
     if (struck)
         for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
@@ -415,7 +416,7 @@ CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const 
         torque = torque + d * arm_of(block, normal, i);
         add_point(block, normal, i, impulse, sums);
     }
-    if (Watched && leave_impacts<N>(block, normal, sum, torque, rows, softness)) {
+    if (Watched && defer_impacts<N>(block, normal, sum, torque, rows, softness)) {
         ++struck;
         sums = {zero(), zero(), zero3()};
         for (int i = 0; i < N; ++i) {
@@ -484,8 +485,8 @@ template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, 
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>, warm_start<N>,   solve<N>,           relax<N>,        renew_masses<N>,
-            strike_contacts<N>,  aim_contacts<N>, bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
+    return {prepare_contacts<N>,      warm_start<N>,   solve<N>,           relax<N>,        renew_masses<N>,
+            solve_impact_contacts<N>, aim_contacts<N>, bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
 }
 
 } // namespace

@@ -85,8 +85,8 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
 } // namespace
 
 template <int N>
-void strike_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
-                     float inverse_h) {
+void solve_impact_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                           float inverse_h) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k)
@@ -113,7 +113,7 @@ float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int
     return greatest;
 }
 
-template void strike_contacts<1>(void*, void*, const float*, int, SolverVelocity*, float);
-template void strike_contacts<4>(void*, void*, const float*, int, SolverVelocity*, float);
+template void solve_impact_contacts<1>(void*, void*, const float*, int, SolverVelocity*, float);
+template void solve_impact_contacts<4>(void*, void*, const float*, int, SolverVelocity*, float);
 
 } // namespace cairn::CAIRN_ISA

@@ -94,13 +94,13 @@ CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends
 // The lanes of a block to be solved: all of them, or some. Velocities are written to the rows at the offsets to_a and
 // to_b.
 struct AllLanes {
-    static constexpr bool come_first = true;
+    static constexpr bool is_solved_first = true;
     const std::uint32_t *to_a, *to_b;
 };
 struct SomeLanes {
     mask8 mask;
-    bool come_first; // whether these lanes are the first of the block to be solved: then quantities of the poses are
-                     // computed for all of its lanes
+    bool is_solved_first; // whether these lanes are the first of the block to be solved: then quantities of the poses
+                          // are computed for all of its lanes
     const std::uint32_t *to_a, *to_b;
 };
 CAIRN_INLINE f32x8 among(AllLanes, f32x8 value, f32x8) { return value; }

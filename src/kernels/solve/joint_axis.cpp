@@ -383,7 +383,7 @@ template <bool Turns> void begin_block(AxisBlock& b, const SolverBodies& bodies,
 template <bool Turns, class Lanes>
 CAIRN_INLINE void warm_start_block(AxisBlock& b, Lanes lanes, const SolverBodies& bodies,
                                    const JointSoftness& softness) {
-    if (lanes.come_first) begin_block<Turns>(b, bodies, softness);
+    if (lanes.is_solved_first) begin_block<Turns>(b, bodies, softness);
     const f32x8 p = among(lanes, net_impulse(b), zero());
     if (all(p == zero())) return; // the usual case of limits
     Ends8 e = gather_moved<Turns>(bodies.velocity, b);
@@ -424,7 +424,7 @@ template <bool Turns> void follow_poses(AxisBlock& b, const SolverBodies& bodies
 
 template <bool Turns, class Lanes>
 CAIRN_INLINE void relax_block(AxisBlock& b, Lanes lanes, const SolverBodies& bodies, const JointSoftness& softness) {
-    if (lanes.come_first) follow_poses<Turns>(b, bodies);
+    if (lanes.is_solved_first) follow_poses<Turns>(b, bodies);
     const Jacobianx8 j = load_jacobian(b);
     Ends8 e = gather_moved<Turns>(bodies.velocity, b);
     const f32x8 d = act<false>(b, lanes, velocity_of<Turns>(j, e), load(b.before), softness), total = load(b.total);

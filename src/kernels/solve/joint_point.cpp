@@ -121,7 +121,7 @@ template <bool FreeAxis, bool Isotropic, bool Turns> void begin_block(PointBlock
 
 template <bool FreeAxis, bool Isotropic, bool Turns, class Lanes>
 CAIRN_INLINE void warm_start_block(PointBlock& b, Lanes lanes, const SolverBodies& bodies) {
-    if (lanes.come_first) begin_block<FreeAxis, Isotropic, Turns>(b);
+    if (lanes.is_solved_first) begin_block<FreeAxis, Isotropic, Turns>(b);
     Ends8 e = gather_ends(bodies.velocity, b);
     apply<Isotropic, Turns>(b, load3(b.arm_a), load3(b.arm_b), among(lanes, load3(b.impulse), zero3()), e);
     scatter_ends(bodies.velocity, lanes, e);
@@ -129,7 +129,7 @@ CAIRN_INLINE void warm_start_block(PointBlock& b, Lanes lanes, const SolverBodie
 
 void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
-        if (lanes.come_first) first_masses(b, bodies.inertia);
+        if (lanes.is_solved_first) first_masses(b, bodies.inertia);
         for_form(b, [&](auto free_axis, auto isotropic, auto turns) {
             warm_start_block<free_axis, isotropic, turns>(b, lanes, bodies);
         });
@@ -226,7 +226,7 @@ template <bool FreeAxis, bool Isotropic, bool Turns> void follow_poses(PointBloc
 void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<PointBlock>(run, [&](PointBlock& b, auto lanes) {
         for_form(b, [&](auto free_axis, auto isotropic, auto turns) {
-            if (lanes.come_first) follow_poses<free_axis, isotropic, turns>(b, bodies);
+            if (lanes.is_solved_first) follow_poses<free_axis, isotropic, turns>(b, bodies);
             stop_slip<isotropic, turns>(b, lanes, bodies);
         });
     });

@@ -39,7 +39,7 @@ template <bool FreeAxis> void begin_block(TurnBlock& b, const SolverBodies& bodi
 
 void warm_start(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<TurnBlock>(run, [&](TurnBlock& b, auto lanes) {
-        if (lanes.come_first) b.free_axis ? begin_block<true>(b, bodies) : begin_block<false>(b, bodies);
+        if (lanes.is_solved_first) b.free_axis ? begin_block<true>(b, bodies) : begin_block<false>(b, bodies);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, among(lanes, load3(b.impulse), zero3()), e);
         scatter_ends(bodies.velocity, lanes, e);
@@ -91,7 +91,7 @@ template <bool FreeAxis> void follow_poses(TurnBlock& b, const SolverBodies& bod
 
 void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness&) {
     for_lanes<TurnBlock>(run, [&](TurnBlock& b, auto lanes) {
-        if (lanes.come_first) b.free_axis ? follow_poses<true>(b, bodies) : follow_poses<false>(b, bodies);
+        if (lanes.is_solved_first) b.free_axis ? follow_poses<true>(b, bodies) : follow_poses<false>(b, bodies);
         stop_turn(b, lanes, bodies);
     });
 }

@@ -51,7 +51,7 @@ template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, con
     constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     for (int i = 0; i < 8; ++i) {
         const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
-        for (std::size_t at = 0; at < used; at += 64) ask_cache(record + at);
+        for (std::size_t at = 0; at < used; at += 64) prefetch(record + at);
     }
 }
 

@@ -75,8 +75,8 @@ template <int N> CAIRN_INLINE Vec3x8 slip_of_rims(const ContactBlock<N>& block, 
 
 // Begins to follow the contact points of `lanes` at the start of a step. `center`, and `axis` and `radius` of the rim,
 // are from the record: of the time `found`. `separation`: that at the start of the step for a point fixed in its body;
-// corrected here. Rims are always followed; corners and spheres only if the effect exceeds `unseen` by the time
-// `until`. Returns the friction center of the first substep.
+// corrected here. Rims are always followed; corners and spheres only if the effect exceeds `negligible_motion` by the
+// time `until`. Returns the friction center of the first substep.
 CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Vec3x8 axis, f32x8 radius, Vec3x8 normal,
                                Vec3x8 center, Vec3x8 d, f32x8 until, const Velocityx8& a, const Velocityx8& b, float h,
                                f32x8& separation) {
@@ -88,7 +88,8 @@ CAIRN_INLINE Vec3x8 begin_rims(ContactBlock<1>& block, const RimLanes& lanes, Ve
     const RimCenter first = rim_center(lanes, a, b, axis0, middle0, radius, sphere, d0, h);
     const Vec3x8 slip = cross(a.w - b.w, splat(2 / h) * first.lead);
     const f32x8 square = until * until;
-    const mask8 is_seen = (radius > zero()) | (square * square * dot(slip, slip) > splat(unseen * unseen));
+    const mask8 is_seen =
+        (radius > zero()) | (square * square * dot(slip, slip) > splat(negligible_motion * negligible_motion));
     block.rims_b = std::uint8_t(bits(lanes.any & is_seen & lanes.on_b));
     block.rims_a = std::uint8_t(bits(and_not(lanes.any & is_seen, lanes.on_b)));
     if (!has_rims(block)) return center;

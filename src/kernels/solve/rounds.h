@@ -193,10 +193,10 @@ CAIRN_INLINE Vec3x8 tangent_near(Vec3x8 t1, Vec3x8 t2, Vec3x8 normal) {
 // are carried over acted with the old ones; the impulse and the moments that they lack since are applied by the next
 // `solve`. Friction needs the slip in the middle of the substep: rim_lead leads halfway back to the old contact point.
 CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) {
-    constexpr float unseen_share = 1e-6f; // of the distance of the centers: smaller displacements are neglected
+    constexpr float negligible_fraction = 1e-6f; // of the distance of the centers: smaller displacements are neglected
     const Vec3x8 normal = load3(block.normal), center = load3(block.center), d = load3(block.d);
     const Vec3x8 run = now.arm - center, passed = now.d - d;
-    const f32x8 least = splat(unseen_share) * now.distance;
+    const f32x8 least = splat(negligible_fraction) * now.distance;
     const mask8 moves = mask_from_bits(block.rounds) & (dot(run, run) + dot(passed, passed) > least * least);
     block.rounds_moved = 0;
     const Vec3x8 lead = select(moves, splat(-0.5f) * run, zero3());

@@ -18,12 +18,12 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
 template <int N>
 BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
+void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed, int count, const SolverBodies& bodies,
                   const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
 template <int N>
-void strike_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
-                     float inverse_h);
+void solve_impact_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                           float inverse_h);
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
                    SettledChange settled);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);

@@ -148,13 +148,13 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
                                     // round surfaces: the current axis
     float found[8];                 // s from the start of the step: the moment at which the contact was found
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations; else 0
-    float passing_square[8];        // m^2: square of the greatest distance of d from d_touch
-    float turning[3][8];            // m/s^2: see slip_of_turning, for lanes of `turns`; for lanes of rounds_moved, N s:
-                                    // the impulse on B that the impulses carried over lack
-    float sliding[8];               // m/s^2: for lanes of `turns`; the points separate by this times the squared time,
-                                    // as they slide over a face that rotates
-    float tangent[3][8];            // the first tangent; the second is this x normal
-    float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
+    float max_offset_change_square[8]; // m^2: square of the greatest distance of d from d_touch
+    float turning[3][8];      // m/s^2: see slip_of_turning, for lanes of `turns`; for lanes of rounds_moved, N s:
+                              // the impulse on B that the impulses carried over lack
+    float sliding[8];         // m/s^2: for lanes of `turns`; the points separate by this times the squared time,
+                              // as they slide over a face that rotates
+    float tangent[3][8];      // the first tangent; the second is this x normal
+    float tangent_mass[3][8]; // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
     float friction[8], static_friction[8], torsion_radius[8];
     float tangent_impulse[2][8], torsion_impulse[8], total_tangent[2][8];
@@ -224,7 +224,7 @@ struct BounceCount {
 // Rebounds of the contacts that bounce in an impact, 8 values per point of a block. does_not_arrive marks points that
 // do not reach the surface within the substep, or too slowly to bounce.
 inline constexpr float does_not_arrive = -1e30f;
-struct AimedSpeeds {
+struct ReboundTargets {
     float* leave; // m/s: opening speed after the impact, with what is carried over; or does_not_arrive
     float* meets; // time of impact, in units of the substep
 };
@@ -275,8 +275,8 @@ struct SolverKernels {
                        float inverse_h);
         // Before the first pass: computes the rebound speeds of arriving contacts. Contacts with restitution that do
         // not arrive take no part: they may bounce next, as the balls of a cradle do one after the other.
-        void (*aim)(const void* blocks, void* impacts, const AimedSpeeds& aimed, int count, const SolverBodies& bodies,
-                    const BounceSettings& settings);
+        void (*aim)(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
+                    const SolverBodies& bodies, const BounceSettings& settings);
         BounceCount (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         // `free_correction`: velocity_correction as it was before the bounces.
         void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction,
