@@ -393,15 +393,15 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
         list_hits(scratch, row, work.one_sides_of, scratch.one_lanes, scratch.one_blocks, softness.h);
     }
     keep_real_hits(scratch, ranks, softness);
-    for (ImpactWork::Group& group : work.groups) group.goes_on = false;
+    for (ImpactWork::Group& group : work.groups) group.continues = false;
     for (const ImpactWork::Hit& hit : work.hits)
-        work.groups[std::size_t(place_of_body(scratch, hit.first))].goes_on = true;
+        work.groups[std::size_t(place_of_body(scratch, hit.first))].continues = true;
     work.struck.clear();
     for (const ImpactWork::Group& group : work.groups)
         for (std::size_t i = group.begin; i < group.end; ++i) {
             const std::int32_t row = work.rows[i], component = work.component[row];
             if (work.impact_round[component] != in_this_round) continue;
-            if (!group.goes_on)
+            if (!group.continues)
                 work.impact_round[component] = in_an_earlier_round;
             else if (row == component)
                 work.struck.push_back(component);

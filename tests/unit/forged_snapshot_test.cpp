@@ -145,7 +145,7 @@ TEST_F(ForgedSnapshot, OfSoundStructureWithNumbersThatLeadNowhereIsRefused) {
         [](State& s) { s.contacts.info[0].kind = PairKind(250); },
         [](State& s) { s.contacts.info[0].point_count = 200; },
         [](State& s) { s.contacts.info[0].color = 254; },
-        [](State& s) { s.contacts.answers[0].body_a = 1 << 20; },
+        [](State& s) { s.contacts.separation_budgets[0].body_a = 1 << 20; },
         [](State& s) { s.joints.info[0].body_a = 1 << 20; },
         [](State& s) { s.joints.info[0].next[0] = 0; },
         [](State& s) { s.joints.info[0].rules.axis_count = 255; },
