@@ -25,7 +25,7 @@ class SweepFit : public PlanFolder {
             "at": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4, 1.5], "deviation": 0.01}])json";
     }
 
-    // Measurements of that many throws with the given parameters, with a noise of 0.01 m.
+    // Measurements of that many throws with the given parameters, with a noise of 1 % on every measured value.
     std::string recorded(double mu, double e, int count, unsigned seed) const {
         std::mt19937 random(seed);
         const auto between = [&](double low, double high) {
