@@ -82,7 +82,7 @@ TEST(DebugLines, OfSurfacesAreTheirEdges) {
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
     const std::vector<std::uint32_t> indices{0, 2, 1, 0, 3, 2};
     world.add_shape(body, Mesh(corners, indices));
-    EXPECT_EQ(world.debug_lines().size(), 5u); // the diagonal once
+    EXPECT_EQ(world.debug_lines().size(), 5u); // the diagonal, which two triangles share, is drawn once
     world.add_shape(body, HeightField(3, 2, {1, 1}, std::vector<float>{0, 1, 2, 3, 4, 5}));
     EXPECT_EQ(world.debug_lines().size(), 5u + 4 + 3 + 2);
     world.add_shape(body, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(1, 2)});

@@ -68,8 +68,8 @@ const std::map<std::string, CCallCount>& c_call_counts() {
     return counts();
 }
 
-// Four bodies with a box each, one of which is a character, a joint and a force field, so that every call has something
-// to act on.
+// Adds four bodies with a box each (one of them a character), a joint and a force field, so that every call has
+// something to act on.
 static void furnish(CBytes& bytes, cairn_world* world) {
     const cairn_shape box = cairn_default_shape(CAIRN_SHAPE_BOX);
     for (int i = 0; i < 4; ++i) {

@@ -196,7 +196,7 @@ TEST(Mjcf, ThreeHingesThatBeginAtTheirEndsStayThere) {
 }
 
 TEST(Mjcf, GeomsMeetByTheirBits) {
-    // Two balls that overlap: they part if they meet.
+    // Two overlapping balls, which separate if they collide.
     struct Case {
         const char* first;
         const char* second;

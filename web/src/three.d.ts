@@ -12,7 +12,10 @@ export class WorldView {
     readonly world: World;
     /** The bodies that are drawn. */
     readonly ids: BodyId[];
-    /** Creates the meshes again: needed after bodies, shapes or fluids were added, removed or changed, or bodies enabled or disabled (disabled ones are not drawn). */
+    /**
+     * Creates the meshes again: needed after bodies, shapes or fluids were added, removed or changed, or bodies enabled or disabled
+     * (disabled ones are not drawn).
+     */
     rebuild(): void;
     /** Updates all poses. Throws CairnError (invalidValue) if bodies were added or removed since `rebuild`. */
     sync(): void;
