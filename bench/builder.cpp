@@ -26,7 +26,7 @@ SceneBody& Builder::body(Motion motion, Vec3 position, std::span<const Part> par
 }
 
 void Builder::room(float half_width, float height) {
-    constexpr float thickness = 2.0f; // half of it
+    constexpr float thickness = 2.0f; // half thickness
     const float outer = half_width + 2 * thickness, center = half_width + thickness, middle = height / 2;
     box(Motion::fixed, {0, -thickness, 0}, {outer, thickness, outer});
     const auto wall = [&](Vec3 position, Vec3 half_extents, Vec3 inner_face) {
@@ -44,7 +44,7 @@ void Builder::room(float half_width, float height) {
 }
 
 void Builder::drum(Vec3 center, float half_width, float half_depth, float speed) {
-    constexpr float thickness = 1.0f; // half of it
+    constexpr float thickness = 1.0f; // half thickness
     const float outer = half_width + 2 * thickness, depth = half_depth + 2 * thickness;
     std::vector<Part> walls;
     const auto wall = [&](Vec3 position, Vec3 half_extents, Vec3 inner_face) {

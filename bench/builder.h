@@ -1,4 +1,4 @@
-// What the scenes are built with.
+// Helpers that build the scenes.
 #pragma once
 
 #include "bench/scenes.h"
@@ -81,9 +81,9 @@ class Builder {
     }
     // A floor whose upper side is y = 0.
     void ground(float half_extent) { box(Motion::fixed, {0, -1, 0}, {half_extent, 1, half_extent}); }
-    // The same, with walls around -half_width..half_width.
+    // The same floor with walls at -half_width and half_width along x and z.
     void room(float half_width, float height);
-    // A wall of boxes, one fewer in each row; the boxes of a row just touch.
+    // A wall of boxes with one box fewer in each row; the boxes of a row just touch.
     void pyramid(int base, float x_center, float z) {
         constexpr float half = 0.5f, density = 100.0f;
         for (int row = 0; row < base; ++row)
@@ -92,7 +92,7 @@ class Builder {
                 box(Motion::dynamic, {x_center + x, (2 * row + 1) * half, z}, {half, half, half}, density);
             }
     }
-    // Bodies let fall from a jittered grid into a room. `add_body(random, position)` makes one.
+    // Bodies that fall from a jittered grid into a room. `add_body(random, position)` adds one body.
     template <class F> void pile(int count, int layers, float spacing, std::uint32_t seed, F&& add_body) {
         const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / layers)));
         const int rows = (count + across * across - 1) / (across * across);
@@ -107,7 +107,7 @@ class Builder {
             add_body(random, Vec3((x - middle) * spacing + dx, 1.5f + y * spacing + dy, (z - middle) * spacing + dz));
         }
     }
-    // A hollow kinematic box that turns about the z axis, 2 half_width wide inside and 2 half_depth deep.
+    // A hollow kinematic box that rotates about the z axis; its interior is 2 half_width wide and 2 half_depth deep.
     void drum(Vec3 center, float half_width, float half_depth, float speed);
 
   private:

@@ -4,7 +4,7 @@ namespace cairn::bench {
 
 namespace {
 
-// The shapes that parts share, made once.
+// Hulls and meshes that several parts share, created once.
 struct SharedShapes {
     explicit SharedShapes(const Scene& scene) {
         for (const ConvexHull& hull : scene.hulls) hulls.emplace_back(hull.points);
@@ -32,7 +32,7 @@ Shape shape_of(const Part& part, const SharedShapes& shared) {
     return Box{part.half_extents};
 }
 
-// The one face of a box that looks along `normal`, an axis of the box. `center` becomes the face's.
+// The face of a box whose normal is `normal`, an axis of the box. `center` is moved to the face.
 Plane face_of(const Part& box, Vec3& center) {
     int axis = 0;
     while (box.inner_face[axis] == 0.0f) ++axis;

@@ -1,4 +1,4 @@
-// Scenes as worlds of Cairn: of those that are measured, and of those that are saved.
+// Benchmark scenes as Cairn worlds: for measurements, and for saving.
 #pragma once
 
 #include "bench/scenes.h"
@@ -7,15 +7,15 @@
 
 namespace cairn::bench {
 
-// What a scene asks of a world; all else is Cairn's default, except that nothing falls asleep.
+// The settings that a scene requires; everything else is Cairn's default, except that bodies never sleep.
 WorldDef world_settings(const Scene& scene);
 
 enum class Walls {
-    boxes,      // as they are
-    rectangles, // of a part with Part::inner_face that face alone
+    boxes,      // boxes as in the scene
+    rectangles, // for a part with Part::inner_face only that face
 };
 
-// Adds the scene's bodies to a world, in their order, and its joints.
+// Adds the scene's bodies to a world in their order, and its joints.
 std::vector<BodyId> add_bodies(const Scene& scene, World& world, Walls walls);
 
 } // namespace cairn::bench

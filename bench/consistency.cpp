@@ -16,7 +16,7 @@ struct ConsistencyScene {
 };
 constexpr ConsistencyScene scenes[] = {{"pile_boxes", 27}, {"tower", 10}, {"chain", 5}};
 constexpr double shortest_step = 0.001 / 64, piece_time = 0.128, between_pieces = 0.256; // s
-constexpr int doublings = 11;                                                            // to 32 ms
+constexpr int doublings = 11;                                                            // up to 32 ms
 
 using States = std::vector<BodyState>;
 
@@ -26,7 +26,7 @@ double processor_seconds() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// The scene as it stands in the middle of a run.
+// The scene with its bodies in the given states.
 Scene scene_at(Scene scene, const States& states) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         SceneBody& body = scene.bodies[i];
@@ -41,7 +41,7 @@ Scene scene_at(Scene scene, const States& states) {
 
 struct Piece {
     States end;
-    double seconds = 0; // of processor time
+    double seconds = 0; // processor time
 };
 
 Piece run_piece(const EngineKind& kind, const Scene& scene, double time_step) {
@@ -56,7 +56,7 @@ Piece run_piece(const EngineKind& kind, const Scene& scene, double time_step) {
     return piece;
 }
 
-// States along the reference run, from its middle on: there bodies touch.
+// States of the second half of the reference run, in which bodies touch.
 std::vector<States> reference_states(const EngineKind& kind, const Scene& scene, int pieces) {
     const auto engine = kind.make();
     engine->build(scene, {});

@@ -10,7 +10,8 @@ namespace {
 
 constexpr float degree = 3.14159265f / 180;
 
-// size x size spheres, each joined to its neighbors; the first row is fixed. `step` leads from row to row.
+// A net of size x size spheres, each joined to its neighbors; the first row is fixed. `step` is the offset between
+// rows.
 void net(Builder& b, int size, Vec3 step) {
     b.scene.steps = 300;
     b.scene.collides = false;
@@ -44,7 +45,7 @@ Part upright_capsule(float radius, float half_height) {
 }
 
 // One ragdoll: 1.66 m tall, 76 kg; its chest has ten times the mass of a forearm. It stands along its own y axis and
-// looks along z, with its arms down.
+// faces along z, with its arms down.
 class Ragdoll {
   public:
     Ragdoll(Vec3 position, Quat rotation) : position_(position), rotation_(rotation) {}
@@ -76,17 +77,17 @@ class Ragdoll {
     }
 
   private:
-    // Joints have their x axis along these axes of the ragdoll.
+    // Rotations that map the x axis of a joint to these axes of the ragdoll.
     static Quat along_x() { return Quat(1.0f, 0.0f, 0.0f, 0.0f); }
     static Quat up() { return Quat(std::sqrt(0.5f), 0.0f, 0.0f, std::sqrt(0.5f)); }
     static Quat down() { return Quat(std::sqrt(0.5f), 0.0f, 0.0f, -std::sqrt(0.5f)); }
 
     struct Limb {
         std::size_t body;
-        Vec3 at; // of its center, in the ragdoll's frame
+        Vec3 at; // position of its center in the ragdoll's frame
     };
     Limb add(Builder& b, const Part& part, Vec3 at) const {
-        constexpr float middle = -0.07f; // of its height
+        constexpr float middle = -0.07f; // half its height, m
         b.body(Motion::dynamic, position_ + rotation_ * (at - Vec3(0, middle, 0)), part, 1000, rotation_);
         return {b.scene.bodies.size() - 1, at};
     }
@@ -106,7 +107,7 @@ class Ragdoll {
     Quat rotation_;
 };
 
-// Of a small rotation: a quaternion whose vector part is half of it, normalized.
+// A small rotation from a rotation vector: a quaternion whose vector part is half of it, normalized.
 Quat turned_by(Vec3 rotation) {
     const Vec3 v = 0.5f * rotation;
     const float scale = 1 / std::sqrt(1 + glm::dot(v, v));
@@ -115,12 +116,12 @@ Quat turned_by(Vec3 rotation) {
 
 } // namespace
 
-// Level at first, on hinges along z.
+// A chain of links, initially horizontal, on hinges along z.
 void chain(Builder& b, int size) {
     b.scene.steps = 300;
     b.scene.collides = false;
     b.scene.lower_bound.y = -1e9f;
-    constexpr float half = 0.25f; // of a link's length, m
+    constexpr float half = 0.25f; // half the length of a link, m
     const Quat to_x(std::sqrt(0.5f), 0.0f, 0.0f, -std::sqrt(0.5f)),
         x_to_z(std::sqrt(0.5f), 0.0f, -std::sqrt(0.5f), 0.0f);
     b.sphere(Motion::fixed, {0, 0, 0}, 0.1f);
@@ -142,11 +143,11 @@ void chain(Builder& b, int size) {
 void joint_grid(Builder& b, int size) { net(b, size, {0, -1, 0}); }
 void joint_swing(Builder& b, int size) { net(b, size, {0, 0, 1}); }
 
-// They lie on their backs or faces, in columns above a narrow room, and turned a little each way.
+// Ragdolls that lie on their backs or faces, in columns above a narrow room, with small random rotations.
 void ragdolls(Builder& b, int size) {
     b.scene.steps = 300;
     constexpr int layers = 28;
-    constexpr float width = 0.95f, length = 1.95f, height = 0.65f; // of the room that one has
+    constexpr float width = 0.95f, length = 1.95f, height = 0.65f; // space per ragdoll, m
     const int columns = (size + layers - 1) / layers;
     const int across = static_cast<int>(std::ceil(std::sqrt(0.5f * static_cast<float>(columns))));
     b.room(0.5f * static_cast<float>(across) * length + 0.25f, layers * height + 20);

@@ -1,4 +1,4 @@
-// Scenes of bodies that joints hold together.
+// Scenes of jointed bodies.
 #pragma once
 
 #include "bench/builder.h"

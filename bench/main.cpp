@@ -1,5 +1,6 @@
-// `cairn_bench`: times Cairn and its peers on the same scenes, and judges what came out; or writes the scenes to files.
-// A wrong call ends with one line on stderr and exit code 2, an error at run time with one line and exit code 1.
+// `cairn_bench`: measures the speed and quality of Cairn and other engines on the same scenes, or writes the scenes to
+// files. Invalid arguments end it with one line on stderr and exit code 2, an error at run time with one line and exit
+// code 1.
 #include "bench/consistency.h"
 #include "bench/measure.h"
 #include "bench/queries.h"
@@ -49,7 +50,7 @@ std::vector<std::string> missing_peers() {
 struct Options {
     cairn::bench::MeasureOptions measure;
     std::vector<std::string> engines;
-    std::optional<std::string> folder; // to save scenes in, instead of measuring them
+    std::optional<std::string> folder; // folder in which scenes are saved, instead of being measured
     bool json = false, list = false, consistency = false, rollback = false, queries = false;
 };
 
@@ -129,7 +130,7 @@ std::string consistency(const Options& options) {
     return options.json ? consistency_json(points) : consistency_tables(points);
 }
 
-// Exit code 1 if a world that has gone back does not end where one does that has not.
+// Returns exit code 1 if a world after a rollback differs from one without.
 int measure_rollbacks(const std::vector<int>& thread_counts) {
     std::size_t wrong = 0;
     for (const int threads : thread_counts) {
@@ -174,7 +175,7 @@ int run(Options& options) {
         fmt::print("{}", listing());
         return 0;
     }
-    // Sizes are checked before anything is measured.
+    // All sizes are checked before the first measurement.
     for (const std::string& scene : options.measure.scenes) cairn::bench::check_size(scene, options.measure.size);
     if (options.folder) {
         for (const std::string& name : options.measure.scenes)

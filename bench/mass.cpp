@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 
 Matrix diagonal(double x, double y, double z) { return Matrix(Vector(x, 0, 0), Vector(0, y, 0), Vector(0, 0, z)); }
 
-// What moving a point mass from the center to `arm` adds to the inertia (parallel axis theorem).
+// The inertia that is added when a point mass is moved from the center to `arm` (parallel axis theorem).
 Matrix steiner(double mass, const Vector& arm) {
     return mass * (glm::dot(arm, arm) * Matrix(1.0) - glm::outerProduct(arm, arm));
 }
@@ -38,7 +38,7 @@ MassProperties of_cylinder(double radius, double half_height, double density) {
     return {mass, Vector(0.0), diagonal(across, 0.5 * mass * radius * radius, across)};
 }
 
-// A cylinder and two half balls, whose own centers are 3/8 of the radius from their flat sides.
+// A capsule is a cylinder and two hemispheres, whose centers of mass are 3/8 of the radius from their flat sides.
 MassProperties of_capsule(double radius, double half_height, double density) {
     MassProperties sum = of_cylinder(radius, half_height, density);
     const MassProperties balls = of_ball(radius, density);
@@ -108,7 +108,7 @@ std::vector<std::array<std::uint32_t, 3>> hull_triangles(std::span<const Vec3> p
     for (std::uint32_t i = 0; i < count; ++i)
         for (std::uint32_t j = i + 1; j < count; ++j)
             for (std::uint32_t k = j + 1; k < count; ++k) add_if_face(i, j, k);
-    // Euler: a polyhedron of n corners and triangles only has 2 n - 4 of them.
+    // Euler's formula: a triangulated polyhedron with n vertices has 2 n - 4 triangles.
     if (count < 4 || triangles.size() != 2 * count - 4)
         throw std::invalid_argument("a point is no corner of the hull, or four points lie in a plane");
     return triangles;

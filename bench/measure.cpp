@@ -14,7 +14,7 @@ namespace {
 
 constexpr int sample_interval = 10; // steps between counts, which cost time and cache outside the measured step
 
-// Bytes that the program holds on the heap now.
+// Bytes that the program currently holds on the heap.
 std::optional<double> heap_bytes() {
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
     const struct mallinfo2 info = mallinfo2();
@@ -34,7 +34,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// One round of one engine.
+// Results of one round of one engine.
 struct Round {
     double build_ms = 0, cpu_ms = 0, mean_ms = 0, median_ms = 0, p99_ms = 0, greatest_ms = 0;
     double contacts = 0, points = 0;
@@ -120,7 +120,7 @@ double median(std::vector<double> values) {
     return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-// One engine on a number of threads.
+// One engine with a number of threads.
 struct Entry {
     EngineKind kind;
     EngineSettings settings;

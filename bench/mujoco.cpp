@@ -1,10 +1,11 @@
-// Cairn beside MuJoCo on MJCF models that both read, each on one thread: steps of a second of the processor, and how
-// far the bodies are from where the engine's own run with small steps has them (after Erez, Tassa and Todorov, ICRA
-// 2015; see consistency.cpp). web/bench/mujoco.mjs does the same with the WebAssembly of both.
+// Compares Cairn with MuJoCo on MJCF models that both read, each on one thread: steps per second of processor time, and
+// the distance of the bodies from the engine's own run with small steps (after Erez, Tassa and Todorov, ICRA 2015; see
+// consistency.cpp). web/bench/mujoco.mjs does the same with the WebAssembly builds of both.
 //
-// From states along the run with small steps, pieces of 128 ms are run at longer steps. The deviation is the mean
-// distance of the bodies from where the piece with small steps ends: of all pieces, and of the middle one, as there
-// are falls in which a box on its edge tips over to one side or the other. The time is that of the pieces.
+// From states along the run with small steps, pieces of 128 ms are simulated with longer steps. The deviation is the
+// mean distance of the bodies from their positions at the end of the piece with small steps: both the mean over all
+// pieces and the median, as in some falls a box on its edge tips over to one side or the other. The processor time is
+// that of the pieces.
 #include "scene/scene.h"
 
 #include <cairn/cairn.h>
@@ -31,14 +32,14 @@ constexpr int most_states = 1000;
 
 using Places = std::vector<glm::dvec3>;
 
-// One engine with one model. States are numbered from 0, in the order in which they were kept.
+// One engine with one model. Saved states are numbered from 0 in the order in which they were saved.
 class Engine {
   public:
     virtual ~Engine() = default;
     virtual void step(double seconds) = 0;
     virtual void keep() = 0;
     virtual void go_back(std::size_t state) = 0;
-    virtual Places places() = 0; // of what moves
+    virtual Places places() = 0; // positions of the moving bodies
 };
 
 class CairnEngine final : public Engine {
@@ -83,9 +84,9 @@ class MujocoEngine final : public Engine {
     }
     void go_back(std::size_t state) override { mj_copyData(data_.get(), model_.get(), states_[state].get()); }
     Places places() override {
-        mj_kinematics(model_.get(), data_.get()); // else they are those before the last step
+        mj_kinematics(model_.get(), data_.get()); // otherwise the positions are those before the last step
         Places all;
-        for (int body = 1; body < model_->nbody; ++body) { // the first is the world
+        for (int body = 1; body < model_->nbody; ++body) { // body 0 is the world
             const mjtNum* const p = data_->xpos + 3 * body;
             all.push_back({p[0], p[1], p[2]});
         }
@@ -105,8 +106,8 @@ struct Options {
 };
 
 struct Point {
-    double step = 0, rate = 0;           // s, steps a second
-    double deviation = 0, of_middle = 0; // m: the mean of the pieces, and the median
+    double step = 0, rate = 0;           // s; steps per second
+    double deviation = 0, of_middle = 0; // mean and median over the pieces, m
 };
 
 double processor_seconds() {
@@ -115,7 +116,7 @@ double processor_seconds() {
     return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// Runs the piece from a state; seconds of the processor.
+// Runs the piece from a saved state; returns the processor time, s.
 double run_piece(Engine& engine, std::size_t state, double step, Places& end) {
     engine.go_back(state);
     const double begin = processor_seconds();

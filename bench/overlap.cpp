@@ -15,7 +15,7 @@ namespace {
 using Vector = glm::dvec3;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double parallel = 1e-6; // sine of the angle below which two edges give no axis of their own
+constexpr double parallel = 1e-6; // sine of the angle below which the cross product of two edges is not used
 
 Polyhedron place_hull(const ConvexHull& hull, const Vector (&axes)[3]) {
     Polyhedron placed;
@@ -28,7 +28,7 @@ Polyhedron place_hull(const ConvexHull& hull, const Vector (&axes)[3]) {
                      &c = placed.corners[triangle[2]];
         placed.normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
         placed.offsets.push_back(glm::dot(placed.normals.back(), a));
-        for (int i = 0; i < 3; ++i) { // each edge once: its two triangles have it in opposite orders
+        for (int i = 0; i < 3; ++i) { // each edge once: its two triangles have it in opposite directions
             const std::uint32_t from = triangle[std::size_t(i)], to = triangle[std::size_t((i + 1) % 3)];
             if (from < to) placed.edges.push_back(placed.corners[to] - placed.corners[from]);
         }
@@ -36,7 +36,7 @@ Polyhedron place_hull(const ConvexHull& hull, const Vector (&axes)[3]) {
     return placed;
 }
 
-// How far a part reaches from its center along a unit vector.
+// Support function: the extent of a part from its center along a unit vector.
 double reach(const PlacedPart& part, const Vector& direction) {
     switch (part.shape) {
     case PartShape::sphere:
@@ -63,7 +63,8 @@ double reach(const PlacedPart& part, const Vector& direction) {
     return infinity;
 }
 
-// How far b must move along the unit vector so that a is behind it: an upper bound of the penetration.
+// The distance by which b must move along the unit vector to be separated from a: an upper bound of the penetration
+// depth.
 double overlap_along(const PlacedPart& a, const PlacedPart& b, const Vector& direction) {
     return reach(a, direction) + reach(b, -direction) - glm::dot(direction, b.center - a.center);
 }
@@ -85,8 +86,8 @@ struct Axis {
     double overlap;
 };
 
-// Both ways along the axis of a face or of two edges; the axis of the least overlap is kept. `found` takes all of them
-// if it is there.
+// Tests both directions along a face normal or a cross product of edges, and keeps the axis of least overlap. If
+// `found` is set, all axes are added to it.
 class AxisTest {
   public:
     AxisTest(const PlacedPart& a, const PlacedPart& b) : a_(a), b_(b) {}
@@ -118,8 +119,8 @@ class AxisTest {
     const PlacedPart &a_, &b_;
 };
 
-// The separating axis test over the normals of all faces and the cross products of all edges (Gottschalk, Lin, Manocha,
-// "OBBTree", 1996), of boxes and hulls.
+// The separating axis test over all face normals and all cross products of edges (Gottschalk, Lin, Manocha, "OBBTree",
+// 1996), for boxes and hulls.
 double polyhedra_penetration(const PlacedPart& a, const PlacedPart& b) {
     AxisTest test(a, b);
     test.try_faces();
@@ -127,11 +128,11 @@ double polyhedra_penetration(const PlacedPart& a, const PlacedPart& b) {
     return test.least;
 }
 
-// Walks on the unit sphere to less overlap, by ever shorter steps sixteen ways, until they are shorter than a
+// Descends on the unit sphere to a smaller overlap: tries sixteen directions with ever shorter steps, down to a
 // microradian.
 double descend(const PlacedPart& a, const PlacedPart& b, Axis axis) {
     constexpr double first_step = 0.1, last_step = 1e-6, sixteenth = 0.392699081698724;
-    double turn = 0; // so that no ridge lies between the same ways for long
+    double turn = 0; // rotates the sixteen directions, so that no ridge stays between them
     for (double step = first_step; step > last_step;) {
         const Vector any = std::abs(axis.direction.x) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0);
         const Vector u = glm::normalize(glm::cross(axis.direction, any)), v = glm::cross(axis.direction, u);
@@ -150,7 +151,7 @@ double descend(const PlacedPart& a, const PlacedPart& b, Axis axis) {
     return axis.overlap;
 }
 
-// Directions to the middles of the cells of a cube's surface.
+// Unit directions to the centers of the cells of a cube's surface.
 const std::vector<Vector>& all_around() {
     static const std::vector<Vector> directions = [] {
         constexpr int n = 3;
@@ -165,7 +166,8 @@ const std::vector<Vector>& all_around() {
     return directions;
 }
 
-// Round shapes: the axes that may be exact, then directions all around, and a descent from the best of them.
+// Pairs with round shapes: candidate axes that may be exact, then directions all around, and a descent from the best
+// ones.
 double round_penetration(const PlacedPart& a, const PlacedPart& b) {
     constexpr std::size_t starts = 5;
     std::vector<Axis> found;
@@ -174,7 +176,7 @@ double round_penetration(const PlacedPart& a, const PlacedPart& b) {
     const Vector offset = b.center - a.center;
     const double distance = glm::length(offset);
     if (distance > 0) test.try_both_ways(offset / distance);
-    for (const PlacedPart* part : {&a, &b}) { // from side to side
+    for (const PlacedPart* part : {&a, &b}) { // from side to side, across the axis
         const Vector across = offset - glm::dot(offset, part->axes[1]) * part->axes[1];
         if (glm::length(across) > parallel * distance) test.try_both_ways(glm::normalize(across));
     }
@@ -205,7 +207,7 @@ double sphere_box_penetration(const PlacedPart& sphere, const PlacedPart& box) {
     return sphere.radius - (glm::length(outside) + std::min(inside, 0.0));
 }
 
-// The distance of two segments (Ericson, "Real-Time Collision Detection", 2005, 5.1.9), both of some length.
+// The distance of two segments (Ericson, "Real-Time Collision Detection", 2005, 5.1.9), both of nonzero length.
 double segment_distance(const PlacedPart& a, const PlacedPart& b) {
     const Vector u = 2 * a.half_height * a.axes[1], v = 2 * b.half_height * b.axes[1];
     const Vector from = a.center - 0.5 * u, to = b.center - 0.5 * v, w = from - to;

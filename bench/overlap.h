@@ -1,4 +1,4 @@
-// How deep two parts of a scene overlap, found without anything of the engines that are measured.
+// The penetration depth of two parts of a scene, computed without any code of the measured engines.
 #pragma once
 
 #include "bench/engine.h"
@@ -9,14 +9,14 @@
 
 namespace cairn::bench {
 
-// The corners of a convex polyhedron from its center, the outward unit normals of its faces with their distances from
-// it, and the directions of its edges.
+// A convex polyhedron: its vertices relative to its center, the outward unit normals of its faces with their distances
+// from the center, and the directions of its edges.
 struct Polyhedron {
     std::vector<glm::dvec3> corners, normals, edges;
     std::vector<double> offsets;
 };
 
-// A part where its body has put it.
+// A part in the world, at the pose of its body.
 struct PlacedPart {
     PartShape shape = PartShape::box;
     Position center{0.0, 0.0, 0.0};
@@ -25,20 +25,19 @@ struct PlacedPart {
     double radius = 0, half_height = 0;     // sphere, capsule, cylinder, m
     double bounding_radius = 0;             // m
     Polyhedron polyhedron;                  // hull
-    const SurfaceMesh* mesh = nullptr;      // of the scene, which must live as long
+    const SurfaceMesh* mesh = nullptr;      // owned by the scene, which must outlive this
 };
 
 PlacedPart place(const Scene& scene, const Part& part, const BodyState& body);
 
-// The least distance, in m, by which one of two parts would have to be moved so that they only touch. Where they do not
-// overlap it is negative, and at most as far from zero as they are apart. Of what overlaps it is
-// - exact among spheres and boxes, hulls and boxes, and of two capsules whose axes do not meet;
-// - with other capsules and cylinders, and of spheres in hulls, a search, never too small, and in the tests too great
-// by
-//   less than half a percent;
-// - against a mesh the depth of the part's corner deepest below the plane of the triangle above it (of a cylinder: of
-// 32
-//   points of each rim; spheres and capsules add their radius to their centers), or of the mesh's corner deepest inside
+// The penetration depth, m: the least distance by which one of two parts must be moved so that they only touch. It is
+// negative for separated parts, with a magnitude of at most their distance. For overlapping parts
+// - among spheres and boxes, among hulls and boxes, and for two capsules whose axes do not intersect it is exact;
+// - for other pairs with capsules and cylinders, and for spheres against hulls, it is the result of a search: never too
+// small, and in the tests too large by less than half a percent;
+// - against a mesh it is the greatest depth of a vertex of the part below the plane of the triangle above it (for a
+// cylinder: of 32 points on each rim; for spheres and capsules: of their centers, plus the radius), or of a mesh vertex
+// inside the part. Crossing edges are not detected.
 //   the part: edges that cross are not seen.
 double penetration(const PlacedPart& a, const PlacedPart& b);
 

@@ -57,7 +57,7 @@ Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState>
     };
     for (const BodyPart& a : dynamic)
         for (const BodyPart& b : others) test(a, b);
-    // Among each other: a sweep along x.
+    // Pairs of dynamic bodies: sort and sweep along x.
     std::sort(dynamic.begin(), dynamic.end(), [](const BodyPart& a, const BodyPart& b) {
         return a.center.x - a.bounding_radius < b.center.x - b.bounding_radius;
     });

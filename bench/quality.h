@@ -1,4 +1,4 @@
-// How well a scene was simulated, measured from poses and velocities alone, so that no engine is its own judge.
+// Simulation quality, computed from poses and velocities alone, so that no engine judges itself.
 #pragma once
 
 #include "bench/engine.h"
@@ -11,37 +11,37 @@ namespace cairn::bench {
 
 struct Penetrations {
     double greatest = 0; // m
-    double p99 = 0;      // of the overlapping pairs, m
-    double mean = 0;     // of the overlapping pairs, m
+    double p99 = 0;      // over the overlapping pairs, m
+    double mean = 0;     // over the overlapping pairs, m
     std::size_t overlaps = 0;
 };
 
-// Over all pairs of parts of two bodies that may move against each other and collide. Bodies that are not finite are
-// left out.
+// Measures all pairs of parts of two bodies that can move relative to each other and collide. Bodies with non-finite
+// states are omitted.
 Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState> states);
 
 struct JointErrors {
     double greatest = 0, mean = 0; // m
 };
 
-// How far the two anchors of joints are apart. Joints of bodies that are not finite are left out.
+// Distances between the two anchors of each joint. Joints of bodies with non-finite states are omitted.
 JointErrors measure_joint_errors(const Scene& scene, std::span<const BodyState> states);
 
 struct Displacement {
-    double drift = 0; // greatest horizontal distance of any dynamic body from where it was built, m
-    double sag = 0;   // greatest drop of any dynamic body below where it was built, m
+    double drift = 0; // greatest horizontal distance of a dynamic body from its initial position, m
+    double sag = 0;   // greatest drop of a dynamic body below its initial position, m
 };
 
-// Bodies that are not finite are left out.
+// Bodies with non-finite states are omitted.
 Displacement measure_displacement(const Scene& scene, std::span<const BodyState> states);
 
-// Dynamic bodies that are not finite or have left the bounds of the scene.
+// The number of dynamic bodies with non-finite states or outside the bounds of the scene.
 std::size_t count_lost(const Scene& scene, std::span<const BodyState> states);
 
-// Of all finite dynamic bodies, linear and rotational, J.
+// Linear and rotational kinetic energy of all finite dynamic bodies, J.
 double measure_kinetic_energy(const Scene& scene, std::span<const BodyState> states);
 
-// Changes with any bit of any state.
+// A hash that depends on every bit of every state.
 std::uint64_t hash_of(std::span<const BodyState> states);
 
 } // namespace cairn::bench

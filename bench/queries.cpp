@@ -14,7 +14,7 @@ namespace {
 
 constexpr float frame = 1.0f / 60;
 constexpr int steps_to_rest = 400;
-constexpr int across = 20; // bodies of a layer, along x and z
+constexpr int across = 20; // bodies per layer along x and along z
 constexpr float spacing = 1.1f, pen = 0.5f * spacing * across + 0.5f;
 constexpr Quat unturned{1, 0, 0, 0};
 
@@ -71,7 +71,7 @@ std::vector<QueryRate> measure_queries(const QueryOptions& options) {
         places.push_back({from, random.direction(), random.between(0.1f, 30), random.rotation()});
     }
     const Shape box = Box{{0.25f, 0.25f, 0.25f}}, ball = Sphere{0.25f};
-    std::vector<Place> free; // as what moves through a world is
+    std::vector<Place> free; // positions without overlap, as for bodies that move through a world
     for (const Place& place : places)
         if (world.overlap(box, {place.from, place.rotation}).empty()) free.push_back(place);
     const auto cast = [&](const Shape& shape) {

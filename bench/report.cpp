@@ -114,7 +114,7 @@ std::string to_tables(const std::vector<Result>& results) {
 std::string to_json(const std::vector<Result>& results) {
     nlohmann::json all = nlohmann::json::array();
     for (const Result& r : results) all.push_back(to_object(r));
-    // A number that is not finite becomes null.
+    // Non-finite numbers become null.
     const nlohmann::json document = {
         {"cairn", version_string}, {"instruction_set", instruction_set()}, {"results", std::move(all)}};
     return document.dump(2) + "\n";

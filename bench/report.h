@@ -8,11 +8,11 @@
 
 namespace cairn::bench {
 
-// Tables for people: times, quality, and the stages of the engines that tell them.
+// Tables of times and quality, and of the stages for engines that report them.
 std::string to_tables(const std::vector<Result>& results);
 
-// One object: {"cairn": version, "instruction_set": name, "results": [...]}. Seconds, meters, kilograms, joules
-// except where a name says otherwise; what an engine or a scene does not have is null.
+// One JSON object: {"cairn": version, "instruction_set": name, "results": [...]}. Units are seconds, meters, kilograms
+// and joules, except where a name states another one; values that do not exist for an engine or a scene are null.
 std::string to_json(const std::vector<Result>& results);
 
 } // namespace cairn::bench

@@ -45,7 +45,7 @@ void build(World& world) {
         for (int i = 0; i < stack_height; ++i) add(world, {-8, 0.5 + i, 2.0 * stack}, Box{});
 }
 
-// What the player far away does in a frame: a push on one body of the heap or of the chains.
+// The input of the remote player in a frame: a push on one body of the heap or of the chains.
 void push(World& world, const std::vector<BodyId>& bodies, int stride) {
     const std::size_t first = 5, count = std::size_t(heap + chains * links);
     Body body = world.body(bodies[first + world.step_count() * std::size_t(stride) % count]);
@@ -74,12 +74,12 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
     build(world);
     build(straight);
     const std::vector<BodyId> bodies = world.bodies(), straight_bodies = straight.bodies();
-    for (int i = 0; i < 120; ++i) world.step(frame), straight.step(frame); // until what stacks has come to rest
+    for (int i = 0; i < 120; ++i) world.step(frame), straight.step(frame); // until the stacks have come to rest
 
     RollbackResult result;
     result.bodies = result.min_awake = straight.statistics().dynamic_bodies;
-    Snapshot known = world.save();                              // the last frame of which everything is known
-    for (int i = 0; i < options.frames; ++i) world.step(frame); // a guess: nobody pushes
+    Snapshot known = world.save();                              // the last frame whose inputs are all known
+    for (int i = 0; i < options.frames; ++i) world.step(frame); // predicted without pushes
     for (int r = 0; r < options.rollbacks; ++r) {
         const std::clock_t processor = std::clock();
         Stopwatch watch;
@@ -100,7 +100,7 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
         straight.step(frame);
         World check;
         check.restore(known);
-        // The boxes too: what they find in other places comes in another order.
+        // The broad phase is compared too: with other fat boxes pairs would be found in another order.
         result.wrong += check.state_hash() != straight.state_hash() ||
                         known.sizes().broad_phase != straight.save().sizes().broad_phase;
         const std::size_t awake = straight.statistics().awake_bodies;

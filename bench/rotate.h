@@ -1,4 +1,4 @@
-// Rotations in double, for measures that are to be exact.
+// Rotations in double precision, for exact measurements.
 #pragma once
 
 #include <cairn/math.h>

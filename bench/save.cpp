@@ -22,7 +22,7 @@ struct View {
     }
 };
 
-// Of all that moves and of every mesh; floors may reach too far.
+// A view of all dynamic bodies and meshes; floors may extend beyond it.
 View view_of(const Scene& scene) {
     View view;
     for (const SceneBody& body : scene.bodies)

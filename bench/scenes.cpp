@@ -97,7 +97,7 @@ constexpr SceneKind kinds[] = {
      1000},
     {"ragdolls", "ragdolls of 11 bodies and 10 joints fall into a room", "ragdolls", 500, 100000},
 };
-// In the same order.
+// The builder functions in the same order as `kinds`.
 constexpr void (*builders[])(Builder&, int) = {
     pile_spheres, pile_boxes, pile_mixed, one_pyramid, one_pyramid, many_pyramids, tower,       mass_ratio, tumbler,
     convex,       terrain,    props,      capsules,    chain,       joint_grid,    joint_swing, ragdolls};

@@ -8,9 +8,9 @@ namespace cairn::bench {
 
 namespace {
 
-// Corners on a sphere, none near another, so that the polyhedron has no thin parts.
+// Random vertices on a sphere with a minimum distance from each other, so that the polyhedron has no thin parts.
 ConvexHull random_hull(Random& random, std::size_t corners, float radius) {
-    constexpr float gap_lower_bound = 0.35f; // over the radius
+    constexpr float gap_lower_bound = 0.35f; // relative to the radius
     ConvexHull hull;
     while (hull.points.size() < corners) {
         const Vec3 point = random.direction();
@@ -24,13 +24,13 @@ ConvexHull random_hull(Random& random, std::size_t corners, float radius) {
     return hull;
 }
 
-// Heights between those of a random lattice, in cells of `spacing`, joined smoothly.
+// Value noise: random heights on a lattice with cells of `spacing`, interpolated smoothly.
 class Noise {
   public:
     Noise(int cells, float spacing, float greatest, Random& random) : columns_(cells + 1), spacing_(spacing) {
         for (int i = 0; i < columns_ * columns_; ++i) heights_.push_back(random.between(-greatest, greatest));
     }
-    // x and z count from the corner of the lattice.
+    // x and z are relative to the corner of the lattice.
     float operator()(float x, float z) const {
         const int column = cell_of(x), row = cell_of(z);
         const float u = smooth(x / spacing_ - static_cast<float>(column));
@@ -54,7 +54,7 @@ class Noise {
 constexpr int terrain_cells = 100;
 constexpr float terrain_spacing = 0.5f, terrain_width = terrain_cells * terrain_spacing;
 
-// Hills, and a rim that rises so that what rolls stays on it.
+// Hills, with a rim that keeps rolling bodies on the terrain.
 SurfaceMesh hills() {
     Random random(7);
     const Noise large(5, 10, 2.5f, random), small(20, 2.5f, 0.35f, random);
@@ -81,7 +81,7 @@ SurfaceMesh hills() {
 
 std::vector<Part> table(Random& random) {
     const float x = random.between(0.35f, 0.5f), z = random.between(0.25f, 0.35f), leg = random.between(0.2f, 0.3f);
-    constexpr float thickness = 0.07f; // half of it
+    constexpr float thickness = 0.07f; // half thickness
     std::vector<Part> parts = {box_part({x, thickness, z})};
     for (const float side : {-1.0f, 1.0f})
         for (const float end : {-1.0f, 1.0f})
@@ -90,7 +90,7 @@ std::vector<Part> table(Random& random) {
     return parts;
 }
 
-// A table with a back.
+// A chair: a table with a back.
 std::vector<Part> chair(Random& random) {
     constexpr float seat = 0.28f, thickness = 0.07f, leg = 0.2f;
     const float back = random.between(0.2f, 0.3f);
@@ -103,7 +103,7 @@ std::vector<Part> chair(Random& random) {
     return parts;
 }
 
-// Three bars across each other, some with balls at their ends.
+// Three perpendicular bars, some with balls at their ends.
 std::vector<Part> jack(Random& random) {
     constexpr float thickness = 0.08f, ball = 0.14f;
     const float reach = random.between(0.4f, 0.6f);

@@ -12,7 +12,7 @@ using Vector = glm::dvec3;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How far a point, in the mesh's frame, is below the plane of the triangle above or below it; -infinity beside the
+// The depth of a point, in the mesh's frame, below the plane of the triangle above or below it; -infinity beside the
 // mesh.
 double point_depth(const SurfaceMesh& mesh, const Vector& point) {
     const double spacing = double(mesh.spacing);
@@ -20,7 +20,7 @@ double point_depth(const SurfaceMesh& mesh, const Vector& point) {
     if (!(x >= 0 && x <= mesh.columns - 1 && z >= 0 && z <= mesh.rows - 1)) return -infinity;
     const int column = std::min(static_cast<int>(x), mesh.columns - 2),
               row = std::min(static_cast<int>(z), mesh.rows - 2);
-    // The first triangle of a cell has the greater z.
+    // The first triangle of a cell is on the side of greater z.
     const bool is_first = z - row >= x - column;
     const std::size_t start = (static_cast<std::size_t>(row) * static_cast<std::size_t>(mesh.columns - 1) +
                                static_cast<std::size_t>(column)) *
@@ -31,7 +31,7 @@ double point_depth(const SurfaceMesh& mesh, const Vector& point) {
     return glm::dot(normal, corner(0) - point);
 }
 
-// The part's corners, from its center; of spheres and capsules the centers of their balls.
+// The vertices of the part relative to its center; for spheres and capsules the centers of their balls.
 std::vector<Vector> corners_of(const PlacedPart& part) {
     constexpr int around = 32;
     constexpr double pi = 3.14159265358979323846;
@@ -65,7 +65,7 @@ std::vector<Vector> corners_of(const PlacedPart& part) {
     return corners;
 }
 
-// How far a point, from the part's center, is inside the part: the distance to its nearest face or side.
+// The depth of a point, relative to the part's center, inside the part: the distance to its nearest face or side.
 double depth_inside(const PlacedPart& part, const Vector& point) {
     const double along = glm::dot(point, part.axes[1]);
     double depth = infinity;

@@ -1,11 +1,11 @@
-// How deep a part is in a surface of triangles.
+// The depth of a part below a triangle surface.
 #pragma once
 
 #include "bench/overlap.h"
 
 namespace cairn::bench {
 
-// See `penetration` for what it measures; far below zero where the part is beside the surface. `surface` is a mesh.
+// See `penetration` for the definition; far below zero if the part is beside the surface. `surface` must be a mesh.
 double surface_depth(const PlacedPart& part, const PlacedPart& surface);
 
 } // namespace cairn::bench

@@ -1,4 +1,4 @@
-# For 64-bit ARM Linux with Debian's g++-aarch64-linux-gnu; what is built runs here under qemu-aarch64.
+# For 64-bit ARM Linux with Debian's g++-aarch64-linux-gnu; the programs run here under qemu-aarch64.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,27 +1,28 @@
-# What makes a first build short.
+# Options that shorten a first build.
 
 if(PROJECT_IS_TOP_LEVEL)
     set(default OFF)
 else()
     set(default ON)
 endif()
-# ./dev sets it. By hand it is off: who changes a header that is read so builds all of the engine anew.
+# ./dev sets this option. It is off by default: changing a precompiled header rebuilds the whole engine.
 option(CAIRN_PRECOMPILED "Read the headers that nearly all files of the engine include once for all" ${default})
 unset(default)
 option(CAIRN_UNITY "Compile several files at a time, where headers take most of the time (not the engine)" ON)
-# How many. A file that is changed by hand takes its neighbors along; who builds all of it once is done sooner with more.
+# The number of files per unity build unit. Changing a file recompiles all files of its unit; a single full build is
+# faster with larger units.
 if(CAIRN_PRECOMPILED)
     set(cairn_unity_size 32)
 else()
     set(cairn_unity_size 8)
 endif()
 
-# cairn_quick_build(LEVEL TARGET...): for what takes no time in a step. The sources of these targets are compiled several
-# at a time, and a Release build optimizes them by LEVEL (-O1, -O2). Never for the engine: its hot loops want -O3, and what
-# a file keeps to itself would be seen by those after it, where a call may choose another overload without a word.
-# Names in unnamed namespaces must differ within a target; SKIP_UNITY_BUILD_INCLUSION leaves a file alone.
+# cairn_quick_build(LEVEL TARGET...): for targets outside the step. Their sources are compiled several at a time (unity
+# build), and a Release build optimizes them with LEVEL (-O1, -O2). Not for the engine: its hot loops need -O3, and
+# file-local declarations would be visible to the following files of a unit, where a call might silently select another
+# overload. Names in unnamed namespaces must differ within a target; SKIP_UNITY_BUILD_INCLUSION excludes a file.
 function(cairn_quick_build level)
-    if(EMSCRIPTEN) # there it is the size that counts: it is sent to each page
+    if(EMSCRIPTEN) # every page downloads the module: size matters more
         set(level -Os)
     endif()
     foreach(target ${ARGN})
@@ -30,7 +31,7 @@ function(cairn_quick_build level)
     endforeach()
 endfunction()
 
-# A program for the headers that some tests read once for all.
+# A target whose precompiled headers some tests reuse.
 function(cairn_test_headers name)
     add_executable(${name} EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/headers.cpp)
     target_link_libraries(${name} PRIVATE cairn_flags cairn::cairn GTest::gtest)
@@ -39,12 +40,12 @@ function(cairn_test_headers name)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# cairn_quick_tests(FOLDER): the tests below it. In a Release build they are optimized by -O1 (what takes time in them is
-# the engine), and read the headers that nearly all of them include once for all: those that see the engine from within,
-# where it has its own names for things, without the public ones.
+# cairn_quick_tests(FOLDER): for the tests in a folder. A Release build optimizes them with -O1 (their time is spent in
+# the engine), with precompiled headers for those that nearly all of them include. White-box tests, where the engine's
+# internal names differ from the public ones, do without the public headers.
 function(cairn_quick_tests folder)
-    # Those that are compiled several files at a time: their headers take most of the time (JSON, scenes, the viewer), and
-    # their names in unnamed namespaces differ.
+    # Unity builds, for targets whose headers take most of the time (JSON, scenes, the viewer), and whose names in
+    # unnamed namespaces differ.
     set(together cairn_api_test cairn_character_test cairn_checkpoint_cli_test cairn_checkpoint_test cairn_cli_test
                  cairn_convex_test cairn_faults_test cairn_geometry_test cairn_impacts cairn_impacts_oracle_test
                  cairn_physics_test cairn_recording_test cairn_scene_test cairn_sweep_cli_test cairn_sweep_test

@@ -1,4 +1,4 @@
-# find_package(cairn) reads this: cairn::cairn, and what it needs.
+# Read by find_package(cairn): defines cairn::cairn and its dependencies.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 include(${CMAKE_CURRENT_LIST_DIR}/glm.cmake)

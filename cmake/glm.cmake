@@ -1,6 +1,7 @@
-# glm::glm: as there is already or as installed for the target; else, GLM being headers only, those of this machine. When
-# compiling for another one they get a folder of their own, because /usr/include as a whole is not the target's.
-# Cairn's own build reads this, and so does find_package(cairn). Leaves no target where there is no GLM.
+# Defines glm::glm: an existing target, or the library installed for the target platform; otherwise the host's headers,
+# as GLM is header-only. When cross-compiling these headers are used through a folder of their own, because /usr/include
+# as a whole belongs to the host. Used by Cairn's own build and by find_package(cairn). Defines no target if GLM is
+# missing.
 if(NOT TARGET glm::glm)
     find_package(glm QUIET)
 endif()

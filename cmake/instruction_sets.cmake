@@ -1,17 +1,19 @@
-# Instruction sets that the kernels are compiled for: cairn_isas, and cairn_flags_<set> for each.
+# The instruction sets for which the kernels are compiled: cairn_isas, and cairn_flags_<set> for each.
 set(cairn_isas scalar)
-set(cairn_baseline scalar) # what every machine of this kind runs
-set(cairn_flags_scalar -DCAIRN_SIMD_SCALAR -O1) # the reference: quick to build matters more than its speed
+set(cairn_baseline scalar) # supported by every machine of this architecture
+set(cairn_flags_scalar -DCAIRN_SIMD_SCALAR -O1) # the reference: a short build matters more than speed
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND cairn_isas sse2 avx2 avx512)
     set(cairn_baseline sse2)
     set(cairn_flags_sse2 -DCAIRN_SIMD_PAIR)
     set(cairn_flags_avx2 -DCAIRN_SIMD_AVX2 -mavx2)
-    # Not for its wide registers, which slow some processors down, but for having twice as many of 256 bits.
+    # AVX-512 is not used for its wide registers, which slow some processors down, but for its doubled number of 256-bit
+    # registers.
     set(cairn_flags_avx512 -DCAIRN_SIMD_AVX2 -DCAIRN_SIMD_AVX512 -mavx2 -mavx512f -mavx512vl -mavx512dq -mavx512bw
                            -mprefer-vector-width=256)
     if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        # Windows aligns the stack to 16 bytes, gcc takes it to be 32 (its bug 54412): let no move depend on it.
+        # Windows aligns the stack to 16 bytes, but gcc assumes 32 (gcc bug 54412): all moves must therefore be
+        # unaligned.
         foreach(isa avx2 avx512)
             list(APPEND cairn_flags_${isa} -Wa,-muse-unaligned-vector-move)
         endforeach()
@@ -26,7 +28,7 @@ elseif(EMSCRIPTEN)
     set(cairn_flags_simd128 -DCAIRN_SIMD_PAIR -msimd128)
 endif()
 
-# Sets RESULT to whether the processor of this machine has all of the named features.
+# Sets RESULT to whether this machine's processor has all of the given features.
 include(CheckCXXSourceRuns)
 function(cairn_runs_here result)
     if(CMAKE_CROSSCOMPILING)
@@ -38,8 +40,8 @@ function(cairn_runs_here result)
     check_cxx_source_runs("int main() { return ${condition} ? 0 : 1; }" ${result})
 endfunction()
 
-# Those who add Cairn to their own build want to try it soon: they get the kernels of their machine, and for other machines
-# those that run on all.
+# When Cairn is part of another project, short builds matter: only the kernels of this machine are built, and those that
+# run on every machine.
 set(kernels_by_default native)
 if(PROJECT_IS_TOP_LEVEL)
     set(kernels_by_default "")
@@ -58,7 +60,7 @@ if(CAIRN_KERNELS STREQUAL "native")
             list(APPEND cairn_isas avx2)
         endif()
         if(CAIRN_RUNS_AVX2 AND NOT PROJECT_IS_TOP_LEVEL)
-            list(APPEND cairn_flags_sse2 -O1) # this machine will not use them: quick to build matters more
+            list(APPEND cairn_flags_sse2 -O1) # not used on this machine: a short build matters more
         endif()
     endif()
 elseif(CAIRN_KERNELS)

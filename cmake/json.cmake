@@ -1,5 +1,5 @@
-# nlohmann_json::nlohmann_json: as installed for the target; else, being headers only, that of this machine, in a folder of its
-# own for the reason that glm.cmake gives.
+# Defines nlohmann_json::nlohmann_json: as installed for the target platform; otherwise the host's headers, as the
+# library is header-only, in a folder of their own for the reason given in glm.cmake.
 find_package(nlohmann_json QUIET)
 if(NOT TARGET nlohmann_json::nlohmann_json)
     find_path(CAIRN_JSON_FOLDER nlohmann/json.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include DOC "Folder that has nlohmann/json.hpp")

@@ -1,4 +1,5 @@
-# For 64-bit Windows with Debian's g++-mingw-w64-x86-64 (threads of POSIX, all linked in); runs here under wine64.
+# For 64-bit Windows with Debian's g++-mingw-w64-x86-64 (POSIX threads, statically linked); the programs run here under
+# wine64.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)

@@ -1,4 +1,4 @@
-# cpack -G DEB: Debian packages of what is built; cpack -G TGZ --config CPackSourceConfig.cmake: the source.
+# cpack -G DEB: Debian packages of the build; cpack -G TGZ --config CPackSourceConfig.cmake: the source archive.
 set(CPACK_PACKAGE_NAME cairn)
 set(CPACK_PACKAGE_CONTACT "the developers of Cairn <cairn@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D rigid-body physics with the same bits on every machine")
@@ -15,7 +15,7 @@ else()
 endif()
 if(CAIRN_APP)
     list(APPEND CPACK_COMPONENTS_ALL program)
-    if(TARGET cairn_ranks) # of its own, so that the program needs no MPI
+    if(TARGET cairn_ranks) # a package of its own, so that the program needs no MPI
         list(APPEND CPACK_COMPONENTS_ALL ranks)
         set(CPACK_DEBIAN_RANKS_PACKAGE_NAME cairn-mpi)
         set(CPACK_DEBIAN_RANKS_PACKAGE_SECTION science)

@@ -1,4 +1,5 @@
-# cmake -DPROGRAM=... -DFOLDER=... -P program_pages.cmake: writes what the program prints of itself into files.
+# cmake -DPROGRAM=... -DFOLDER=... -P program_pages.cmake: writes the program's generated pages (manual, completions) to
+# files.
 file(MAKE_DIRECTORY ${FOLDER})
 function(page file)
     execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_FILE ${FOLDER}/${file} RESULT_VARIABLE code)

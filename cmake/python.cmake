@@ -1,4 +1,5 @@
-# Whether the Python package is built: CAIRN_PYTHON, and what it needs. Leaves CAIRN_PYTHON ON or OFF.
+# Decides whether the Python package is built, from CAIRN_PYTHON and the available dependencies. Sets CAIRN_PYTHON to ON
+# or OFF.
 set(CAIRN_PYTHON AUTO CACHE STRING "Build the Python package: ON, OFF, or AUTO: where Python's headers, NumPy and pybind11 are")
 set_property(CACHE CAIRN_PYTHON PROPERTY STRINGS ON OFF AUTO)
 set(cairn_python_missing "")
@@ -11,7 +12,7 @@ if(CAIRN_PYTHON STREQUAL "AUTO")
     endif()
 endif()
 if(CAIRN_PYTHON)
-    # Debian's packages of Python are for its own interpreter, which need not be the first on the path.
+    # Debian's Python packages are for its own interpreter, which need not be the first one in PATH.
     if(NOT Python_EXECUTABLE AND automatic AND EXISTS /usr/bin/python3)
         set(Python_EXECUTABLE /usr/bin/python3)
     endif()
@@ -21,7 +22,7 @@ if(CAIRN_PYTHON)
         list(APPEND cairn_python_missing "Python 3.10 with its headers (Debian: python3-dev)")
     else()
         execute_process(COMMAND ${Python_EXECUTABLE} -c "import numpy" RESULT_VARIABLE no_numpy OUTPUT_QUIET ERROR_QUIET)
-        if(no_numpy AND automatic) # a wheel may be built without it
+        if(no_numpy AND automatic) # a wheel may be built without NumPy
             list(APPEND cairn_python_missing "NumPy (Debian: python3-numpy)")
         endif()
     endif()

@@ -21,7 +21,7 @@ import api_web_types
 
 
 def files(table):
-    """(path, text) of all that is made."""
+    """(path, text) of all generated files."""
     for group in api_table.GROUPS:
         yield f"include/cairn/c/{group}.h", api_c_header.header(table, group)
     yield "include/cairn/c/cairn.h", api_c_header.umbrella()

@@ -1,5 +1,5 @@
-"""Calls of the C API with arguments out of bytes, tests/fuzz/c_api_calls.inc, from the table: what each takes, in which
-ranges, whether it changes the world."""
+"""Generates tests/fuzz/c_api_calls.inc from the table: calls of the C API with arguments from bytes, with their ranges,
+and whether they change the world."""
 import re
 
 from api_c_header import c_parameters, count_of, is_plain
@@ -8,7 +8,7 @@ from api_text import MADE, c_name
 
 
 def draws(table):
-    """A function for each struct, variant and enum that goes in."""
+    """Source of a function for each struct, variant and enum that is an argument: it draws a value from the bytes."""
     text = ""
     for enum in table.enums.values():
         text += f"int32_t draw_{snake(enum.name)}(CBytes& b) {{ return b.pick(32) ? b.pick({len(enum.values)}) : b.pick(256) - 128; }}\n"
@@ -33,7 +33,7 @@ def draws(table):
     return text
 
 
-# How numbers with a range are drawn: mostly within it.
+# How numbers with a range are drawn: mostly inside the range.
 RANGES = {"> 0": "b.positive()", ">= 0": "b.at_least_zero()", "0 to 1": "b.between(0, 1)", "0 to pi": "b.between(0, 3.1415926)",
           "0 to 1.57": "b.between(0, 1.57)", "1e-4 to 1": "b.between(1e-4, 1)",
           "-2, -1, 0 or 1": "double(b.whole_between(-2, 1))"}
@@ -89,12 +89,12 @@ def variant_draw(variant):
     text = f"{name} draw_{snake(variant.name)}(CBytes& b) {{\n    const int kind = b.pick({last});\n    {name} c = cairn_default_{snake(variant.name)}(kind);\n    switch (kind) {{\n"
     for number, alternative in enumerate(variant.alternatives):
         text += f"    case {number}: c.as.{alternative.name} = draw_{snake(alternative.type)}(b); break;\n"
-    # Another kind than that of the member would make pointers of numbers.
+    # The kind is only changed to an invalid one: with another valid kind, numbers would be read as pointers.
     return text + f"    }}\n    if (b.pick(64) == 0) c.kind = b.pick(2) ? -1 : {last};\n    return c;\n}}\n"
 
 
 def call_case(table, function, number):
-    """A case of the switch: draws, calls."""
+    """A case of the switch: draws the arguments and makes the call."""
     args = {a.name: a for a in function.args}
     lines, names, rooms = "", [], []
     for parameter in c_parameters(function).split(", "):
@@ -107,7 +107,7 @@ def call_case(table, function, number):
             names.append("body")
         elif arg is None and name == "capacity":
             names.append("capacity")
-        elif arg is None:  # where results go
+        elif arg is None:  # arguments that receive results
             base = kind.rstrip("*").strip()
             struct = next((s for s in table.structs.values() if c_name(s.name) == base), None)
             first = f", cairn_default_{snake(struct.name)}()" if struct and struct.versioned else ""
@@ -145,7 +145,7 @@ def call_case(table, function, number):
 
 
 def info(function):
-    can_fail = not is_plain(function)  # of all others the world may be null
+    can_fail = not is_plain(function)  # for all others the world may be null
     return f"    {{\"{function.name}\", {str(function.changes).lower()}, {str(can_fail).lower()}}},\n"
 
 

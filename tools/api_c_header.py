@@ -132,7 +132,7 @@ def variant_text(variant):
 
 
 def c_parameters(function):
-    """The parameters of a function that is generated."""
+    """The C parameters of a generated function."""
     if function.custom:
         return function.c_args
     const = "" if function.changes else "const "
@@ -165,7 +165,7 @@ ENUM_NAMES = set()
 
 
 def is_plain(function):
-    """Whether it returns its value: it cannot fail."""
+    """Whether the function returns its value directly: then it cannot fail."""
     return function.returns == "bool" and not function.errors
 
 
@@ -223,7 +223,7 @@ def header(table, group):
 
 
 def ordered(table, group):
-    """Enums, then structs and variants, each after what it is made of."""
+    """Enums, then structs and variants, each after those that it contains."""
     for enum in table.enums.values():
         if enum.group == group:
             yield enum_text(enum)

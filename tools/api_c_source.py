@@ -9,7 +9,7 @@ TOP = f"// {MADE}\n// clang-format off\n"
 
 
 def converted(table):
-    """Structs that are converted by what is made here."""
+    """The structs whose conversion is generated."""
     return [s for s in table.structs.values() if not s.custom and not s.c_only]
 
 
@@ -107,7 +107,7 @@ def variant_source(variant):
 
 
 def convert_source(table, group):
-    """The conversions of a group of the table; empty where there are none."""
+    """Source of the conversions for a group of the table; empty if there are none."""
     made = [enum_source(e) for e in table.enums.values() if e.group == group]
     made += [struct_source(table, s) for s in converted(table) if s.group == group]
     made += [variant_source(v) for v in table.variants.values() if v.group == group]
@@ -168,7 +168,7 @@ def argument(table, arg):
 
 
 def fitted(text):
-    """Statements that are too long for a line go on in the next, after a comma or before an operator."""
+    """Wraps statements that are too long for a line after a comma or before an operator."""
     lines = []
     for line in text.split("\n"):
         indent = " " * (len(line) - len(line.lstrip()) + 4)
@@ -227,7 +227,7 @@ def functions_source(table, group):
 
 
 def exported(table):
-    """Names of all functions of the library, with the version that they came with."""
+    """Names of all functions of the library, each with the version that introduced it."""
     names = {f"cairn_{f.name}": f.since for f in table.functions}
     for struct in table.structs.values():
         if struct.is_input or struct.versioned:
@@ -238,7 +238,8 @@ def exported(table):
 
 
 def version_script(table):
-    """For the linker: the version of each symbol, so that a program says which it needs."""
+    """The version script of the linker: the version of each symbol, so that a program states which versions it
+    needs."""
     names = exported(table)
     text, before = f"# {MADE}\n", ""
     for version in sorted(set(names.values()), key=lambda v: [int(n) for n in v.split(".")]):
@@ -250,7 +251,7 @@ def version_script(table):
 
 
 def layout_program(table):
-    """A program of C that prints the size of each struct and where its members are."""
+    """A C program that prints the size of each struct and the offsets of its members."""
     text = TOP + "#include <cairn/c/cairn.h>\n#include <stdio.h>\n\n"
     text += "#define SIZE(type) printf(#type \" %d\\n\", (int)sizeof(type))\n"
     text += "#define MEMBER(type, member) printf(#type \".\" #member \" %d\\n\", (int)offsetof(type, member))\n\n"

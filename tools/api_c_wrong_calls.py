@@ -1,4 +1,4 @@
-"""Calls of the C API with one thing wrong in each, tests/c_api/wrong_calls.c, from the table."""
+"""Generates tests/c_api/wrong_calls.c from the table: calls of the C API with exactly one fault each."""
 import re
 
 from api_c_header import c_parameters, count_of, is_plain
@@ -11,7 +11,7 @@ PARTS = {"Vec2": ["x"], "Vec3": ["y"], "DVec3": ["x"], "Position": ["z"], "Quat"
 
 
 def bad_members(table, path, kind):
-    """(statement, what, expected) for each way to spoil a value that is reached by a path."""
+    """(statement, what, expected) for each way to make a value invalid; the path is its C expression."""
     base = kind.removesuffix("?")
     before, _, name = path.rpartition(".")
     given = f"{before}.has_{name} = true; " if kind.endswith("?") and before else ""
@@ -50,7 +50,7 @@ def bad_members(table, path, kind):
 
 
 def call_source(table, function):
-    """A function of C that makes the call, right (-1) or with the one thing wrong that is numbered."""
+    """A C function that makes the call, either correctly (-1) or with the fault of the given number."""
     lines, wrongs, names = [], [], []
 
     def spoil(statement, what, expected):
@@ -72,7 +72,7 @@ def call_source(table, function):
             spoil("body.bits = 0;", "body is null", "CAIRN_ERROR_INVALID_HANDLE")
         elif arg is None and name == "capacity":
             lines.append("    size_t capacity = 4;")
-        elif arg is None and name not in args:  # where results go
+        elif arg is None and name not in args:  # arguments that receive results
             base = kind.rstrip("*").strip()
             struct = next((s for s in table.structs.values() if c_name(s.name) == base), None)
             first = f" = {{cairn_default_{snake(struct.name)}()}}" if struct and struct.versioned else ""
@@ -96,7 +96,7 @@ def call_source(table, function):
 
 
 def declaration(table, arg, kind):
-    """The lines that declare an argument with a good value, and the path by which it is spoiled."""
+    """The lines that declare an argument with a valid value, and the C expression by which it is made invalid."""
     name, base = arg.name, arg.type.rstrip("?")
     value = {"bool": "true", "int": "2", "float": "1.0f", "double": "1.0", "u64": "UINT64_MAX", "string": "\"name\""}.get(base)
     if base in HANDLES:

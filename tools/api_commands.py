@@ -1,5 +1,6 @@
-"""The commands of a world, src/commands/generated/*, from the table: each call that changes a world, with its number and
-arguments, how it is written as bytes and read again, and the description of all of it that recordings hold."""
+"""Generates src/commands/generated/* from the table: the commands of a world. Each call that changes a world has a
+number and arguments; the generated code writes it as bytes and reads it again, and recordings contain a description of
+this encoding."""
 import json
 import re
 
@@ -9,23 +10,23 @@ from api_text import MADE
 
 TOP = f"// {MADE}\n// clang-format off\n"
 FOLDER = "src/commands/generated"
-# What is written by hand (commands/command_writer.h), and how a recording describes it.
+# Types with hand-written code (commands/command_writer.h), and their descriptions in recordings.
 BY_HAND = {
     "Hull": [["geometry", "geometry"], ["rounding", "float"]],
     "Mesh": [["geometry", "geometry"]],
     "HeightField": [["geometry", "geometry"]],
 }
-# The arguments of commands that the table has in words of C alone.
+# Commands whose arguments in the table exist only in C, with their C++ arguments.
 ARGUMENTS = {"world_restore": [("snapshot", "Snapshot")]}
 
 
 def commands(table):
-    """The calls that change a world, by their numbers; those with 0 are not told to anybody."""
+    """The calls that change a world, in the order of their numbers; those with 0 are not reported to listeners."""
     return sorted((f for f in table.functions if f.command is not None), key=lambda f: f.command)
 
 
 def arguments(function):
-    """(name, type) of each, the body first where the call is one of Body."""
+    """(name, type) of each argument; for calls of Body the body comes first."""
     own = ARGUMENTS.get(function.name) or [(a.name, a.type) for a in function.args]
     return ([("body", "BodyId")] if function.owner == "Body" else []) + own
 
@@ -35,7 +36,7 @@ def base(kind):
 
 
 def reached(table):
-    """Names of the structs, variants and enums that commands are made of, in the order of the table."""
+    """Names of the structs, variants and enums that commands contain, in the order of the table."""
     found = set()
 
     def visit(kind):
@@ -91,7 +92,7 @@ def codec_header(table):
 
 
 def composed(table):
-    """Structs and variants, those first that others are made of."""
+    """Structs and variants, each after those that it contains."""
     names, found = reached(table), []
 
     def visit(name):
@@ -160,7 +161,7 @@ def read_argument(table, name, kind):
 
 
 def execute_source(table):
-    """What a command does to a world, and what it is called."""
+    """Source that executes a command, and that returns its name."""
     text = TOP + "#include \"commands/execute.h\"\n#include \"commands/generated/calls.h\"\n#include \"commands/generated/codec.h\"\n\n"
     text += "#include <string>\n\nnamespace cairn::commands {\n\n"
     groups = {}
@@ -188,7 +189,7 @@ def execute_source(table):
 
 
 def description(table):
-    """What a recording says of its own encoding, as JSON."""
+    """The description of the encoding that a recording contains, as JSON."""
     names = reached(table)
     calls = {str(f.command): [f"{f.owner}::{f.method}", [[name, kind] for name, kind in arguments(f)]]
              for f in commands(table) if f.command}
@@ -212,7 +213,7 @@ def description(table):
 
 
 def description_lines(whole):
-    """JSON with a line for each rule, call and type."""
+    """JSON with one line for each rule, call and type."""
     parts = []
     for key, value in whole.items():
         if isinstance(value, dict):
@@ -244,7 +245,7 @@ def files(table):
 
 
 def disagreements(table):
-    """What is wrong with the numbers of commands: one line each."""
+    """Errors in the numbers of commands, one line each."""
     used = {}
     for function in table.functions:
         if function.changes and function.command is None and not function.custom:

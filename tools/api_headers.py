@@ -1,6 +1,7 @@
-"""Reads the declarations of the public C++ headers: what the table of the API (api/) must agree with.
+"""Reads the declarations of the public C++ headers, with which the table of the API (api/) must agree.
 
-It knows the style of this project's headers, not C++: one declaration a statement, no macros, documentation in `///`.
+It relies on the style of this project's headers: one declaration per statement, no macros, documentation in `///`. It
+is no general C++ parser.
 """
 import pathlib
 import re
@@ -25,7 +26,7 @@ class Function:
     doc: str = ""
 
     def signature(self):
-        """As the table writes it: what tells overloads apart, without names and defaults."""
+        """The notation of the table: distinguishes overloads, without parameter names and defaults."""
         return f"{self.name}({', '.join(p.type for p in self.parameters)}){' const' if self.is_const else ''}"
 
 
@@ -33,13 +34,13 @@ class Function:
 class Headers:
     enums: dict = field(default_factory=dict)     # name: [(value, doc)]
     structs: dict = field(default_factory=dict)   # name: [Variable]
-    classes: dict = field(default_factory=dict)   # name: [Function], the public ones
+    classes: dict = field(default_factory=dict)   # public member functions
     functions: list = field(default_factory=list)  # outside of classes
     variants: dict = field(default_factory=dict)  # name: [type]
 
 
 def _split(text, separator):
-    """The parts of a text between separators that stand in no brackets."""
+    """Splits a text at separators that are not inside brackets."""
     parts, depth, part = [], 0, ""
     for character in text:
         depth += (character in "([{<") - (character in ")]}>")
@@ -52,7 +53,7 @@ def _split(text, separator):
 
 
 def _statements(body):
-    """(documentation, statement) for each statement of a block; bodies of functions are left out."""
+    """(documentation, statement) for each statement of a block; bodies of functions are skipped."""
     doc, statement, depth, last = [], "", 0, None
     found = []
 
@@ -67,7 +68,7 @@ def _statements(body):
     for line in body.split("\n"):
         code, _, comment = line.partition("//")
         if comment.startswith("/<") and not statement.strip() and not code.strip():
-            last[0].append(comment[2:].strip())  # goes on from the line above
+            last[0].append(comment[2:].strip())  # continues the comment of the previous line
             continue
         if comment.startswith("/<"):
             trailing = comment[2:].strip()
@@ -119,7 +120,7 @@ def _function(doc, statement):
 
 
 def _block(text, start):
-    """The text between the brace at `start` and its partner."""
+    """The text between the brace at `start` and the matching one."""
     depth = 0
     for i in range(start, len(text)):
         depth += (text[i] == "{") - (text[i] == "}")

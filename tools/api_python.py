@@ -1,5 +1,5 @@
-"""What Python has from the table: its types (python/cairn/_types.py), the glue (python/module/generated) and the stubs
-(python/cairn/_cairn.pyi)."""
+"""Generates from the table what Python needs: its types (python/cairn/_types.py), the glue code
+(python/module/generated) and the stubs (python/cairn/_cairn.pyi)."""
 import ast
 import re
 import textwrap
@@ -13,7 +13,7 @@ TOP = f"// {MADE}\n// clang-format off\n"
 PY_SCALARS = {"bool": "bool", "int": "int", "float": "float", "double": "float", "u32": "int", "u64": "int", "size": "int",
               "string": "str"}
 BY_HAND = {"Hull", "Mesh", "HeightField"}  # classes of the module
-# Calls of the C API alone, and those that Python has by hand.
+# Calls that exist only in the C API, and those that are hand-written for Python.
 LISTED = {"JointLimit", "JointDrive"}
 
 
@@ -22,7 +22,7 @@ def structs(table):
 
 
 def python_type(table, kind, given=False):
-    """An annotation. `given`: of what a call takes, which may be less exact."""
+    """A type annotation. `given`: for an argument, which accepts more types than the exact one."""
     if kind.endswith("?"):
         return python_type(table, kind[:-1], given) + " | None"
     if kind.endswith("[]"):
@@ -42,7 +42,7 @@ def python_type(table, kind, given=False):
 
 
 def default_value(table, kind, cpp):
-    """The default of a member in Python, from what the C++ header has."""
+    """The Python form of a member's default in the C++ header."""
     cpp = cpp.strip()
     if kind.endswith("?"):
         return "None"
@@ -93,14 +93,14 @@ def docstring(text, indent):
 
 
 def python_words(text):
-    """The documentation of C++ in the words of Python."""
+    """C++ documentation in Python's notation."""
     return text.replace("World::", "World.").replace("BodyDef::", "BodyDef.").replace("WorldDef::", "WorldDef.") \
                .replace("ShapeDef::", "ShapeDef.").replace("CollisionFilter::", "CollisionFilter.").replace("false:", "False:") \
                .replace("true:", "True:").replace("Absent:", "None:").replace("absent:", "None:").replace("Throws", "Raises")
 
 
 def struct_class(table, struct, members):
-    """A dataclass for a struct; `members` of the header have its defaults."""
+    """A dataclass for a struct; `members` are those of the header, with their defaults."""
     out = f"\n\n@lists_members\n@dataclass(slots=True, eq=False)\nclass {struct.name}:\n{docstring(python_words(struct.doc), '    ')}"
     out += "\n" if struct.fields else ""
     for member in struct.fields:
@@ -117,13 +117,13 @@ def struct_class(table, struct, members):
 
 
 def types_of(table, group):
-    """The names that a group of the table has in Python."""
+    """The Python names of a group of the table."""
     return [e.name for e in table.enums.values() if e.group == group] + \
         [s.name for s in structs(table) if s.group == group] + [v.name for v in table.variants.values() if v.group == group]
 
 
 def types_module(table, group):
-    """A file of the types of a group; empty where there are none."""
+    """The Python file with the types of a group; empty if there are none."""
     if not types_of(table, group):
         return ""
     headers = api_headers.read(ROOT / "include" / "cairn")
@@ -231,19 +231,19 @@ def glue_types_source(table, group):
     return fitted(TOP + "#include \"module/containers.h\"\n\nnamespace cairn::python {\n\n" + text + "} // namespace cairn::python\n")
 
 
-# What is written by hand in python/module/module.cpp, and its stubs.
+# Functions that are hand-written in python/module/module.cpp with their stubs.
 WORLD_BY_HAND = {"is_valid", "step", "destroy_body", "create_body"}
 
 
 def methods(table, owner):
-    """The calls of World or Body that the glue is made for."""
+    """The functions of World or Body for which glue code is generated."""
     for function in table.functions:
         if function.custom and function.method != "joint_at" or function.member or function.owner != owner:
             continue
         if owner == "World" and (function.method in WORLD_BY_HAND or function.name.startswith("body_get_")):
             continue
         yield function
-    if owner == "Body":  # World::contacts(body) and the like
+    if owner == "Body":  # World::contacts(body) and similar functions
         yield from (f for f in table.functions if f.owner == "World" and f.name.startswith("body_get_"))
 
 
@@ -253,7 +253,7 @@ def is_property(function):
 
 
 def setters(table, owner):
-    """By the name of the property: the function that sets it."""
+    """The setter function of each property, by the name of the property."""
     properties = {f.method for f in methods(table, owner) if is_property(f)}
     return {f.method.removeprefix("set_"): f for f in methods(table, owner)
             if f.method.startswith("set_") and len(f.args) == 1 and f.method.removeprefix("set_") in properties}
@@ -268,14 +268,14 @@ def python_name(name):
 
 
 def takes_members(table, function, arg):
-    """Whether a definition may be given as its members, by name."""
+    """Whether a definition may be given as keyword arguments, one per member."""
     struct = table.structs.get(arg.type)
     return struct is not None and struct.versioned and arg is function.args[-1]
 
 
 def taken(table, function, arg):
-    """The statement that makes an argument of what Python gave. All of them come before the world is looked at: what they
-    run may be code of Python, which may end or change it."""
+    """The statement that converts an argument from Python. All conversions come before the world is accessed: they may
+    run Python code, which may destroy or change the world."""
     kind = "std::string" if arg.type == "string" else table.cpp_type(arg.type)
     name = python_name(arg.name)
     if takes_members(table, function, arg):
@@ -284,7 +284,7 @@ def taken(table, function, arg):
 
 
 def method_glue(table, function, owner):
-    """A method that is no property."""
+    """The glue code of a method that is not a property."""
     parameters, arguments, body = ["PyWorld& w" if owner == "World" else "const PyBody& b"], [], ""
     for arg in function.args:
         name = python_name(arg.name)
@@ -316,7 +316,7 @@ def property_glue(table, function, owner, setter):
     where = f"\"{owner}.{function.method}\""
     if owner == "World":
         getter = f"w.use({where}).{function.method}()"
-    elif function.owner == "World":  # of one body
+    elif function.owner == "World":  # takes a body
         getter = f"b.world->use({where}).{function.method}(b.id)"
     else:
         getter = f"b.get({where}).{function.method}()"
@@ -353,7 +353,7 @@ def glue_methods(table, owner):
 
 
 def fitted_code(text):
-    """Long lines of code with texts in them: texts are cut in two where they are too long."""
+    """Wraps long lines of code; string literals are split if they are too long."""
     lines = []
     for line in text.split("\n"):
         while len(line) > COLUMNS:
@@ -373,7 +373,7 @@ def fitted_code(text):
 
 
 def signature_of(table, function, first=()):
-    """A method with its arguments and what it returns, as in a stub."""
+    """The signature of a method with its return type, as in a stub."""
     args = list(first)
     for arg in function.args:
         name = python_name(arg.name)
@@ -413,7 +413,7 @@ def stubs(table):
 
 
 def docs_source():
-    """The docstrings of what is written by hand, from its stubs."""
+    """The docstrings of hand-written functions, taken from their stubs."""
     tree = ast.parse((ROOT / "tools" / "api_python_stubs.pyi").read_text(encoding="utf-8"))
     rows = []
 

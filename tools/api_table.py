@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 import api_headers
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Headers for C, one for each file of the table, in the order in which they include each other.
+# The headers for C, one per file of the table, in the order in which they include each other.
 GROUPS = ["base", "math", "shape", "body", "joint", "query", "events", "world", "scene"]
 HANDLES = {"BodyId": "a body", "ShapeId": "a shape on a body", "JointId": "a joint", "ForceFieldId": "a force field"}
 SCALARS = {"bool": "bool", "int": "int", "float": "float", "double": "double", "u32": "std::uint32_t",
            "u64": "std::uint64_t", "size": "std::size_t", "string": "std::string"}
 VECTORS = {"Vec2": "glm::vec2", "Vec3": "Vec3", "DVec3": "glm::dvec3", "Position": "Position", "Quat": "Quat", "Mat3": "Mat3"}
-# What the headers have and the table leaves out, each with its reason.
+# Declarations of the headers that the table omits, each with the reason.
 ELSEWHERE = {
     "World::body(BodyId)": "C names the body in each call; Python has it by hand",
     "World::body(BodyId) const": "likewise",
@@ -36,7 +36,7 @@ ELSEWHERE = {
     "Mesh::Mesh(std::shared_ptr<const MeshData>)": "for the engine",
     "HeightField::HeightField(std::shared_ptr<const HeightFieldData>)": "for the engine",
 }
-# Members in which any value is allowed, as they say nothing where the others are as by default.
+# Members that accept any value, because they are ignored while other members have their defaults.
 UNCHECKED = {"Plane.tangent"}
 CLASSES = ["World", "Body", "Hull", "Mesh", "HeightField", "Snapshot"]
 
@@ -54,7 +54,7 @@ class Field:
     doc: str = ""
     default: str = ""
     cpp: str = ""
-    count: str = ""  # of `T[3]`: the member that tells how many of the three there are
+    count: str = ""  # for `T[3]`: the member that contains the number of elements
 
 
 @dataclass
@@ -73,9 +73,9 @@ class Struct:
     doc: str
     fields: list
     versioned: bool = False  # begins with struct_size
-    custom: bool = False     # converted by hand
-    c_only: bool = False     # nothing in C++ stands behind it
-    first_size: int = 0      # bytes it had when it was first released; 0: as many as now
+    custom: bool = False     # the conversion is hand-written
+    c_only: bool = False     # has no C++ counterpart
+    first_size: int = 0      # size in bytes in the first release; 0: the current size
     is_input: bool = False
     is_output: bool = False
 
@@ -105,8 +105,8 @@ class Function:
     c_returns: str = "cairn_result"
     member: str = ""
     since: str = "0.1"
-    command: int = None  # of calls that change a world: what they are in recordings, for ever; 0: not told to anybody
-    moves_only: bool = False  # of those: it changes the motion of bodies, and nothing that a snapshot has as definitions
+    command: int = None  # for calls that change a world: their permanent number in recordings; 0: not recorded
+    moves_only: bool = False  # for commands: changes only the motion of bodies, and none of a snapshot's definitions
 
     @property
     def owner(self):
@@ -147,7 +147,7 @@ class Table:
             self.functions.append(Function(group=group, args=args, **entry))
 
     def _mark(self):
-        """Which structs go in and which come out."""
+        """Marks the structs that are used as arguments and those that are used as results."""
         def visit(kind, attribute):
             base = re.sub(r"\?$|\[\d*\]$", "", kind)
             if base in self.structs:
@@ -175,7 +175,7 @@ class Table:
             setattr(self.structs[name], "is_input" if name == "BodyArrays" else "is_output", True)
 
     def cpp_type(self, kind):
-        """The type that the headers must have for a type of the table."""
+        """The C++ type that corresponds to a type of the table."""
         if kind.endswith("?"):
             return f"std::optional<{self.cpp_type(kind[:-1])}>"
         if kind.endswith("[]"):
@@ -195,7 +195,7 @@ class Table:
 
 
 def disagreements(table, folder=ROOT / "include" / "cairn"):
-    """What the headers have otherwise than the table: one line each."""
+    """Differences between the headers and the table, one line each."""
     headers = api_headers.read(folder)
     known = {name.strip() for f in table.functions for name in re.split(r",\s*(?=[A-Z]\w+::)", f.cpp) if f.cpp}
     declared = set()
@@ -233,7 +233,7 @@ def disagreements(table, folder=ROOT / "include" / "cairn"):
             continue
         ours = [(f.name, table.cpp_type(f.type).replace("ForceField::", "")) for f in struct.fields]
         theirs = [(v.name, v.type) for v in headers.structs.get(struct.name, [])]
-        if set(ours) != set(theirs):  # in any order: what is new comes last in C, wherever it stands in C++
+        if set(ours) != set(theirs):  # in any order: new members come last in C, wherever they are in C++
             yield f"{struct.name}: the headers have {sorted(set(theirs) - set(ours))}, the table {sorted(set(ours) - set(theirs))}"
     for enum in table.enums.values():
         theirs = [name for name, _ in headers.enums.get(enum.cpp.rpartition("::")[2], [])]

@@ -1,4 +1,4 @@
-"""What the generators of tools/api.py share: lines of comments, and the names that types have in C."""
+"""Shared by the generators of tools/api.py: comment lines, and the C names of types."""
 import textwrap
 
 from api_table import HANDLES, snake
@@ -18,7 +18,7 @@ def comment(text, indent="", mark="/// "):
 
 
 def beside(code, doc):
-    """A line of code with its documentation after it, or before it where that is too long."""
+    """A line of code followed by its documentation, or preceded by it if the line would be too long."""
     line = f"{code} ///< {doc}" if doc else code
     if len(line) <= COLUMNS:
         return line + "\n"
@@ -27,7 +27,7 @@ def beside(code, doc):
 
 
 def described(item):
-    """The documentation of a field, with unit and range where the text does not name them."""
+    """The documentation of a field, with unit and range unless the text mentions them."""
     text, missing = item.doc, []
     if item.unit and item.unit not in text and not (item.unit == "m" and "meters" in text.lower()):
         missing.append(item.unit)
@@ -38,7 +38,7 @@ def described(item):
 
 
 def wrapped(before, parts, after):
-    """A declaration or call whose arguments go on below each other where a line is full."""
+    """A declaration or call whose arguments are wrapped to several lines if necessary."""
     line = before + ", ".join(parts) + after
     if len(line) <= COLUMNS:
         return line + "\n"
@@ -55,7 +55,7 @@ def wrapped(before, parts, after):
 
 
 def c_name(kind):
-    """The type of C that stands for one of the table, without `?` and `[]`."""
+    """The C type for a type of the table, without `?` and `[]`."""
     if kind in C_SCALARS:
         return C_SCALARS[kind]
     if kind == "geometry":

@@ -1,4 +1,4 @@
-"""Where the members of the C API's structs lie in the memory of WebAssembly, whose pointers have 32 bits."""
+"""Memory layout of the C API's structs in WebAssembly, whose pointers have 32 bits."""
 import re
 from dataclasses import dataclass
 
@@ -14,8 +14,8 @@ SIZES = {"bool": (1, 1), "int": (4, 4), "float": (4, 4), "double": (8, 8), "u32"
 
 @dataclass
 class Place:
-    """Where a member is: `offset` in bytes, that of the count of a list in `count`, of the flag of what may be absent in
-    `flag`."""
+    """Location of a member: its `offset` in bytes, the offset of a list's length in `count`, and that of an optional's
+    flag in `flag`."""
 
     offset: int
     count: int = -1
@@ -23,7 +23,7 @@ class Place:
 
 
 class Layout:
-    """Sizes, alignments and places of all structs and variants of the table."""
+    """Sizes, alignments and member locations of all structs and variants of the table."""
 
     def __init__(self, table):
         self.table, self.places, self.sizes = table, {}, dict(SIZES)
@@ -40,12 +40,12 @@ class Layout:
         return self.sizes[kind]
 
     def of(self, struct):
-        """The places of the members of a struct, by name."""
+        """The locations of the members of a struct, by name."""
         self.size(struct)
         return self.places[struct]
 
     def union_offset(self, variant):
-        """Where the alternatives of a variant begin."""
+        """The offset at which the alternatives of a variant begin."""
         return max(4, max(self.size(a.type)[1] for a in self.table.variants[variant].alternatives))
 
     def _variant(self, name):
@@ -83,7 +83,7 @@ class Layout:
 
 
 def checks(table):
-    """A source of the module that does not compile where the compiler lays a struct out otherwise."""
+    """A source file of the module that fails to compile if the compiler's layout of a struct differs."""
     layout = Layout(table)
     text = f"// {MADE}\n// clang-format off\n// The places that web/src/generated takes the members of structs to be at.\n"
     text += "#include <cairn/c/cairn.h>\n\n#include <cstddef>\n\n"
@@ -104,12 +104,12 @@ def checks(table):
     return text
 
 
-# A page has no files: it has scenes in memory.
+# Functions with file names: web pages have no files, and keep scenes in memory.
 WITH_FILES = {"scene_load", "scene_save"}
 
 
 def exports(table):
-    """The functions of the module that JavaScript calls, as Emscripten's linker wants them."""
+    """The functions of the module that JavaScript calls, in the syntax of Emscripten's linker."""
     names = [f"_cairn_{function.name}" for function in table.functions if function.name not in WITH_FILES]
     names += [f"_cairn_default_{snake_name}" for snake_name in default_names(table)]
     names += ["_cairn_web_shape_color", "_cairn_web_shape_triangles", "_cairn_web_triangles_release", "_free", "_malloc"]

@@ -1,10 +1,11 @@
-"""World and Body as tests/web records them: every call that changes something is made, and written down in JavaScript."""
+"""Generates the World and Body of tests/web's recorder: every call that changes something is made, and written as
+JavaScript."""
 
 from api_python import setters
 from api_text import MADE
 from api_web import camel
 
-# What World and Body of the recorder have by hand, or leave out.
+# Functions that are hand-written for the recorder, or omitted.
 LEFT_OUT = {"is_valid", "step", "read_transforms", "save", "restore", "World", "~World"}
 
 
@@ -36,7 +37,7 @@ def parameters(table, function, with_defaults=True):
 
 
 def said(function, owner, own):
-    """The call in JavaScript, as an expression of C++ that gives its text."""
+    """The call in JavaScript, as a C++ expression that evaluates to its text."""
     target = "world" if owner == "World" else '" + body_text() + "'
     if function in own.values():
         return f'"{target}.{camel(function.method).removeprefix("set")[0].lower()}' \

@@ -1,5 +1,5 @@
-"""The types of the npm package, web/src/index.d.ts: those of the table, and around them what is written by hand in
-tools/api_web_types.d.ts."""
+"""Generates web/src/index.d.ts, the types of the npm package: those of the table, inserted into the hand-written part
+in tools/api_web_types.d.ts."""
 import re
 import textwrap
 
@@ -13,7 +13,7 @@ SCALARS = {"bool": "boolean", "int": "number", "float": "number", "double": "num
 
 
 def kind_of(table, kind, given):
-    """A type of TypeScript; `given`: of what a call takes, which may be less exact."""
+    """A TypeScript type; `given`: for an argument, which accepts more types than the exact one."""
     if kind.endswith("?"):
         return kind_of(table, kind[:-1], given) + " | null"
     many = re.match(r"(.*)\[\d*\]$", kind)

@@ -13,7 +13,7 @@ ROOMS = ["state", "bodies", "islands", "contacts", "joints", "solver", "impacts"
 GOAL = 40
 DEFINITION = re.compile(r"^ *(?:static |inline )?constexpr (?:[\w:]+) (\w+ = [^;]*);(.*)$", re.MULTILINE)
 BEFORE = re.compile(r"((?:^ *//.*\n)+)\Z", re.MULTILINE)
-# Sizes of work for threads and caches change no result; neither do names of values that mean "none".
+# Excluded: sizes of work for threads and caches, which do not change results, and names of values that mean "none".
 WORK = re.compile(r"(_per_chunk|_ahead|^capacity$|_shared_contacts$|^batch_)")
 MARKS = {"unused", "unlimited", "not_found", "unknown_speed", "no_impact_speed", "none", "pi", "whole", "ones", "max_joint_axes",
          "max_joint_axes", "wide_kinds", "tested_kinds", "one_point_type", "four_points_type", "block_types", "joint_row_types",
@@ -26,7 +26,8 @@ GIVEN = {"every_rank", "absent", "told_to_sleep", "sleep_requested", "cut_by_bod
 
 
 def constants(room):
-    """(file, name, value, comment) of each constant; the comment beside it, or else the first sentence above it."""
+    """(file, name, value, comment) of each constant; the comment is the one beside it, or else the first sentence above
+    it."""
     for path in sorted((ROOT / "src" / room).glob("*")):
         text = path.read_text(encoding="utf-8")
         for found in DEFINITION.finditer(text):

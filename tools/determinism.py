@@ -26,20 +26,20 @@ STEPS = 600
 
 @dataclasses.dataclass(eq=False)
 class Cell:
-    """One build, and what is run of it."""
+    """One build, and the programs that are run with it."""
 
     name: str
     preset: str  # of CMakePresets.json
-    packages: list  # beside those of ./dev build
+    packages: list  # in addition to those of ./dev build
     compiler: str
     kernels: dict  # instruction set -> numbers of threads
-    run: list = dataclasses.field(default_factory=list)  # put before the program
+    run: list = dataclasses.field(default_factory=list)  # prefix of the command, for example an emulator
     program: str = "cairn_hashes"
     environment: dict = dataclasses.field(default_factory=dict)
-    needs_cpu: str = ""  # a flag of /proc/cpuinfo, for all of its kernels
+    needs_cpu: str = ""  # a flag of /proc/cpuinfo that all of its kernels need
 
 
-NEEDED_FLAGS = {"avx2": "avx2", "avx512": "avx512vl"}  # of /proc/cpuinfo, by kernels
+NEEDED_FLAGS = {"avx2": "avx2", "avx512": "avx512vl"}  # flags of /proc/cpuinfo that kernels need
 
 CELLS = [
     Cell("gcc", "release", [], "c++",
@@ -68,7 +68,7 @@ def cpu_flags():
 
 
 def command(arguments, environment, what):
-    """The output of a command; its last lines go with the exception if it fails."""
+    """The output of a command; if it fails, the exception contains its last lines."""
     result = subprocess.run(arguments, cwd=ROOT, env={**os.environ, **environment}, stdout=subprocess.PIPE,
                             stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     if result.returncode != 0:
@@ -106,7 +106,7 @@ def run_all(cells, flags, jobs):
             if not (cell.name in ("gcc", "clang", "mingw") and kernels in NEEDED_FLAGS
                     and NEEDED_FLAGS[kernels] not in flags)]
     for cell in cells:
-        if "WINEPREFIX" in cell.environment:  # made by one program before several start
+        if "WINEPREFIX" in cell.environment:  # the prefix is created by one program before several start
             command([*cell.run, "wineboot", "-i"], cell.environment, "setting up wine")
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         futures = {key: pool.submit(run, *key) for key in sorted(runs, key=slowness)}
@@ -118,7 +118,7 @@ def run_all(cells, flags, jobs):
 
 
 def slowness(key):
-    """The slowest first, so that none is left over in the end."""
+    """Sort key: the slowest runs first, so that none of them is started last."""
     cell, kernels, _ = key
     return [cell.name != "aarch64", kernels != "scalar"]
 
@@ -150,7 +150,7 @@ def print_table(cells, results, notes):
     for scene in scenes:
         hashes = {key: result.get(scene, "missing") for key, result in results.items()}
         compared = len(hashes)
-        # The one that most have is taken to be right.
+        # The most frequent hash is taken to be the correct one.
         right = max(set(hashes.values()), key=lambda value: (list(hashes.values()).count(value), value))
         texts = []
         for cell, kernels, counts in columns:

@@ -60,7 +60,7 @@ def title_of(text):
 
 
 def without_links_out(text, page):
-    """Links to what is not a page of the site, in code or in words."""
+    """Replaces links to targets outside the site by code or words."""
     def replaced(found):
         target = found[3].partition("#")[0]
         if re.match(r"[a-z]+:", found[3]) or not target:
@@ -83,7 +83,7 @@ def nav(entries, indent="  "):
 
 
 def write_pages(folder):
-    """All pages below `folder`; what the site lists, in order."""
+    """Writes all pages below `folder`; returns the site's navigation in order."""
     for file in sorted((ROOT / "docs").rglob("*")):
         if file.is_dir():
             continue

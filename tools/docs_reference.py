@@ -1,4 +1,4 @@
-"""The reference of the site from the table of the API: a page for each of its files, with the names in every language."""
+"""Generates the site's API reference from the table: a page for each of its files, with the names in every language."""
 import html
 
 from api_c_header import c_parameters, is_plain
@@ -48,7 +48,7 @@ def variant_page(variant):
 
 
 def python_and_javascript(table, function):
-    """The call in both, if it is one of a method's."""
+    """The call in Python and JavaScript, if it is a method there."""
     for owner in ("World", "Body"):
         if function not in list(methods(table, owner)) or function.method in BY_HAND:
             continue

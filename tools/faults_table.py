@@ -28,7 +28,7 @@ def read_rows(page):
 
 
 def test_programs(build):
-    """Each GoogleTest of the build, and the program that it is in."""
+    """The program of each GoogleTest of the build."""
     answer = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, check=True)
     programs = {}
     for test in json.loads(answer.stdout)["tests"]:
@@ -40,7 +40,7 @@ def test_programs(build):
 
 def run_tests(programs, names):
     """The verdict of each test: "pass", "FAIL" or "skipped"."""
-    verdicts = dict.fromkeys(names, "FAIL")  # of those that a crash keeps from ending
+    verdicts = dict.fromkeys(names, "FAIL")  # the default for tests that a crash prevents from finishing
     with tempfile.TemporaryDirectory() as folder:
         for program in sorted({programs[name] for name in names}):
             report = pathlib.Path(folder, "report.json")

@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def slowest_files(folder, count):
-    """(seconds, file) of those that ninja built."""
+    """(seconds, file) of the files that ninja built."""
     times = []
     for line in (folder / ".ninja_log").read_text().splitlines()[1:]:
         begin, end, _, name, _ = line.split("\t")

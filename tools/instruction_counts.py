@@ -21,15 +21,15 @@ from scenes_of_boxes import scatter
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORDED = ROOT / "bench" / "instruction_counts.json"
-SCENES = {"07_pyramid": 60, "13_pile": 150, "14_avalanche": 90}  # steps
+SCENES = {"07_pyramid": 60, "13_pile": 150, "14_avalanche": 90}  # numbers of steps
 HEAP = "heap at rest"
-HEAP_STEPS = 500, 600  # what the later ones cost
+HEAP_STEPS = 500, 600  # the cost of the steps between these is counted
 MOST_GROWTH = 0.05
 NO_AVX2 = 77
 
 
 def write_heap(path):
-    """240 boxes and balls that fall into a narrow pit, and may not sleep."""
+    """Writes a scene with 240 boxes and balls that fall into a narrow pit, and may not sleep."""
     s = Scene("Heap", "", (8, 8, 8), (0, 1, 0), sleep=False)
     s.ground(0.5)
     s.walls(3, 3, 4, 0.4, s.material(0.5))
@@ -38,7 +38,7 @@ def write_heap(path):
 
 
 def count(cairn, scene, steps):
-    """Instructions of all steps together."""
+    """The total number of instructions of all steps."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["valgrind", "--tool=callgrind", "--collect-atstart=no", "--toggle-collect=cairn::World::step(float)",
                    f"--callgrind-out-file={folder}/out", str(cairn), "run", str(scene), "--frames", str(steps),
@@ -51,7 +51,7 @@ def count(cairn, scene, steps):
 
 
 def count_all(cairn):
-    """Instructions by scene."""
+    """The number of instructions for each scene."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
         heap = Path(folder) / "heap.gltf"
         write_heap(heap)

@@ -1,5 +1,5 @@
-"""Joints as CAIRN_joint writes them (docs/scene_format.md), with the limits and drives that come nearest to them in
-the words of the draft beside."""
+"""Joints of the extension CAIRN_joint (docs/scene_format.md), together with the limits and drives of the Khronos draft
+that approximate them best."""
 
 import math
 
@@ -9,8 +9,8 @@ def spring(stiffness, damping):
 
 
 def control(lower=None, upper=None, velocity=None, position=None, to=None, most=None, friction=None):
-    """What acts along an axis: a range; a motor with a velocity, or with a position and a spring `to` it; `most` force;
-    friction."""
+    """The control of an axis: a range; a motor with a velocity, or with a position and a spring `to` it; `most`, its
+    maximum force; friction."""
     made = {}
     if lower is not None or upper is not None:
         bounds = (("lower", lower), ("upper", upper))
@@ -44,7 +44,7 @@ def _limits(kind, axis, made):
 def _drives(kind, axis, made):
     motor = made.get("motor", {})
     if "spring" not in motor:
-        return []  # the draft has no motors that hold a velocity
+        return []  # the draft has no motors that keep a velocity
     to = motor["spring"]
     drive = {"type": kind, "mode": "acceleration" if to.get("is_acceleration") else "force", "axis": axis}
     if "max_force" in motor:
@@ -65,8 +65,8 @@ def _entry(kind, limits, drives, members, strength=None, solver=None):
 
 
 def ball(cone=None, twist=None, friction=None, **how):
-    """how, here and below: `strength`, the force that breaks it, and `solver`. cone: the greatest
-    angle between the x axes, degrees. twist: about them, to either side, degrees."""
+    """how, here and below: `strength`, the breaking force, and `solver`. cone: the greatest angle between the x axes,
+    degrees. twist: the limit about them in either direction, degrees."""
     limits, members = [_lock("linear", 0, 1, 2)], {}
     if cone is not None:
         members["cone_angle"] = round(math.radians(cone), 6)

@@ -29,14 +29,14 @@ import sys
 
 KINDS = {".xml": "MJCF", ".sdf": "SDF", ".world": "SDF", ".urdf": "URDF", ".usda": "USD", ".gltf": "glTF", ".glb": "glTF"}
 PATIENCE = 120  # s
-# What servos, springs and keyframes may add: of the energy that moves about in the model.
+# Energy that servos, springs and keyframes may add, relative to the kinetic energy of the model.
 TOLERANCE = 0.05
 REST, NOISE = 1e-3, 0.05  # J
 OVERLAP = 5e-3  # m
 
 
 def is_model(path):
-    """Whether the file is a whole model, and no part of one."""
+    """Whether the file is a complete model, and not a part of one."""
     text = path.read_bytes()[:20000]
     if path.suffix == ".xml":
         return b"<mujoco" in text and b"<mujocoinclude" not in text
@@ -46,7 +46,7 @@ def is_model(path):
 
 
 def energies(program, path, seconds):
-    """(kinetic, potential) after each step, the overlap at the start, what was said, and the exit status."""
+    """(kinetic, potential) after each step, the overlap at the start, the messages, and the exit status."""
     command = [program, "run", path.name, "--seconds", str(seconds), "--csv", "-", "--columns", "energy,contacts"]
     done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, timeout=PATIENCE)
     rows = list(csv.DictReader(io.StringIO(done.stdout))) if done.returncode == 0 else []
@@ -93,7 +93,7 @@ def verdict(program, path, seconds):
 
 
 def in_runs(names):
-    """Sorted names, those of three and more numbers in a row as "a_00 to a_35"."""
+    """Sorted names; three or more consecutive numbers become "a_00 to a_35"."""
     runs = []
     for name in names:
         stem, number = re.fullmatch(r"(.*?)(\d*)", name).groups()

@@ -26,16 +26,17 @@ import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORPUS = ROOT / "tests/fuzz/corpus"
-SECONDS = 10  # of processor time
-PATIENCE = 60  # s of a clock, on a machine that does other things too
-MEMORY = 1 << 30  # bytes that a process may hold
-ADDRESSES = 4 << 30  # bytes of addresses: a request for more than that is refused to it
+SECONDS = 10  # processor time, s
+PATIENCE = 60  # wall-clock time, s; the machine may do other work too
+MEMORY = 1 << 30  # resident memory of a process, bytes
+ADDRESSES = 4 << 30  # address space, bytes: larger requests fail
 
-# What the fuzzers' own reading puts before a file of these folders, and how many bytes of it are their choices.
+# The prefix that the fuzz target of each of these folders adds to a file, and the number of bytes in which it encodes
+# its choices.
 BEGINNINGS = {"mjcf": (b"<mujoco", 0), "sdf": (b"<sdf", 0), "usd": (b"#usda 1.0\n", 0), "urdf": (b"<", 0), "mesh_file": (b"", 1)}
 RUN = ["run", "FILE", "--frames", "3", "--threads", "1", "--json"]
 CONVERT = ["convert", "FILE", "OUT.gltf"]
-# Of each format: the good files, and what is called with a changed one.
+# For each format: the valid files, and the commands that a mutated file is given to.
 FORMATS = {
     "gltf": (["scene/*.gltf", "../../../scenes/0[2568]_*.gltf", "../../../scenes/32_*.gltf"], RUN),
     "glb": (["scene/*.glb"], RUN),
@@ -130,7 +131,7 @@ def move_lines(data, dice):
 
 
 def nest(data, dice):
-    """Wraps one element or array into itself many times."""
+    """Nests one element or array in itself many times."""
     depth = dice.choice([10, 1000, 100000])
     opened, closed = dice.choice([(b"[", b"]"), (b"{\"a\":", b"}"), (b"<link>", b"</link>"), (b"(", b")"), (b"def \"a\" {", b"}")])
     at = dice.randrange(len(data) + 1)
@@ -149,7 +150,7 @@ def mutated(good, dice):
 
 
 def short(data):
-    """A plan that does not ask for hours, as it may: the program would take them."""
+    """Limits the simulated time of a plan, which may be hours."""
     return re.sub(rb'("seconds"\s*:)[^,}\n]*', rb"\1 0.05", data)
 
 
@@ -160,7 +161,7 @@ def limits():
 
 
 def numbers_fail(text):
-    """Why the JSON of the program is none, or None."""
+    """The reason why the program's output is not valid JSON, or None."""
     try:
         json.loads(text, parse_constant=lambda word: 1 / 0)
     except ZeroDivisionError:
@@ -171,7 +172,7 @@ def numbers_fail(text):
 
 
 def fault_of(status, usage, out, said, is_json):
-    """What is wrong with what a process did, or None."""
+    """Describes what is wrong with the behavior of a process, or None."""
     lines = said.decode("utf-8", "replace").strip().splitlines()
     complaints = [line for line in lines if not line.startswith("cairn: warning: ")]
     if status in (-9, -24):
@@ -191,14 +192,14 @@ def fault_of(status, usage, out, said, is_json):
     if status != 1:
         return f"exit status {status}"
     if not complaints and b'"same": false' in out:
-        return None  # a recording whose steps came out otherwise
+        return None  # a recording whose replay diverged
     if len(complaints) != 1 or not complaints[0].startswith("cairn: "):
         return f"refused the file in {len(complaints)} lines"
     return None
 
 
 class Trial:
-    """Files of one format, changed and run in a folder of its own."""
+    """Mutated files of one format, run in a folder of their own."""
 
     def __init__(self, program, seed, name, folder):
         patterns, self.arguments = FORMATS[name]

@@ -11,7 +11,7 @@ from pathlib import Path
 COLORS = {"cairn": "#2f7d6b", "bullet": "#c9772d", "ode": "#8a5aa8"}
 TITLES = {"pile_boxes": "a pile of 27 boxes", "tower": "a tower of 10 boxes", "chain": "a chain of 5 hinges"}
 WIDTH, HEIGHT, LEFT, TOP, GAP = 270, 260, 64, 48, 66
-FLOOR = 1e-9  # m: what deviates less is drawn there
+FLOOR = 1e-9  # smaller deviations are drawn here, m
 
 
 def panel(points, x0):

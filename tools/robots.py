@@ -24,8 +24,8 @@ import xml.etree.ElementTree as ElementTree
 ARMS = ["ur_description/urdf/ur3_robot.urdf", "ur_description/urdf/ur5_robot.urdf", "ur_description/urdf/ur10_robot.urdf",
         "panda_description/urdf/panda.urdf", "kinova_description/robots/kinova.urdf", "z1_description/urdf/z1.urdf",
         "bravo7_description/urdf/bravo7_no_ee.urdf", "talos_data/robots/talos_left_arm.urdf"]
-# The robot, the file that has its poses, the name of the one in which it stands, the seconds that it takes to get there, and
-# the frequency of its servos: those of an ankle, which is reckoned with the foot, bear the whole of a humanoid.
+# The robot, the file with its poses, the name of its standing pose, the time to reach it in seconds, and the frequency
+# of its servos in Hz: an ankle's servo, which is computed with the mass of the foot alone, carries the whole humanoid.
 STANDING = [("a1_description/urdf/a1.urdf", "a1_description/srdf/a1.srdf", "standing", 0, 20),
             ("go1_description/urdf/go1.urdf", "go1_description/srdf/go1.srdf", "standing", 0, 20),
             ("go2_description/urdf/go2.urdf", "go2_description/srdf/go2.srdf", "standing", 0, 20),
@@ -35,12 +35,12 @@ STANDING = [("a1_description/urdf/a1.urdf", "a1_description/srdf/a1.srdf", "stan
             ("solo_description/robots/solo12.urdf", "solo_description/srdf/solo.srdf", "standing", 0, 20),
             ("talos_data/robots/talos_reduced.urdf", "talos_data/srdf/talos.srdf", "half_sitting", 3, 60)]
 POSES = 5
-STANDING_SECONDS = 60  # at 14, one that swayed more and more was taken to stand
+STANDING_SECONDS = 60  # with 14 s, a robot whose oscillation grew was taken to stand
 GRAVITY = 9.81
-TORQUE_BAR = 0.01  # of the greatest torque of a pose
+TORQUE_BAR = 0.01  # relative to the greatest torque of a pose
 TILT_BAR = 10.0  # degrees
-ENERGY_BAR, NOISE = 0.05, 0.05  # of the greatest kinetic energy; J
-REST_BAR = 0.002  # m, of all three coordinates in the last second
+ENERGY_BAR, NOISE = 0.05, 0.05  # relative to the greatest kinetic energy; J
+REST_BAR = 0.002  # for all three coordinates in the last second, m
 PATIENCE = 300  # s
 
 
@@ -61,7 +61,7 @@ def product(a, b):
 
 
 def about(axis, angle):
-    """Rodrigues' formula."""
+    """A rotation about an axis, by Rodrigues' formula."""
     length = math.sqrt(dot(axis, axis))
     x, y, z = (v / length for v in axis)
     c, s = math.cos(angle), math.sin(angle)
@@ -76,7 +76,7 @@ def numbers(element, attribute, default):
 
 
 def frame(element):
-    """(place, rotation) of the `origin` of an element."""
+    """(position, rotation) of the `origin` of an element."""
     origin = element.find("origin")
     roll, pitch, yaw = numbers(origin, "rpy", [0.0] * 3)
     turn = product(about([0, 0, 1], yaw), product(about([0, 1, 0], pitch), about([1, 0, 0], roll)))
@@ -84,7 +84,7 @@ def frame(element):
 
 
 class Robot:
-    """The tree of a URDF file."""
+    """The kinematic tree of a URDF file."""
 
     def __init__(self, path):
         root = ElementTree.parse(path).getroot()
@@ -100,11 +100,11 @@ class Robot:
         return [joint for joint in self.joints if joint.get("type") in types and joint.find("mimic") is None]
 
     def weight_moments(self, positions):
-        """Of each hinge: the moment about its axis that holds what is beyond it. z is up."""
+        """For each hinge: the moment about its axis that balances the weight of all links beyond it. z is up."""
         moments = {}
 
         def visit(name, place, turn):
-            """(mass, mass times place) of a link and all beyond it."""
+            """(mass, mass times position) of a link and all links beyond it."""
             inertial = self.links[name].find("inertial")
             mass, sums = 0.0, [0.0] * 3
             if inertial is not None:
@@ -136,7 +136,7 @@ class Robot:
 
 
 def table_of(rows, names):
-    """Targets as text: (time, {name: position}) each."""
+    """A table of targets as text; each row is (time, {name: position})."""
     lines = ["time," + ",".join(names)]
     lines += [f"{time}," + ",".join(f"{pose[name]:.6f}" for name in names) for time, pose in rows]
     return "\n".join(lines) + "\n"
@@ -152,7 +152,7 @@ def run(program, path, targets, options):
 
 
 def hold(program, path):
-    """(verdict, what was seen) of an arm."""
+    """(verdict, observations) of an arm."""
     robot, dice = Robot(path), random.Random(path.name)
     joints = robot.moving("revolute", "continuous", "prismatic")
     worst, greatest, astray = 0.0, 0.0, 0.0
@@ -168,7 +168,7 @@ def hold(program, path):
         options = ["--fixed-base", "--seconds", str(STANDING_SECONDS), "--from", "14", "--columns", "joints,contacts"]
         row = run(program, path, targets, options)[-1]
         if row["contacts"] != "0":
-            continue  # it leans on itself
+            continue  # its links touch each other
         held += 1
         seen = {name: float(row[f"{name}.position"]) for name in pose}
         moments = robot.weight_moments(seen)
@@ -184,7 +184,7 @@ def hold(program, path):
 
 
 def stand(program, path, poses, state, seconds, frequency):
-    """(verdict, what was seen) of a robot with legs."""
+    """(verdict, observations) of a legged robot."""
     robot = Robot(path)
     root = ElementTree.parse(poses).getroot()
     joints = {joint.get("name") for joint in robot.moving("revolute", "continuous", "prismatic")}
@@ -201,7 +201,7 @@ def stand(program, path, poses, state, seconds, frequency):
     heights, tilts = [], []
     for row in rows:
         qx, qy, qz, qw = (float(row[f"q{c}"]) for c in "xyzw")
-        # How far the file's z, which is the program's y at the start, leans from it.
+        # The tilt of the file's z axis from the program's y axis, with which it coincides at the start.
         up = [2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), 1 - 2 * (qx * qx + qy * qy)]
         tilts.append(math.degrees(math.acos(max(-1.0, min(1.0, up[1])))))
         heights.append(float(row["py"]))
@@ -215,7 +215,7 @@ def stand(program, path, poses, state, seconds, frequency):
 
 
 def drop(program, path):
-    """(whether it did what it should, what was seen) of a robot that falls limp on a floor."""
+    """(whether it passed, observations) of a robot that falls on a floor without drives."""
     command = [program, "run", path.name, "--floor", "--seconds", "5", "--columns", "energy", "--csv", "-"]
     done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, timeout=PATIENCE)
     if done.returncode != 0:
@@ -224,7 +224,7 @@ def drop(program, path):
     rows = [(float(row["kinetic"]), float(row["potential"])) for row in csv.DictReader(io.StringIO(done.stdout))]
     gained = max(kinetic + potential for kinetic, potential in rows) - sum(rows[0])
     greatest = max(kinetic for kinetic, _ in rows)
-    # Nothing but that holds it back: what has no shapes falls through the floor.
+    # In free fall: links without shapes fall through the floor.
     falls = rows[-1][0] > 0.9 * (rows[0][1] - rows[-1][1]) and rows[-1][0] > 10
     seen = f"{greatest:.1f} J at most, {rows[-1][0]:.2f} J at the end, gained {max(gained, 0.0):.2f} J"
     is_good = gained <= ENERGY_BAR * greatest + NOISE

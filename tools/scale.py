@@ -16,13 +16,15 @@ import subprocess
 import sys
 import tempfile
 
-FACES = 6  # neighbors of a cube of bodies among cubes
-SWEEPS = 12  # of the colors in a step: two in each of six substeps
-ROW, BODY, CONTACT = 32, 150, 12  # bytes: a velocity, a body's result with what tests of its pairs tell, a contact's
+FACES = 6  # neighboring cubes of bodies, one per face
+SWEEPS = 12  # passes over the colors per step: two in each of six substeps
+# Bytes: a velocity, the result of a body including the tests of its pairs, and that of a contact.
+ROW, BODY, CONTACT = 32, 150, 12
 
 
 def write_pit(bodies, path):
-    """Balls, cubes and bricks in a square pit as deep as wide, closely packed but apart, a little shaken."""
+    """Writes balls, cubes and bricks in a square pit that is as deep as wide, closely packed without touching, with
+    small random offsets."""
     numbers = random.Random(1)
     side = math.ceil(bodies ** (1 / 3))
     half, gap = 0.55 * side + 0.5, 1.1
@@ -75,7 +77,8 @@ def measured(cairn, scene, ranks, frames):
 
 
 def weak(arguments):
-    """As many bodies a rank for each number of ranks, each world also by one process: what a rank's step takes."""
+    """Weak scaling: the same number of bodies per rank for each number of ranks; each world is also run by one process.
+    Measures the time of a step per rank."""
     runs = []
     print("| ranks | bodies | contacts a body | processor time of one process for that world, ms a step | of each rank | "
           "slowest / mean | efficiency | clock, ms a step | memory of one process, MB | of each rank |")
@@ -116,8 +119,8 @@ def measure(arguments):
 
 
 def checkpoints(arguments):
-    """What a checkpoint takes of the processor of rank 0, and on its clock: the least of several runs, as other programs
-    and the cache of the disk make the others longer."""
+    """The processor time and the wall-clock time of a checkpoint on rank 0: the minimum of several runs, as other
+    programs and the disk cache prolong some of them."""
     print("| ranks | all parts, MB | part of a rank, MB | processor time of a rank for its snapshot, ms | for its part, ms | "
           "clock, ms |")
     print("|---|---|---|---|---|---|")
@@ -142,8 +145,8 @@ def fit_line(points):
 
 
 def delay_of_waiting(ranks, rounds, jitter, seed=1):
-    """A network in which each rank of a cube waits for its six neighbors after each round, and takes 1 +- jitter
-    (standard deviation, of a round) for it: the mean time of a round."""
+    """The mean time of a round in a network of ranks, each of which waits for its six neighbors in a cube after each
+    round. A round takes 1 +- jitter (its standard deviation)."""
     side = max(2, round(ranks ** (1 / 3)))
     numbers = random.Random(seed)
     index = lambda x, y, z: (x % side * side + y % side) * side + z % side
@@ -169,7 +172,7 @@ def predict(arguments):
           f"slowest {imbalance:.2f} of the mean, some {rounds:.0f} rounds of messages a step")
     delays = {n: delay_of_waiting(n, 200, 0.1) for n in (8, 64, 1000)}
     print("waiting (rounds that vary by 10 %): " + ", ".join(f"{n} ranks {d:.2f}" for n, d in delays.items()))
-    whole = 1e-3 * (replicated + shared) / bodies  # s a body, were all stages shared out
+    whole = 1e-3 * (replicated + shared) / bodies  # s per body, if all stages were distributed
     waiting = delays[1000]
     print("| bodies | ranks | as it is, s a step | memory a rank, GB | all shared out, s a step | efficiency | memory, GB |")
     print("|---|---|---|---|---|---|---|")

@@ -1,11 +1,11 @@
-"""Colors, rotations, and a class that collects bodies and writes them as a file (docs/scene_format.md)."""
+"""Colors, rotations, and a class that collects bodies and writes them as a scene file (docs/scene_format.md)."""
 
 import base64
 import json
 import math
 import struct
 
-# Colors that can be told apart with any kind of color vision (Okabe and Ito, 2008), and a few calm ones.
+# Colors that can be distinguished with any kind of color vision (Okabe and Ito, 2008), and a few muted ones.
 ORANGE, SKY, GREEN, YELLOW = "#E69F00", "#56B4E9", "#009E73", "#F0E442"
 BLUE, RED, PURPLE = "#0072B2", "#D55E00", "#CC79A7"
 STONE, DARK_STONE, WALL, WOOD, WHITE, BLACK = "#A9A59C", "#7D7A74", "#8FA3AD", "#B98A5A", "#F2EFE8", "#22262B"
@@ -32,7 +32,7 @@ def turn(axis, degrees):
 
 
 def multiply(p, q):
-    """First q, then p."""
+    """The product of two quaternions: first the rotation q, then p."""
     px, py, pz, pw = p
     qx, qy, qz, qw = q
     return (
@@ -44,7 +44,7 @@ def multiply(p, q):
 
 
 def rotate(q, v):
-    """The vector v turned by q."""
+    """The vector v rotated by q."""
     x, y, z, w = multiply(multiply(q, (*v, 0.0)), (-q[0], -q[1], -q[2], q[3]))
     return (x, y, z)
 
@@ -54,7 +54,7 @@ def between(first, second):
     cross = [first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2],
              first[0] * second[1] - first[1] * second[0]]
     w = 1 + sum(a * b for a, b in zip(first, second))
-    if w < 1e-9:  # half a turn, about any axis across
+    if w < 1e-9:  # half a turn about any perpendicular axis
         cross, w = ([0, first[2], -first[1]] if abs(first[0]) < 0.9 else [-first[2], 0, first[0]]), 0
     length = math.sqrt(sum(c * c for c in cross) + w * w)
     return tuple(c / length for c in cross) + (w / length,)
@@ -68,7 +68,7 @@ def any_turn(rng):
 
 
 def short(value, digits):
-    """Rounded, and written as a whole number where it is one."""
+    """Rounds a value, and writes it as an integer if it is one."""
     value = round(value, digits)
     return int(value) if value == int(value) else value
 
@@ -78,7 +78,7 @@ def dump(value):
 
 
 class Scene:
-    """Collects bodies and writes them as one glTF file, a node to a line."""
+    """Collects bodies and writes them as one glTF file with one node per line."""
 
     def __init__(self, title, hint, camera, target, fov=40, **settings):
         self.world = {"title": title, "hint": hint}
@@ -99,7 +99,7 @@ class Scene:
         if extension not in self.used:
             self.used.append(extension)
 
-    # Shapes. Each returns what the bodies below take as their shape.
+    # Shapes. Each function returns the `shape` argument of the functions for bodies below.
 
     def sphere(self, radius):
         return self._index(self.shapes, {"type": "sphere", "sphere": {"radius": short(radius, 6)}})
@@ -117,11 +117,11 @@ class Scene:
         return self._index(self.shapes, {"type": kind, kind: size})
 
     def capsule(self, radius, height, top=None):
-        """height: between the centers of its two balls. top: the radius of the upper one, if it is another."""
+        """height: distance of the centers of its two balls. top: the radius of the upper ball, if it differs."""
         return self._round("capsule", radius, height, top)
 
     def cylinder(self, radius, height, top=None):
-        """top: the radius of the upper end, if it is another; 0 for a cone."""
+        """top: the radius of the upper end, if it differs; 0 for a cone."""
         return self._round("cylinder", radius, height, top)
 
     def height_field(self, columns, rows, spacing, height):
@@ -134,12 +134,12 @@ class Scene:
         return self._index(self.shapes, {"type": "CAIRN_height_field", "extensions": {"CAIRN_height_field": own}})
 
     def mesh(self, vertices, triangles):
-        """A surface of triangles, counterclockwise as seen from outside; for bodies that are not moved by forces."""
+        """A triangle surface, counterclockwise as seen from outside; for static and kinematic bodies."""
         return {"node": self._mesh_node(vertices, triangles)}
 
     def hull(self, vertices):
         """The convex hull of points."""
-        # The file holds triangles, of which a hull needs the corners alone: all of them, three at a time.
+        # The file stores triangles, of which a hull only needs the vertices: all of them, in groups of three.
         count = len(vertices)
         triangles = [(i, (i + 1) % count, (i + 2) % count) for i in range(0, count, 3)]
         return {"node": self._mesh_node(vertices, triangles), "convexHull": True}
@@ -160,7 +160,7 @@ class Scene:
         self.data += data
         entry = {"bufferView": len(self.views) - 1, "componentType": component, "count": len(rows), "type": kind}
         if kind == "VEC3":
-            # The bounds that glTF asks for are those of the floats.
+            # glTF requires the bounds of the values rounded to float.
             floats = [struct.unpack("<3f", struct.pack("<3f", *row)) for row in rows]
             entry["min"] = [min(column) for column in zip(*floats)]
             entry["max"] = [max(column) for column in zip(*floats)]
@@ -169,8 +169,8 @@ class Scene:
 
     def material(self, friction=0.6, restitution=0.0, density=1000, combine=None, rolling=0.0, torsional=None,
                  belt=None):
-        """combine: the rule for both friction and restitution; None for the average. belt: the velocity with which the
-        surface moves by itself, in the axes of the collider."""
+        """combine: the rule for both friction and restitution; None for the average. belt: the surface velocity, in the
+        axes of the collider."""
         entry = {"staticFriction": friction, "dynamicFriction": friction, "restitution": restitution}
         if combine:
             entry.update({"frictionCombine": combine, "restitutionCombine": combine})
@@ -189,8 +189,8 @@ class Scene:
         return self._index(self.materials, entry)
 
     def meet(self, system, never=None):
-        """What is made from now on is in a collision system, and does not meet what is in the system `never`. Without
-        a system, it meets everything."""
+        """Bodies created from now on are in a collision system, and do not collide with bodies in the system `never`.
+        Without a system, they collide with all bodies."""
         entry = {"collisionSystems": [system], "notCollideWithSystems": [never]} if never else {
             "collisionSystems": [system]}
         self.filter = None if system is None else self._index(self.filters, entry)
@@ -235,7 +235,7 @@ class Scene:
         return self.roots[-1]
 
     def character(self, shape, material, position, name=None, color=None, **members):
-        """members: of its CharacterDef, where they are not as by default."""
+        """members: those of its CharacterDef that differ from the defaults."""
         index = self.body(shape, material, position, None, name, color, isKinematic=True)
         self._use("CAIRN_body")
         self.nodes[index]["extensions"]["CAIRN_body"] = {"character": members}
@@ -255,7 +255,7 @@ class Scene:
         self.fixed(self.plane(), self.material(friction, restitution), (0, 0, 0), name="ground", color=color)
 
     def walls(self, inner_x, inner_z, height, thickness, material, color=WALL):
-        """Four walls on the ground around a rectangle about the origin."""
+        """Four walls on the ground around a rectangle centered at the origin."""
         x, z, y = (inner_x + thickness) / 2, (inner_z + thickness) / 2, height / 2
         along_z = self.box(thickness, height, inner_z + 2 * thickness)
         along_x = self.box(inner_x, height, thickness)

@@ -1,4 +1,4 @@
-"""A scene of bicycles that nobody steers."""
+"""A scene of riderless bicycles."""
 
 import math
 
@@ -6,12 +6,13 @@ import joints
 from scene_writer import BLUE, GREEN, RED, STONE, Scene, turn
 from scenes_of_joints import along
 
-# The benchmark of J. P. Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab, Proc. R. Soc. A 463 (2007). x is ahead.
+# The benchmark of J. P. Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab, Proc. R. Soc. A 463 (2007). x is
+# forward.
 TILT, BASE, TRAIL, REAR, FRONT = math.pi / 10, 1.02, 0.08, 0.3, 0.35
 
 
 def moments(mass, xx, yy, zz, xy):
-    """Members of a motion; moments about the axes of the bicycle."""
+    """Members of a motion; the moments of inertia are about the axes of the bicycle."""
     angle = 0.5 * math.atan2(2 * xy, xx - yy)
     c, s = math.cos(angle), math.sin(angle)
     return {"mass": mass, "centerOfMass": [0, 0, 0],
@@ -21,7 +22,8 @@ def moments(mass, xx, yy, zz, xy):
 
 
 def bicycle(s, place, speed, lean, color, name):
-    """It rides at that speed over a belt that takes it back as fast; `lean`: rad/s, how fast it falls at first."""
+    """A bicycle that rides at that speed on a belt moving backwards at the same speed; `lean`: its initial roll rate,
+    rad/s."""
     x0, y0, z0 = place
     rubber, paint = s.material(1, 0, 1000, torsional=0), s.material(0.5, 0, 1000)
     dark, metal, skin = "#23272E", "#C3C9CE", "#D9B99B"
@@ -37,7 +39,7 @@ def bicycle(s, place, speed, lean, color, name):
                           angularVelocity=[lean, 0, round(-spin, 6)], **motion)
 
     def wheel(x, radius, mass, across, axial):
-        half = 0.015  # the sharp rim is in the middle: the larger end of a cone
+        half = 0.015  # the sharp rim, in the central plane, is the larger end of a cone
         tire = s.cylinder(radius, 2 * half, 0.94 * radius)
         parts = [(tire, (0, 0, half), dark, turn("x", 90)),
                  (s.box(1.7 * radius, 0.04, 0.036), (0, 0, half), metal), (s.box(0.04, 1.7 * radius, 0.036), (0, 0, half), metal)]
@@ -56,7 +58,7 @@ def bicycle(s, place, speed, lean, color, name):
                   (s.sphere(0.12), (0.12, 0.8, 0), skin),
                   (s.box(0.26, 0.05, 0.14), (-0.06, 0.08, 0), dark)],
                  (0.3, 0.9, 0), moments(85, 9.2, 2.8, 11, -2.4))
-    # The steering axis meets the ground before the front wheel.
+    # The steering axis intersects the ground ahead of the front wheel's contact point.
     on_axis = [(BASE + TRAIL - y * math.tan(TILT), y) for y in (0.55, 1.08)]
     fork = body([part(((BASE, FRONT, side * 0.05), (*on_axis[0], side * 0.05)), 0.014, metal, (0.9, 0.7, 0)) for side in (-1, 1)]
                 + [part(((*on_axis[0], 0), (*on_axis[1], 0)), 0.02, metal, (0.9, 0.7, 0)),

@@ -9,8 +9,8 @@ from scene_writer import (BLACK, BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, S
 
 
 def scatter(scene, rng, count, columns, spacing, bottom, material, sizes=(0.3, 0.6), jitter=0.1):
-    """Boxes and balls on a loose grid about the vertical axis, layer over layer, no two touching: the diagonal of the
-    largest, 1.68 times its size, and twice the jitter must fit into the spacing."""
+    """Boxes and balls on a loose grid about the vertical axis, layer by layer, without contact: the diagonal of the
+    largest, 1.68 times its size, plus twice the jitter must not exceed the spacing."""
     assert 1.68 * sizes[1] + 2 * jitter <= spacing
     kinds = []
     for i in range(8):
@@ -49,7 +49,7 @@ def two_planes():
     slab = s.box(length, 0.3, depth)
     for name, sign in (("left plane", -1), ("right plane", 1)):
         tilt = turn("z", sign * angle)
-        # The middle of the upper face lies half a length up the slope from the valley.
+        # The center of the upper face is half a length up the slope from the valley.
         up = rotate(tilt, (0, -0.15, 0))
         along = rotate(tilt, (sign * length / 2, 0, 0))
         s.fixed(slab, material, (along[0] + up[0], 0.4 + along[1] + up[1], 0), tilt, name, WALL)
@@ -155,7 +155,7 @@ def tower():
 
 
 def along_curve(points, spacing):
-    """Places at equal distances along a smooth curve (Catmull-Rom) through points (x, z): x, z and the heading in
+    """Points at equal distances along a smooth curve (Catmull-Rom) through points (x, z): x, z and the heading in
     degrees, measured from +z towards +x."""
     samples = []
     padded = [points[0], *points, points[-1]]
@@ -304,7 +304,7 @@ def welcome():
     rng = random.Random(7)
     s.ground(0.7, 0.0, "#7A8578")
     stone = s.material(0.8, 0.0, 2600)
-    # The cairn: slabs from large to small, each a little off the one below.
+    # The cairn: slabs from large to small, each slightly offset from the one below.
     height, x, z = 0.0, -2.5, 0.0
     for i in range(11):
         t = i / 10
@@ -315,7 +315,7 @@ def welcome():
                (x + rng.uniform(-shift, shift), height + round(size[1], 3) / 2, z + rng.uniform(-shift, shift)),
                turn("y", rng.uniform(-22, 22)), f"stone {i + 1}", blend(DARK_STONE, "#D8D2C4", rng.random()))
         height += round(size[1], 3)
-    # A pyramid behind.
+    # A pyramid in the background.
     cube, plain, side = s.box(0.36, 0.36, 0.36), s.material(0.6), 0.36
     for row in range(10):
         for column in range(10 - row):
@@ -382,7 +382,7 @@ def pinball():
     steel, rubber, wood = s.material(0.1, 0.3, 7800), s.material(0.2, 0.95), s.material(0.2, 0.2)
 
     def on(x, y, z):
-        """A place above the table, in its own axes."""
+        """A position above the table, given in the table's axes."""
         px, py, pz = rotate(slope, (x, y, z))
         return (px, py + 0.9, pz)
 

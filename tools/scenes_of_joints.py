@@ -9,7 +9,7 @@ from scene_writer import (BLUE, DARK_STONE, RED, STONE, VIVID, WOOD, YELLOW, Sce
 
 
 def along(first, second):
-    """The middle between two points, the rotation of y to the way between them, and its length."""
+    """The midpoint of two points, the rotation of y to the direction between them, and their distance."""
     way = [b - a for a, b in zip(first, second)]
     length = math.sqrt(sum(w * w for w in way))
     return [(a + b) / 2 for a, b in zip(first, second)], between((0, 1, 0), [w / length for w in way]), length
@@ -17,7 +17,7 @@ def along(first, second):
 
 # --- ragdolls
 
-# The two ends of each part in meters, standing with the arms half raised: first the end at the joint.
+# The two ends of each body part in meters, standing with the arms half raised: first the end at the joint.
 LIMBS = {
     "upper arm": ((0.21, 1.42, 0), (0.43, 1.22, 0), 0.055),
     "lower arm": ((0.43, 1.22, 0), (0.63, 1.02, 0), 0.048),
@@ -27,7 +27,7 @@ LIMBS = {
 
 
 def ragdoll(s, material, place, rotation, colors, velocity, number):
-    """A figure of 11 bodies; place: of its waist, which is 1.05 m above its feet."""
+    """A figure of 11 bodies; place: that of its waist, 1.05 m above its feet."""
     shirt, trousers, skin = colors
 
     def at(point):
@@ -153,7 +153,7 @@ def bridge():
 
 
 def chain_link(s, length, thick, wide):
-    """An oval ring of round bars, along y: what a compound takes as parts."""
+    """An oval ring of round bars along y: the parts of a compound."""
     bar, bend = s.capsule(thick, length - 2 * thick), s.capsule(thick, wide)
     return [(bar, (side * wide / 2, 0, 0)) for side in (-1, 1)], [(bend, (0, end * (length / 2 - thick), 0))
                                                                  for end in (-1, 1)]
@@ -229,7 +229,7 @@ def cars():
 
 
 def car(s, place, heading, color, number, steer):
-    """It drives along its x axis, and steers to the left by so many degrees."""
+    """A car that drives along its x axis; steer: the steering angle to the left, degrees."""
     def at(point):
         return [p + q for p, q in zip(place, rotate(heading, point))]
 
@@ -244,7 +244,7 @@ def car(s, place, heading, color, number, steer):
     rubber = s.material(1.1, 0.0, 250, combine="maximum")
     for name, x, z in (("front left", 1, -1), ("front right", 1, 1), ("rear left", -1, -1), ("rear right", -1, 1)):
         hub = at((x * half_base, -0.25, z * half_track))
-        # Its y axis is the axle, and points to the right.
+        # The wheel's y axis is the axle, and points to the right.
         parts = [(s.cylinder(radius, 0.26), (0, 0, 0), dark), (s.cylinder(0.2, 0.28), (0, 0, 0), "#B9C0C6"),
                  (s.box(0.32, 0.285, 0.06), (0, 0, 0), "#7C858D")]
         axle = multiply(heading, turn("x", 90))
@@ -255,6 +255,6 @@ def car(s, place, heading, color, number, steer):
         if x > 0:
             turned = math.radians(steer + (1.5 if z < 0 else -1.5))
             steering = joints.control(position=turned, to=joints.spring(9000, 300))
-        # The frame's x axis is up, its y axis to the right, its z axis ahead.
+        # The frame's x axis points up, its y axis to the right, its z axis forward.
         frame = multiply(heading, (0.5, 0.5, 0.5, 0.5))
         s.joint(body, tire, joints.wheel(suspension, drive, steering), hub, frame, name=f"{name} {number}")

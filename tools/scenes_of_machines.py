@@ -1,4 +1,4 @@
-"""Scenes of machines: a walker, a clock, a robot, and a line of things that set each other off."""
+"""Scenes of machines: a walker, a clock, a robot, and a chain reaction."""
 
 import math
 
@@ -16,7 +16,8 @@ A, B, C, D, E, F, G, H, I, J, K, L, M = 38, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 
 
 
 def meeting(p, from_p, q, from_q, above):
-    """The point at these distances from p and q; of the two, that to the left of the way from p to q, or the other."""
+    """The point at these distances from p and q: of the two solutions, the one to the left of the direction from p to q
+    if `above`, else the other."""
     dx, dy = q[0] - p[0], q[1] - p[1]
     distance = math.hypot(dx, dy)
     t = (from_p**2 - from_q**2 + distance**2) / (2 * distance)
@@ -64,7 +65,7 @@ def walker():
         for side in (1, -1):
             leg(s, body, crank, z, phase, side, unit, (begin, axle), bone)
     s.meet(None)
-    # Blocks in its way, light enough to be kicked aside.
+    # Blocks in its path, light enough to be kicked aside.
     light, block = s.material(0.6, 0.0, 60), s.box(0.09, 0.09, 0.09)
     for k in range(24):
         row, column = divmod(k, 4)
@@ -140,7 +141,7 @@ def clock():
                 (s.cylinder(0.11, 0.05), (0, 0, z), color, turn("x", 90))]
 
     def mate(teeth, phase, teeth_b, direction):
-        """Where a gear has a tooth if its mate, which lies in that direction, has one at that phase: gap at tooth."""
+        """The phase of a gear whose mate, in that direction, has a tooth at the given phase: a gap faces each tooth."""
         along_a = (direction - phase) * teeth / 360
         return direction + 180 - (0.5 - along_a) * 360 / teeth_b
 
@@ -179,7 +180,7 @@ def robot():
     steel, grip = s.material(0.5, 0.0, 1000), s.material(0.8, 0.0, 400)
     s.fixed(s.cylinder(0.45, 0.2), steel, (0, 0.1, 0), None, "stand", DARK_STONE)
     paint, dark = ORANGE, "#2F3840"
-    # The points of the arm as it starts, which is the pose that it holds: shoulder, elbow, wrist, hand.
+    # The initial positions of the arm, which it keeps: shoulder, elbow, wrist, hand.
     shoulder, elbow, wrist, hand = (0.15, 0.75, 0), (0.55, 1.65, 0), (1.35, 1.4, 0), (1.62, 1.4, 0)
     lying = turn("x", 90)
 
@@ -227,7 +228,7 @@ def chain_reaction():
     s.ground(0.6, 0.0, "#5E6F78")
     wood, slick = s.material(0.5, 0.0, 600), s.material(0.15, 0.0, 600)
     heavy = s.material(0.4, 0.0, 2500, rolling=0.002)
-    # The shelf with a ramp at its beginning.
+    # The shelf with a ramp at its left end.
     shelf, first = 3.2, -5.3
     s.fixed(s.box(4.1, 0.16, 0.7), wood, (first + 2.05, shelf - 0.08, 0), None, "shelf", WOOD)
     for x in (first + 0.2, first + 3.9):
@@ -243,7 +244,7 @@ def chain_reaction():
                blend(YELLOW, RED, k / 10))
     light = s.material(0.5, 0.0, 1500, rolling=0.0003)
     s.body(s.sphere(0.2), light, (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
-    # The seesaw: its right end is down until the ball comes.
+    # The seesaw: its right end is down until the ball arrives.
     pivot = (0.7, 1.35, 0)
     s.meet("seesaw", never="seesaw")
     s.fixed(s.hull([(x, y, z) for x, y in ((-0.45, 0), (0.45, 0), (0, pivot[1])) for z in (-0.3, 0.3)]), wood,
@@ -272,7 +273,7 @@ def chain_reaction():
 
 
 def catch_ball(s, wood, heavy):
-    """The end of the line: a slide lets a ball fall into a pan, which pulls up a flag."""
+    """The end of the chain reaction: a slide drops a ball into a pan, which pulls up a flag."""
     start, level, drop = 3.72, 1.85, 4.69
     way = joints.slider(joints.control(0, 0.6, friction=25))
     s.meet("slide", never="frame")

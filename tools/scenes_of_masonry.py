@@ -1,4 +1,4 @@
-"""A scene of stones that stand by their shape alone."""
+"""A scene of stone structures that stand by their shape alone."""
 
 import math
 
@@ -6,11 +6,11 @@ from scene_writer import RED, SKY, STONE, WOOD, Scene, blend, turn
 
 
 def arch(s, material, radius, thickness, depth, stones, z, color):
-    """Half a circle of wedges; thickness as a part of the radius of its middle."""
+    """A semicircular arch of wedges; thickness is relative to the radius of its center line."""
     angle = math.pi / stones
     low, high = 1 - thickness / 2, 1 + thickness / 2
     center = (1 + thickness ** 2 / 12) * math.cos(angle / 2)
-    # Each stone stands along y as it lies in the file, so that all of an arch are one shape.
+    # Each stone is upright in the file, so that all stones of an arch share one shape.
     stone = s.hull([(radius * r * math.sin(a), radius * (r * math.cos(a) - center), side * depth / 2)
                     for r in (low, high) for a in (-angle / 2, angle / 2) for side in (-1, 1)])
     for i in range(stones):
@@ -29,7 +29,7 @@ def arches():
     stone = s.material(0.8, 0, 2400)
     for i, thickness in enumerate((0.085, 0.1, 0.115, 0.15)):
         arch(s, stone, 2.2, thickness, 0.9, 25, 3.3 - 2.2 * i, RED if thickness < 0.107 else STONE)
-    # Planks over an edge, by 1/2, 1/4, 1/6 ... of their length; the other stack by a twentieth more.
+    # Planks that overhang an edge by 1/2, 1/4, 1/6 ... of their length; those of the other stack by a twentieth more.
     wood, half, planks = s.material(0.6, 0, 600), 0.8, 8
     for x, part in ((-5.2, 0.97), (5.2, 1.05)):
         side = 1 if x < 0 else -1

@@ -9,7 +9,7 @@ from solids import Triangles, on_circle, polyhedra, revolved, scaled
 
 
 def smooth(t):
-    """From 0 to 1 as t does."""
+    """A smooth transition from 0 to 1 for t from 0 to 1."""
     t = min(max(t, 0.0), 1.0)
     return t * t * (3 - 2 * t)
 
@@ -48,7 +48,7 @@ def bowl_of_hulls():
               (4.3, 6.2, 7.4), (0, 1.2, 0), 40)
     rng = random.Random(16)
     s.ground(0.6, 0.1, "#77706A")
-    # Up the outside, over the rim, and down the inside. The wall is thicker than what falls into it.
+    # The profile goes up the outside, over the rim, and down the inside. The wall is thicker than the falling bodies.
     inside = [(2.7 * t, 0.45 + 1.75 * t**2.2) for t in (i / 12 for i in range(12, -1, -1))]
     outside = [(2.2, 0.0), (2.35, 0.15), (2.9, 0.6), (3.4, 1.4), (3.55, 2.15), (3.45, 2.25), (2.9, 2.25)]
     bowl = revolved([*outside, *inside], 56)
@@ -69,7 +69,7 @@ def bowl_of_hulls():
 
 
 def wedge(inner, outer, height, count):
-    """The corners of one of `count` stones of a ring, about x."""
+    """The vertices of one of `count` stones of a ring about x."""
     half = math.pi / count
     c, n = math.cos(half), math.sin(half)
     return [(r * c, y, side * r * n) for r in (inner, outer) for y in (-height / 2, height / 2) for side in (-1, 1)]
@@ -166,8 +166,8 @@ def eulers_disk():
     metal = s.material(0.9, 0.0, 7800, combine="minimum", rolling=0.005, torsional=0.005)
 
     def disk(radius, thickness, lean, x, z, heading, name, color):
-        # Steady motion with the middle at rest, thin disk: it turns about its diameter through the contact, and the
-        # contact runs around with W^2 = 4 g / (radius sin lean) (Moffatt 2000).
+        # Steady motion of a thin disk whose center is at rest: it rotates about the diameter through the contact point,
+        # which moves around with W^2 = 4 g / (radius sin lean) (Moffatt 2000).
         sine = math.sin(math.radians(lean))
         spin = math.sqrt(4 * 9.81 / (radius * sine)) * sine
         rotation = multiply(turn("y", heading), turn("z", lean))
@@ -207,8 +207,8 @@ def tippe_tops():
 
 
 def gear_tooth(module, teeth, thickness, play):
-    """The corners of the tooth of a gear about y that points along x: an involute of 20 degrees of pressure angle,
-    which is convex, so that a hull has its shape. It ends 0.8 modules above the pitch circle."""
+    """The vertices of a tooth that points along x, of a gear about y: an involute with a pressure angle of 20 degrees,
+    which is convex, so that its hull is exact. It ends 0.8 modules above the pitch circle."""
     pitch = module * teeth / 2
     base = pitch * math.cos(math.radians(20))
 
@@ -234,7 +234,7 @@ def gears():
     smooth_metal = s.material(0.0, 0.0, 800, combine="multiply")
     tube = s.mesh(*revolved([(0.5, 0), (0.5, base), (0.26, base), (0.26, 0)], 24))
     shaft = s.cylinder(0.25, base - 0.05)
-    # teeth, the gear that it meshes with, the direction from that one in degrees, color
+    # Number of teeth, index of the mating gear, direction from that gear in degrees, color
     train = [(12, None, 0, RED), (24, 0, 200, SKY), (18, 0, 25, YELLOW), (12, 2, -50, GREEN), (30, 3, 0, PURPLE),
              (12, 1, 75, ORANGE), (16, 2, 95, BLUE)]
     placed = []
@@ -245,7 +245,7 @@ def gears():
             a = math.radians(direction)
             distance = module * (teeth + mate_teeth) / 2
             x, z = mx + distance * math.cos(a), mz - distance * math.sin(a)
-            # A tooth of the one is opposite a gap of the other.
+            # Each tooth faces a gap of the mating gear.
             along = (direction - mate_phase) * mate_teeth / 360
             phase = direction + 180 - (0.5 - along) * 360 / teeth
         placed.append((x, z, phase, teeth))
@@ -265,7 +265,7 @@ def gears():
 
 
 def riders(s, middle, floor):
-    """Small figures on a round table."""
+    """Small figures on a rotating round table."""
     wood = s.material(0.6, 0.0, 500)
     cone, block = s.cylinder(0.13, 0.4, 0.0), s.box(0.24, 0.24, 0.24)
     for k in range(16):
@@ -304,7 +304,7 @@ def staircase():
         layer, cell = divmod(i, 30)
         row, column = divmod(cell, 3)
         place = (-4.6 + column * 0.62, high + 0.4 + layer * 0.6, (row - 4.5) * 0.6 + rng.uniform(-0.03, 0.03))
-        # In the axes of the body, which is turned.
+        # In the axes of the body, which is rotated.
         rotation = any_turn(rng)
         push = rotate((-rotation[0], -rotation[1], -rotation[2], rotation[3]), (2.4 + 0.3 * column, 0, 0))
         s.body(kinds[i % 7], material, place, rotation, color=VIVID[(i + i // 7) % 7],
@@ -320,7 +320,7 @@ def conveyor_loop():
     s.ground(0.6, 0.0, "#6C7480")
     half_x, half_z, width, top, speed = 3.8, 2.6, 1.4, 0.7, 1.4
     guide = s.material(0.0, 0.0, combine="multiply")
-    # Each belt begins at a corner and ends beside the next one: middle x and z, size x and z, direction.
+    # Each belt begins at a corner and ends beside the next one: center x and z, size x and z, direction.
     belts = [
         ("front", -width / 2, half_z - width / 2, 2 * half_x - width, width, (1, 0)),
         ("right", half_x - width / 2, width / 2, width, 2 * half_z - width, (0, -1)),
@@ -362,7 +362,7 @@ def rolling_race():
     s.ground(0.6, 0.0, "#6F7B73")
     angle, length, lanes = 14, 11, 6
     tilt = turn("x", angle)
-    # The ramp leaves the rule to the racers: "multiply" is the weakest.
+    # The ramp leaves the combine rule to the racers: "multiply" has the lowest priority.
     track = s.material(0.6, 0.0, 400, combine="multiply")
     foot = 3.6
     middle = rotate(tilt, (0, -0.15, -length / 2))

@@ -19,7 +19,7 @@ LANGUAGES = {"cpp", "js", "python"}
 
 
 class Malformed(Exception):
-    """A page that is not written as the above says."""
+    """A page that violates the format described above."""
 
 
 def parts(page):
@@ -56,7 +56,7 @@ def chapters(language):
 
 
 def cpp():
-    """One source. Lines that include stand at its top, everything else in the function of its chapter."""
+    """One source file. #include lines are at its top, everything else is in the function of its chapter."""
     includes, functions, calls = {"#include <cmath>", "#include <cstdio>", "#include <cstdlib>", "#include <string>"}, "", ""
     for name, own in chapters("cpp"):
         body = ""

@@ -4,7 +4,7 @@ import math
 
 
 def polyhedra():
-    """The corners of the five regular solids, each at distance 1 from the middle."""
+    """The vertices of the five regular solids, each at distance 1 from the center."""
     golden = (1 + math.sqrt(5)) / 2
     cyclic = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
 
@@ -26,14 +26,14 @@ def scaled(points, factor):
 
 
 def on_circle(radius, height, count, phase=0.0):
-    """Points of a level circle; phase in steps."""
+    """Points of a horizontal circle; phase in steps."""
     angles = [2 * math.pi * (i + phase) / count for i in range(count)]
     return [(radius * math.cos(a), height, radius * math.sin(a)) for a in angles]
 
 
 def revolved(profile, count):
-    """The surface that a profile of (radius, height) sweeps out about the y axis: vertices and triangles. The outside
-    is to the right of one who walks along the profile (radius to the right, height up)."""
+    """The surface of revolution of a profile of (radius, height) about the y axis: vertices and triangles. The outside
+    is to the right of the direction of the profile (radius to the right, height up)."""
     vertices = [p for radius, height in profile for p in on_circle(radius, height, count)]
     triangles = []
     for k in range(len(profile) - 1):
@@ -54,7 +54,7 @@ class Triangles:
         self.vertices, self.triangles = [], []
 
     def polygon(self, corners):
-        """A flat convex one."""
+        """Adds a flat convex polygon."""
         first = len(self.vertices)
         self.vertices += corners
         self.triangles += [(first, first + i - 1, first + i) for i in range(2, len(corners))]
@@ -65,7 +65,8 @@ class Triangles:
             self.polygon([corner[i] for i in face])
 
     def extruded(self, profile, near, far):
-        """The solid below a profile of (x, y) from left to right, down to y = 0, from z = near to z = far < near."""
+        """Adds the solid below a profile of (x, y) from left to right, down to y = 0, from z = near to z = far <
+        near."""
         for (x0, y0), (x1, y1) in zip(profile, profile[1:]):
             self.polygon([(x0, y0, near), (x1, y1, near), (x1, y1, far), (x0, y0, far)])
             if x1 > x0:

@@ -36,7 +36,7 @@ class BulletEngine final : public Engine {
         const float h = time_step / static_cast<float>(substeps_);
         for (int i = 0; i < substeps_; ++i) {
             for (const Driven& driven : driven_) drive(driven, h);
-            world_.stepSimulation(h, 0); // 0: one step of h, not of a fixed length
+            world_.stepSimulation(h, 0); // 0: one step of length h, not of a fixed length
         }
     }
 
@@ -68,7 +68,7 @@ class BulletEngine final : public Engine {
     }
 
   private:
-    // A kinematic body, moved by the caller.
+    // A kinematic body, which the caller must move.
     struct Driven {
         btRigidBody* body;
         btVector3 linear_velocity, angular_velocity;
@@ -86,15 +86,15 @@ class BulletEngine final : public Engine {
         driven.body->getMotionState()->setWorldTransform(pose);
     }
 
-    // The shape that Bullet reads from the scene's own arrays.
+    // A shape that refers to the scene's own arrays.
     struct Surface {
         explicit Surface(const SurfaceMesh& mesh)
             : arrays(static_cast<int>(mesh.indices.size() / 3), indices_of(mesh), 3 * sizeof(std::uint32_t),
                      static_cast<int>(mesh.vertices.size()), coordinates_of(mesh), sizeof(Vec3)),
               shape(&arrays, true) {
-            shape.setMargin(0); // the triangles have none; bodies keep theirs
+            shape.setMargin(0); // no margin for the triangles; bodies keep theirs
         }
-        // Bullet asks for pointers to what it does not change.
+        // Bullet's interface takes pointers to non-const data, but does not modify them.
         static int* indices_of(const SurfaceMesh& mesh) {
             return reinterpret_cast<int*>(const_cast<std::uint32_t*>(mesh.indices.data()));
         }
@@ -106,8 +106,8 @@ class BulletEngine final : public Engine {
         btBvhTriangleMeshShape shape;
     };
 
-    // Bullet puts its margin around the points of a hull. Its faces are moved inward by as much first, so that they are
-    // where they should be in the end; the edges are rounded.
+    // Bullet adds its margin around the points of a hull. The faces are therefore moved inwards by the margin first, so
+    // that they end up at the right positions; the edges become rounded.
     static std::unique_ptr<btConvexHullShape> make_hull(const ConvexHull& hull) {
         btConvexHullComputer inset;
         inset.compute(&hull.points[0].x, int{sizeof(Vec3)}, static_cast<int>(hull.points.size()),
@@ -140,7 +140,8 @@ class BulletEngine final : public Engine {
         return shapes_.back().get();
     }
 
-    // `to_origin`: from Bullet's frame of the body, at its center of mass along its principal axes, to its own frame.
+    // `to_origin`: the transform from Bullet's frame of the body (center of mass, principal axes) to the scene's body
+    // frame.
     btCollisionShape* make_shapes(const Scene& scene, const SceneBody& body, const btTransform& to_origin) {
         const Part& first = scene.parts[body.first_part];
         const btTransform first_at = to_origin * btTransform(to_bullet(first.rotation), to_bullet(first.position));
@@ -182,12 +183,12 @@ class BulletEngine final : public Engine {
             driven_.push_back({made, to_bullet(body.linear_velocity), to_bullet(body.angular_velocity)});
         }
         if (scene.collides)
-            world_.addRigidBody(made); // in Bullet's own groups, so that what is static does not meet what is static
+            world_.addRigidBody(made); // with Bullet's default groups, static bodies do not collide with each other
         else
             world_.addRigidBody(made, btBroadphaseProxy::DefaultFilter, 0);
     }
 
-    // Bullet's hinges turn about their z axis, and count angles the other way.
+    // Bullet's hinges rotate about their z axis, and have the opposite sign of the angle.
     std::unique_ptr<btTypedConstraint> make_hinge(const SceneJoint& joint, const btTransform& at_a,
                                                   const btTransform& at_b) {
         const btTransform z_to_x(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI));
@@ -212,7 +213,7 @@ class BulletEngine final : public Engine {
         } else {
             joints_.push_back(std::make_unique<btPoint2PointConstraint>(a, b, at_a.getOrigin(), at_b.getOrigin()));
         }
-        world_.addConstraint(joints_.back().get(), true); // the two do not collide
+        world_.addConstraint(joints_.back().get(), true); // the two bodies do not collide with each other
     }
 
     int substeps_ = 1;
@@ -222,7 +223,7 @@ class BulletEngine final : public Engine {
     std::vector<std::unique_ptr<btTypedConstraint>> joints_;
     std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
     std::vector<std::unique_ptr<Surface>> meshes_;
-    std::vector<btTransform> to_origin_; // of every body
+    std::vector<btTransform> to_origin_; // one for every body
     std::vector<Driven> driven_;
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};

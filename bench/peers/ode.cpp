@@ -10,7 +10,7 @@ namespace cairn::bench {
 
 namespace {
 
-// The library itself, open as long as anyone uses it.
+// Initializes the library while any engine uses it.
 class Library {
   public:
     Library() {
@@ -32,7 +32,7 @@ class OdeEngine final : public Engine {
     OdeEngine() { dWorldSetAutoDisableFlag(world_, 0); }
     ~OdeEngine() override {
         dJointGroupDestroy(contacts_);
-        dSpaceDestroy(space_); // and all geometry in it
+        dSpaceDestroy(space_); // including all geometries in it
         dWorldDestroy(world_);
     }
     OdeEngine(const OdeEngine&) = delete;
@@ -61,7 +61,7 @@ class OdeEngine final : public Engine {
     }
 
     void read(std::vector<BodyState>& states) const override {
-        states = states_at_start_; // what is fixed stays there
+        states = states_at_start_; // static bodies keep their initial states
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (!bodies_[i]) continue;
             const dReal *p = dBodyGetPosition(bodies_[i]), *q = dBodyGetQuaternion(bodies_[i]);
@@ -76,7 +76,7 @@ class OdeEngine final : public Engine {
     StepCounts counts() const override { return counts_; }
 
   private:
-    // A hull as ODE reads it: it copies nothing.
+    // A hull in the form that ODE reads; ODE keeps references to these arrays.
     struct Polyhedron {
         explicit Polyhedron(const ConvexHull& hull) {
             for (const Vec3& point : hull.points)
@@ -94,7 +94,7 @@ class OdeEngine final : public Engine {
         std::vector<unsigned> polygons;
     };
 
-    // Likewise a mesh.
+    // A mesh in the form that ODE reads, with references to these arrays as well.
     struct Surface {
         explicit Surface(const SurfaceMesh& mesh) : indices(mesh.indices.begin(), mesh.indices.end()) {
             dGeomTriMeshDataBuildSingle(data, mesh.vertices.data(), sizeof(Vec3),
@@ -118,7 +118,7 @@ class OdeEngine final : public Engine {
         counts_.points += static_cast<std::size_t>(count);
         for (int i = 0; i < count; ++i) {
             found[i].surface = {};
-            found[i].surface.mode = dContactApprox1 | dContactBounce; // friction by the normal force
+            found[i].surface.mode = dContactApprox1 | dContactBounce; // friction proportional to the normal force
             found[i].surface.mu = friction_;
             found[i].surface.bounce = restitution_;
             dJointAttach(dJointCreateContact(world_, contacts_, &found[i]), body_a, body_b);
@@ -148,7 +148,7 @@ class OdeEngine final : public Engine {
         return dCreateBox(space_, size.x, size.y, size.z);
     }
 
-    // Fixed geometry belongs to no body and meets only what belongs to one.
+    // Static geometries belong to no body, and collide only with those of bodies.
     void add_part(const Scene& scene, const Part& part, const SceneBody& body, dBodyID made) {
         const dGeomID shape = make_shape(part);
         constexpr unsigned long moving = 1, fixed = 2;
@@ -156,11 +156,12 @@ class OdeEngine final : public Engine {
         dGeomSetCollideBits(shape, !scene.collides ? 0 : made ? moving | fixed : moving);
         Quat rotation = part.rotation;
         if (part.shape == PartShape::capsule || part.shape == PartShape::cylinder) {
-            const float half = std::sqrt(0.5f); // ODE's stand along z: a quarter turn from there to y
+            // ODE's capsules and cylinders have z as their axis: a quarter turn maps it to y.
+            const float half = std::sqrt(0.5f);
             rotation = rotation * Quat(half, -half, 0.0f, 0.0f);
         }
         if (made) {
-            const Vec3 at = part.position - body.center_of_mass; // which is the origin of ODE's body
+            const Vec3 at = part.position - body.center_of_mass; // the center of mass is the origin of ODE's body
             dGeomSetBody(shape, made);
             dGeomSetOffsetPosition(shape, at.x, at.y, at.z);
             dGeomSetOffsetQuaternion(shape, Rotation(rotation).q);
@@ -195,7 +196,7 @@ class OdeEngine final : public Engine {
         if (body.motion == Motion::kinematic) dBodySetKinematic(made);
     }
 
-    // ODE's angles are those of its first body against the second: B comes first.
+    // ODE measures the angle of its first body relative to the second: B comes first.
     void add_joint(const Scene& scene, const SceneJoint& joint) {
         has_joints_ = true;
         const SceneBody& of_b = scene.bodies[joint.body_b];
@@ -219,8 +220,8 @@ class OdeEngine final : public Engine {
         if (joint.reach) limit_turn(b, a, *joint.reach, x, y);
     }
 
-    // ODE's ball joints have no limits; a motor without power beside them has stops for three Euler angles: the twist
-    // about B's axis, and two swings, whose range is so a square, not a cone.
+    // ODE's ball joints have no limits; an unpowered motor beside them limits three Euler angles: the twist about B's
+    // axis, and two swings, whose range is therefore a square instead of a cone.
     void limit_turn(dBodyID b, dBodyID a, const SwingTwist& reach, Vec3 x, Vec3 y) {
         const dJointID stops = dJointCreateAMotor(world_, nullptr);
         dJointAttach(stops, b, a);
@@ -241,7 +242,7 @@ class OdeEngine final : public Engine {
     dWorldID world_ = dWorldCreate();
     dSpaceID space_ = dHashSpaceCreate(nullptr);
     dJointGroupID contacts_ = dJointGroupCreate(0);
-    std::vector<dBodyID> bodies_;       // none where fixed
+    std::vector<dBodyID> bodies_;       // null for static bodies
     std::vector<Vec3> centers_of_mass_; // in the frames of the bodies
     std::vector<Polyhedron> hulls_;
     std::vector<std::unique_ptr<Surface>> meshes_;

@@ -1,4 +1,4 @@
-// The accessor to one body, as Python holds it.
+// Python's accessor to one body.
 #pragma once
 
 #include "module/world.h"
@@ -10,7 +10,7 @@ struct PyBody {
     BodyId id;
 
     const Body get(const char* call) const { return world->use(call).body(id); }
-    // Runs a change of the body, and brings the arrays up to date.
+    // Runs a change of the body, and updates the arrays of all bodies.
     template <class F> void change(const char* call, F&& f) const {
         Body body = world->use(call).body(id);
         f(body);

@@ -1,4 +1,4 @@
-// Lists and what may be absent; after the declarations of what they hold.
+// Conversion of lists and optional values; include after the declarations for their elements.
 #pragma once
 
 #include "module/generated/types.h"
@@ -10,7 +10,8 @@ template <class T> void read(py::handle o, std::optional<T>& x, const Where& whe
     if (!o.is_none()) read(o, x.emplace(), where);
 }
 
-// The elements of a sequence of Python; they stay while they are read, whatever that runs.
+// The elements of a Python sequence as a tuple, which stays valid while they are read, even if reading runs Python
+// code.
 inline py::tuple elements(py::handle o, const Where& where) {
     if (PyUnicode_Check(o.ptr()) || !PySequence_Check(o.ptr())) refuse_type(where, "a sequence", o);
     return py::tuple(py::reinterpret_borrow<py::object>(o));
@@ -41,10 +42,10 @@ template <class List> py::object write_list(const List& list) {
 template <class T> py::object write(const std::vector<T>& x) { return write_list(x); }
 template <class T, std::size_t n> py::object write(const std::array<T, n>& x) { return write_list(x); }
 template <class T, std::size_t n> py::object write(const T (&x)[n]) { return write_list(x); }
-// A copy, as what it points to may be gone: making objects runs code of Python, which may step the world.
+// Copies the elements first, as creating Python objects may run code that steps the world and invalidates `x`.
 template <class T> py::object write(std::span<const T> x) { return write_list(std::vector<T>(x.begin(), x.end())); }
 
-// A value of a call's argument.
+// Reads the value of a call's argument.
 template <class T> T take(py::handle o, const char* name) {
     T x{};
     read(o, x, {nullptr, name});

@@ -13,7 +13,7 @@ namespace {
 
 std::string type_name(py::handle o) { return Py_TYPE(o.ptr())->tp_name; }
 
-// A new array of numbers that nobody may write into.
+// A new read-only array of numbers.
 template <class T> py::object array_of(const T* numbers, int rows, int columns) {
     const py::object array = rows == 1 ? new_array<T>({columns}) : new_array<T>({rows, columns});
     py::detail::PyArray_Proxy* const proxy = py::detail::array_proxy(array.ptr());
@@ -31,7 +31,7 @@ double number(py::handle o, const Where& where) {
     return value;
 }
 
-// Exactly so many numbers, from anything with a length.
+// Reads exactly `count` numbers from any object with a length.
 void numbers(py::handle o, double* out, std::size_t count, const Where& where) {
     if (py::isinstance<py::array>(o)) {
         const auto array = py::reinterpret_borrow<py::array>(o);
@@ -155,7 +155,7 @@ void read(py::handle o, Mesh& x, const Where& where) { read_geometry(o, x, "a Me
 void read(py::handle o, HeightField& x, const Where& where) { read_geometry(o, x, "a HeightField", where); }
 
 py::handle class_of(const char* type) {
-    // Never given back: they live as long as the interpreter.
+    // The references are never released: the classes live as long as the interpreter.
     static std::unordered_map<std::string, py::handle> classes;
     py::handle& found = classes[type];
     if (!found) found = py::object(py::module_::import("cairn._types").attr(type)).release();

@@ -1,5 +1,5 @@
-// Values between Python and C++. Each `read` says where a value that it refuses stands: TypeError where it is of the
-// wrong type, ValueError where it has the wrong length; whether numbers are in range is the engine's to say.
+// Conversion of values between Python and C++. Each `read` reports the location of an invalid value: it throws
+// TypeError for a wrong type, and ValueError for a wrong length. The ranges of numbers are checked by the engine.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -18,7 +18,7 @@ namespace cairn::python {
 
 namespace py = pybind11;
 
-// Where a value comes from, for messages: "BodyDef.mass", or "position" of a call.
+// The origin of a value, for messages: "BodyDef.mass", or the argument "position" of a call.
 struct Where {
     const char* owner; // may be null
     const char* name;
@@ -28,7 +28,7 @@ struct Where {
 [[noreturn]] void refuse_type(const Where& where, const std::string& expected, py::handle value);
 [[noreturn]] void refuse_length(const Where& where, std::size_t expected, std::size_t length);
 
-// A new array of NumPy, whose memory is its own.
+// A new NumPy array that owns its memory.
 template <class T> py::object new_array(std::initializer_list<py::ssize_t> sizes) {
     const auto& numpy = py::detail::npy_api::get();
     py::ssize_t list[3];
@@ -50,7 +50,7 @@ void read(py::handle o, glm::vec2& x, const Where& where);
 void read(py::handle o, Vec3& x, const Where& where);
 void read(py::handle o, Position& x, const Where& where);
 void read(py::handle o, Quat& x, const Where& where);   // x, y, z, w
-void read(py::handle o, BodyId& x, const Where& where); // a Body will do
+void read(py::handle o, BodyId& x, const Where& where); // a Body is accepted too
 void read(py::handle o, ShapeId& x, const Where& where);
 void read(py::handle o, JointId& x, const Where& where);
 void read(py::handle o, ForceFieldId& x, const Where& where);
@@ -58,13 +58,13 @@ void read(py::handle o, Hull& x, const Where& where);
 void read(py::handle o, Mesh& x, const Where& where);
 void read(py::handle o, HeightField& x, const Where& where);
 
-// The value of an enum of Python: its member, or the name of one. `type` is the class's name.
+// The value of a Python enum: one of its members, or the name of one. `type` is the name of the class.
 int read_enum(py::handle o, const char* type, const Where& where);
 py::object write_enum(const char* type, int value);
 // A class of cairn/_types.py.
 py::handle class_of(const char* type);
 bool is_a(py::handle o, const char* type);
-// An instance of it with these values, in the order of its fields.
+// An instance of that class with these values, in the order of its fields.
 py::object make(const char* type, py::tuple values);
 
 py::object write(bool x);
@@ -73,8 +73,7 @@ py::object write(float x);
 py::object write(double x);
 py::object write(std::uint64_t x);
 py::object write(const std::string& x);
-py::object
-write(const glm::vec2& x); // arrays are read-only: they are copies, and writing into them would change nothing
+py::object write(const glm::vec2& x); // arrays are read-only copies: writing into them would have no effect
 py::object write(const Vec3& x);
 py::object write(const Position& x);
 py::object write(const Quat& x);

@@ -1,11 +1,11 @@
-// Definitions that a call takes as a whole, or as their members by name.
+// Definitions that a call takes as an object or as keyword arguments.
 #pragma once
 
 #include "module/containers.h"
 
 namespace cairn::python {
 
-// `world.create_body(mass=3)`: of the class of that name, with these members.
+// Reads `world.create_body(mass=3)`: an object of the class `type` with these members.
 template <class T> T take_definition(py::handle given, const py::kwargs& members, const char* type) {
     if (given.is_none()) return take<T>(class_of(type)(**members), type);
     if (!members.empty()) {

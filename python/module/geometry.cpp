@@ -1,4 +1,4 @@
-// Hulls, meshes and height fields: made from arrays.
+// Hulls, meshes and height fields from arrays.
 #include "module/definitions.h"
 #include "module/docs.h"
 #include "module/generated/types.h"
@@ -12,7 +12,7 @@ namespace {
 
 template <class T> using Numbers = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-// Rows of three numbers.
+// An array with rows of three numbers.
 template <class T> std::span<const T> rows(const Numbers<T>& array, const char* name) {
     if (array.ndim() != 2 || array.shape(1) != 3) {
         const std::string shape = py::str(array.attr("shape"));
@@ -33,7 +33,7 @@ py::object array_of(std::span<const Vec3> list) {
     return py::array_t<float>({py::ssize_t(list.size()), py::ssize_t(3)}, list.empty() ? nullptr : &list[0].x);
 }
 
-// Indices that are negative or too large must not come around as others.
+// Negative or too large indices must not wrap around to valid ones.
 std::vector<std::uint32_t> indices(const Numbers<std::int64_t>& array) {
     const std::span<const std::int64_t> numbers = rows(array, "indices");
     std::vector<std::uint32_t> list;
@@ -45,7 +45,8 @@ std::vector<std::uint32_t> indices(const Numbers<std::int64_t>& array) {
     return list;
 }
 
-// Numbers of any shape, one after the other. Those that are negative or too large must not come around as others.
+// Reads material indices of any array shape as a flat list. Negative or too large ones must not wrap around to valid
+// ones.
 SurfaceMaterials materials_of(const py::iterable& materials, const py::object& numbers) {
     SurfaceMaterials own;
     for (const py::handle& material : materials) {
@@ -84,7 +85,7 @@ HeightField height_field(const Numbers<float>& heights, py::object spacing, cons
                        std::span(heights.data(), std::size_t(heights.size())), materials_of(materials, numbers));
 }
 
-// Three indices each.
+// Triangles as rows of three indices.
 py::array_t<std::uint32_t> triangles(std::span<const std::uint32_t> list) {
     return py::array_t<std::uint32_t>({py::ssize_t(list.size() / 3), py::ssize_t(3)}, list.data());
 }

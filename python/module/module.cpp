@@ -1,4 +1,4 @@
-// The module cairn._cairn.
+// The extension module cairn._cairn.
 #include "module/module.h"
 
 #include "module/docs.h"
@@ -37,7 +37,7 @@ template <class Id> void add_handle(py::module_& m, const char* name) {
 
 bool is_in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// What a message says of C++, as Python has it: `Body::set_position` is the property `Body.position`, and `World::step`
+// Translates C++ names in a message to Python: `Body::set_position` is the property `Body.position`, and `World::step`
 // is `World.step`.
 std::string in_python(std::string text) {
     constexpr std::string_view setter = "set_";
@@ -57,7 +57,7 @@ std::string in_python(std::string text) {
     return text;
 }
 
-// Errors of C++ become those of cairn/_errors.py.
+// Converts C++ exceptions to those of cairn/_errors.py.
 void translate(std::exception_ptr thrown) {
     try {
         if (thrown) std::rethrow_exception(thrown);
@@ -82,13 +82,13 @@ void add_handles(py::module_& m) {
 PYBIND11_MODULE(_cairn, m) {
     using namespace cairn::python;
     py::options options;
-    options.disable_function_signatures(); // docstrings begin with better ones
+    options.disable_function_signatures(); // the hand-written docstrings contain better signatures
     m.doc() = "The part of the package cairn that is written in C++.";
     m.attr("__version__") = cairn::version_string;
     m.def(
         "instruction_set", [] { return std::string(cairn::instruction_set()); }, doc_of("instruction_set"));
     m.def("hardware_threads", &cairn::hardware_threads, doc_of("hardware_threads"));
-    m.def("_spring_from_frequency", [](float hertz, float damping_ratio) { // in floats, as of C++
+    m.def("_spring_from_frequency", [](float hertz, float damping_ratio) { // in float, as in C++
         const cairn::JointSpring spring = cairn::JointSpring::from_frequency(hertz, damping_ratio);
         return py::make_tuple(spring.stiffness, spring.damping);
     });

@@ -1,4 +1,4 @@
-// The parts of the module.
+// Functions that define the parts of the module.
 #pragma once
 
 #include "module/body.h"

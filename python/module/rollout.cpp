@@ -14,7 +14,7 @@ namespace {
 
 Vec3 vector(const double* n) { return {float(n[0]), float(n[1]), float(n[2])}; }
 
-// A name that parameters of bodies, shapes, joints or the world have, how many numbers, and what they do.
+// A parameter of bodies, shapes, joints or the world: its name, the number of values, and its effect.
 template <class F> struct Row {
     const char* name;
     std::size_t numbers;
@@ -73,7 +73,7 @@ template <class Rows> auto& row_of(const Rows& rows, const std::string& name) {
     throw Error(ErrorCode::invalid_value, "parameter", name, "must be one of " + names);
 }
 
-// The axis that a joint with one axis has.
+// The control of a joint with a single axis.
 JointControl& control_of(Joint& joint) {
     if (HingeJoint* hinge = std::get_if<HingeJoint>(&joint)) return hinge->angle;
     if (SliderJoint* slider = std::get_if<SliderJoint>(&joint)) return slider->translation;
@@ -110,7 +110,8 @@ struct Apply {
     }
 };
 
-// Worlds are taken one by one by the threads, so that none waits for another; which thread takes one changes nothing.
+// The threads take worlds one at a time, so that none waits for another; results do not depend on which thread takes a
+// world.
 class Run {
   public:
     explicit Run(const RolloutPlan& plan) : plan_(plan), frames_(plan.steps / plan.every) {}
@@ -136,7 +137,7 @@ class Run {
     }
 
   private:
-    // What an error expected: its text is "field: expected, got value".
+    // The expected part of an error message of the form "field: expected, got value".
     static std::string expected_of(const Error& error) {
         std::string text = std::string(error.what()).substr(error.field().size() + 2);
         const std::string end = ", got " + error.value();
@@ -144,7 +145,7 @@ class Run {
         return text;
     }
 
-    // Later worlds need not be run; those before it go on, as one of them may fail, too.
+    // After an error later worlds need not be run; earlier ones are still run, as they may fail too.
     void fail(std::size_t world, std::exception_ptr error) {
         const std::lock_guard lock(mutex_);
         if (error_ && world > failed_) return;
@@ -228,7 +229,7 @@ void run(const RolloutPlan& plan) {
     Run all(plan);
     std::vector<std::jthread> threads;
     for (int i = 0; i < plan.threads; ++i) threads.emplace_back([&] { all.work(); });
-    // This thread only looks whether it is to go on.
+    // This thread only polls whether the rollout is to continue.
     while (all.finished() < plan.threads) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (!plan.goes_on()) all.stop();

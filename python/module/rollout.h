@@ -1,4 +1,5 @@
-// Many worlds from one, each with parameters of its own, on many threads. Nothing here knows Python.
+// Rollouts: many worlds from one snapshot, each with its own parameters, on many threads. This part is independent of
+// Python.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -11,7 +12,7 @@
 
 namespace cairn::python {
 
-// What a parameter acts on: the world, a body, a shape or a joint.
+// The object of a parameter: the world, a body, a shape or a joint.
 using Target = std::variant<std::monostate, BodyId, ShapeId, JointId>;
 
 // A parameter: `numbers` doubles for each world, or for each step of each world.
@@ -23,7 +24,7 @@ struct Parameter {
     const double* values = nullptr; // worlds x [steps x] numbers
 };
 
-// What is recorded: so many doubles a body, or a world.
+// A recorded quantity, with a number of values per body or per world.
 enum class Record {
     positions,
     rotations,
@@ -44,16 +45,17 @@ struct RolloutPlan {
     std::vector<BodyId> bodies; // of the snapshot, in order of slot index
     std::vector<Parameter> parameters;
     std::vector<Output> outputs;
-    std::size_t worlds = 0, steps = 0, every = 1; // a frame after every so many steps
+    std::size_t worlds = 0, steps = 0, every = 1; // a frame is recorded after every `every` steps
     float dt = 0;
     int threads = 1;
-    std::function<bool()> goes_on; // asked now and then on the calling thread; false: end
+    std::function<bool()> goes_on; // called regularly on the calling thread; false ends the rollout
 };
 
-// How many numbers a parameter of that name has; throws Error (invalid_value) if there is none for such a target.
+// The number of values of the parameter with that name; throws Error (invalid_value) if the target has no such
+// parameter.
 std::size_t numbers_of(const Target& target, const std::string& name);
 
-// Runs all of it. Throws the error of the world with the least number, whose field then begins with that number.
+// Runs the rollout. Throws the error of the failing world with the lowest index; its field then begins with that index.
 void run(const RolloutPlan& plan);
 
 } // namespace cairn::python

@@ -1,4 +1,4 @@
-// cairn._cairn._rollout: arrays of Python as the parameters and records of a rollout.
+// cairn._cairn._rollout: converts Python arrays to the parameters and records of a rollout.
 #include "module/module.h"
 #include "module/rollout.h"
 
@@ -47,7 +47,7 @@ Parameter parameter_of(py::handle target, const std::string& name, const Numbers
 struct Recorded {
     const char* name;
     Record what;
-    py::ssize_t numbers; // a body; 0: one a world
+    py::ssize_t numbers; // per body; 0: one value per world
     const char* type;
 };
 constexpr Recorded recorded[] = {
@@ -80,7 +80,7 @@ py::dict rollout(PyWorld& w, py::list parameters, std::size_t worlds, std::size_
     plan.bodies = world.bodies();
     plan.worlds = worlds, plan.steps = steps, plan.every = every, plan.dt = dt;
     plan.threads = int(std::max<std::size_t>(1, std::min(worlds, std::size_t(threads))));
-    std::vector<Numbers> kept; // what the parameters point into
+    std::vector<Numbers> kept; // owns the memory to which the parameters point
     for (const py::handle entry : parameters) {
         const auto tuple = py::cast<py::tuple>(entry);
         kept.push_back(py::cast<Numbers>(tuple[2]));

@@ -45,7 +45,7 @@ void PyWorld::step(float dt, std::size_t count) {
         auto looked = std::chrono::steady_clock::now();
         for (std::size_t i = 0; i < count; ++i) {
             world.step(dt);
-            // So that Ctrl-C ends many steps, after a whole one.
+            // Lets Ctrl-C end a call with many steps, after a whole step.
             const auto now = std::chrono::steady_clock::now();
             if (now - looked < between_signals) continue;
             looked = now;

@@ -1,4 +1,4 @@
-// Worlds, bodies, snapshots and scene files: what is not made from the table.
+// Worlds, bodies, snapshots and scene files: the part that is not generated from the table.
 #include "module/definitions.h"
 #include "module/docs.h"
 #include "module/module.h"
@@ -46,7 +46,7 @@ void add_world_basics(WorldClass& c) {
         "body",
         [](PyWorld& w, py::object body) {
             const auto id = take<BodyId>(body, "body");
-            w.use("World.body").body(id).type(); // throws if it is stale
+            w.use("World.body").body(id).type(); // throws if the handle is stale
             return PyBody{w.shared_from_this(), id};
         },
         py::arg("body"), doc_of("World.body"));

@@ -84,7 +84,7 @@ struct ImpactWork {
     struct Group {
         std::size_t begin, end; // in `rows`
         bool is_settled;
-        bool persists; // one of its bodies is driven into a body that took no part
+        bool continues; // one of its bodies is driven into a body that took no part
         // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (ReboundTargets::meets).
         double impulse = 0, moment = 0;
     };

@@ -1,4 +1,4 @@
-// A steady-state step allocates nothing.
+// A step in a steady state allocates no memory.
 #include "test_world.h"
 
 #include "../sanitized.h"
@@ -66,7 +66,7 @@ TEST(Allocation, FieldsForcesDampingAndSpinAllocateNothing) {
         World world(def);
         ForceField field;
         field.kind = ForceField::Kind::radial;
-        field.strength = 0.001f; // they stay apart: no new pairs that buffers would have to grow for
+        field.strength = 0.001f; // the bodies stay apart: no new pairs for which buffers would have to grow
         world.add_force_field(field);
         for (int i = 0; i < 20; ++i) {
             BodyDef body = body_at({3.0 * i, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// Bodies: their types, their mass, and what is read of them.
+// Bodies: their types, their mass properties, and the state that can be read of them.
 #include "test_world.h"
 
 #include <algorithm>
@@ -186,7 +186,8 @@ TEST(Types, MoveToArrivesInTheGivenTime) {
     }
 }
 
-// It turned about the middle of its shapes, and flew away: as they were added, the middle took over the speed there.
+// Without the fix the body rotated about the center of its shapes and drifted away: whenever a shape was added, the new
+// center of mass took over the velocity of the material there.
 TEST(Types, KinematicBodyTurnsAboutItsOrigin) {
     World world;
     BodyDef def = body_at({1.0, 2.0, 3.0}, BodyType::kinematic);
@@ -197,12 +198,12 @@ TEST(Types, KinematicBodyTurnsAboutItsOrigin) {
     EXPECT_EQ(cam.position(), Position(1.0, 2.0, 3.0));
     EXPECT_EQ(cam.center_of_mass(), Position(1.0, 2.0, 3.0));
     EXPECT_EQ(cam.linear_velocity(), Vec3(0.0f));
-    // What is thrown turns about its center of mass; the speed of its material stays as it is.
+    // A body made dynamic rotates about its center of mass; the velocity of its material stays as it is.
     const Vec3 before = cam.velocity_at({2.0, 2.0, 3.0});
     cam.set_type(BodyType::dynamic);
     EXPECT_NEAR(glm::length(cam.velocity_at({2.0, 2.0, 3.0}) - before), 0.0f, 1e-5f);
     EXPECT_GT(glm::length(cam.center_of_mass() - Position(1.0, 2.0, 3.0)), 1.0);
-    // The center that it was given stays.
+    // A center of mass that is given in the definition is kept.
     def.mass_properties = MassProperties{};
     def.mass_properties->center_of_mass = {1.0f, 0.0f, 0.0f};
     const Body given = world.body(add_body(world, def, Box{}));
@@ -214,7 +215,7 @@ TEST(Types, MovingPlatformCarriesABox) {
     Body platform = world.body(add_body(world, body_at({0.0, 1.0, 0.0}, BodyType::kinematic), Box{{3.0f, 0.2f, 3.0f}}));
     const Body crate = world.body(add_crate(world, {0.0, 1.7, 0.0}));
     run(world, 30);
-    // Up to speed gently, on for two seconds, up and sideways.
+    // The platform accelerates gently for one second, then moves on for two seconds, up and sideways.
     for (int i = 0; i < 180; ++i) {
         const float share = std::min(float(i) / 60.0f, 1.0f);
         platform.set_linear_velocity({2.0f * share, 0.5f * share, 0.0f});

@@ -1,4 +1,5 @@
-// World::broad_phase_nodes: trees of boxes that hold what is below them, with every shape but planes once.
+// World::broad_phase_nodes: bounding volume trees whose boxes contain their children, with every shape except planes
+// exactly once.
 #include "test_world.h"
 
 #include <map>
@@ -14,7 +15,7 @@ bool holds(const Bounds& outer, const Bounds& inner) {
     return true;
 }
 
-// Crates that fall, crates that sleep in two heaps, some fixed ones, and one that is large.
+// Falling crates, two piles of sleeping crates, static boxes, and one large box.
 void fill(World& world) {
     add_ground(world);
     for (int i = 0; i < 30; ++i)

@@ -1,4 +1,4 @@
-// Random numbers, places and turns, the same on every machine.
+// Random numbers, positions and rotations that are the same on every machine.
 #pragma once
 
 #include <cairn/math.h>

@@ -1,4 +1,4 @@
-// Lines that show what a world consists of.
+// World::debug_lines: the lines that visualize shapes, contacts and more.
 #include <cairn/cairn.h>
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ std::vector<Shape> solids(Random& random) {
             Box{{0.3f, 0.5f, 0.7f}, 0.2f},
             Capsule{0.5f, 0.3f},
             Capsule{0.5f, 0.6f, 0.2f},
-            Capsule{0.1f, 0.2f, 0.9f}, // one ball is inside of the other
+            Capsule{0.1f, 0.2f, 0.9f}, // one end ball is inside the other
             Cylinder{0.5f, 0.4f},
             Cylinder{0.5f, 0.4f, 0.7f},
             cone(0.5f, 0.6f),
@@ -49,7 +49,8 @@ std::vector<Shape> solids(Random& random) {
             rounded};
 }
 
-// Ends of lines are on the surface: a little farther out they are outside, a little farther in they are inside.
+// The ends of lines are on the surface: a point a little farther out is outside the shape, one a little farther in is
+// inside.
 TEST(DebugLines, OfSolidsEndOnTheirSurfaces) {
     Random random(1);
     for (const Shape& shape : solids(random)) {
@@ -81,7 +82,7 @@ TEST(DebugLines, OfSurfacesAreTheirEdges) {
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
     const std::vector<std::uint32_t> indices{0, 2, 1, 0, 3, 2};
     world.add_shape(body, Mesh(corners, indices));
-    EXPECT_EQ(world.debug_lines().size(), 5u); // the diagonal once
+    EXPECT_EQ(world.debug_lines().size(), 5u); // the diagonal, which two triangles share, is drawn once
     world.add_shape(body, HeightField(3, 2, {1, 1}, std::vector<float>{0, 1, 2, 3, 4, 5}));
     EXPECT_EQ(world.debug_lines().size(), 5u + 4 + 3 + 2);
     world.add_shape(body, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(1, 2)});
@@ -105,7 +106,7 @@ TEST(DebugLines, ShowContactsJointsBoundsAndMotion) {
     what.shapes = what.joints = false;
     what.size = 0.5f;
     std::vector<DebugLine> lines = world.debug_lines(what);
-    ASSERT_EQ(lines.size(), 4u); // a normal at each corner
+    ASSERT_EQ(lines.size(), 4u); // the normal at each contact point
     for (const DebugLine& line : lines) {
         EXPECT_NEAR(line.begin.y, 0, 1e-3);
         EXPECT_NEAR(std::fabs(line.begin.x), 0.5, 1e-3);

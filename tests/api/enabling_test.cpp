@@ -1,4 +1,4 @@
-// Bodies that are taken out of the world and put back.
+// Bodies and joints that are disabled (taken out of the world) and enabled again.
 #include "chance.h"
 #include "test_world.h"
 
@@ -24,11 +24,11 @@ Shape any_shape(Chance& chance) {
     }
 }
 
-// Bodies that fall on the ground and each other, some of them on joints, with something kinematic among them, a trigger
-// and somebody who walks.
+// Bodies that fall on the ground and on each other, some of them connected by joints, with kinematic bodies, a trigger
+// and a character among them.
 struct Heap {
     World world;
-    std::vector<BodyId> bodies; // but for the ground
+    std::vector<BodyId> bodies; // all bodies except the ground
 
     explicit Heap(unsigned seed) {
         Chance chance(seed);
@@ -40,7 +40,8 @@ struct Heap {
             ShapeDef shape;
             shape.is_trigger = i == 5;
             bodies.push_back(add_body(world, def, any_shape(chance), shape));
-            if (i % 7 == 1) bodies.push_back(add_body(world, body_at({4.0 + i, 0.3, 0.0}), Sphere{0.3f})); // by itself
+            // Far from the heap.
+            if (i % 7 == 1) bodies.push_back(add_body(world, body_at({4.0 + i, 0.3, 0.0}), Sphere{0.3f}));
         }
         for (int i = 0; i < 8; ++i) {
             const BodyId a = bodies[any(chance)], b = bodies[any(chance)];
@@ -49,7 +50,7 @@ struct Heap {
             const Position middle = 0.5 * (world.body(a).position() + world.body(b).position());
             const Joint joint = chance.below(2) ? Joint(BallJoint{}) : Joint(HingeJoint{});
             JointDef def = world.joint_at(a, b, middle, {0.0f, 1.0f, 0.0f}, joint);
-            def.enable_collision = true; // else destroying one asks for pairs anew, in another order
+            def.enable_collision = true; // otherwise destroying a joint requests pairs anew, in another order
             world.create_joint(def);
         }
         bodies.push_back(add_body(world, body_at({0.0, 0.9, 3.0}, BodyType::kinematic), Capsule{0.3f, 0.6f}));
@@ -61,7 +62,7 @@ struct Heap {
     bool is_dynamic(BodyId id) { return world.body(id).type() == BodyType::dynamic; }
 };
 
-// By bits.
+// Compares position, rotation and velocities bit for bit.
 bool moves_alike(const Body& a, const Body& b) {
     const Transform p = a.transform(), q = b.transform();
     const Vec3 v[] = {a.linear_velocity(), a.angular_velocity()}, w[] = {b.linear_velocity(), b.angular_velocity()};
@@ -174,7 +175,7 @@ TEST(Enabling, IsSeenByNoQueryAndTouchesNothing) {
     EXPECT_TRUE(world.contact_ends()[0].body_a == table || world.contact_ends()[0].body_b == table);
     run(world, 120);
     EXPECT_NEAR(world.body(crate).position().y, 0.5, 1e-3) << "it fell to the ground";
-    world.body(table).set_position({0.0, 0.5, 5.0}); // where it is put while it is out
+    world.body(table).set_position({0.0, 0.5, 5.0}); // its position is changed while it is disabled
     world.body(table).set_enabled(true);
     EXPECT_TRUE(world.cast_ray({0.0, 0.5, 9.0}, {0.0f, 0.0f, -1.0f}, 10.0f).has_value());
     world.body(ground).set_enabled(false);
@@ -187,7 +188,7 @@ TEST(Enabling, JointsActWhileBothBodiesAreEnabled) {
         Chance chance(seed);
         World world;
         BodyDef def = body_at(Position(chance.in_box(1.0f)), BodyType(chance.below(2) ? 0 : 2));
-        def.gravity_scale = 0.0f; // a dynamic support floats
+        def.gravity_scale = 0.0f; // a dynamic support must not fall
         const BodyId support = add_body(world, def, Sphere{2.0f});
         const BodyId bob = add_body(world, body_at(def.position + Position(3.0, 0.0, 0.0)), Sphere{0.1f});
         JointDef joint = world.joint_at(support, bob, def.position, {0.0f, 0.0f, 1.0f}, BallJoint{});
@@ -221,7 +222,7 @@ TEST(Enabling, WhatIsPutBackIntoSomethingIsPushedOutGently) {
         const BodyId one = add_crate(world, {0.0, 0.5, 0.0}), other = add_crate(world, {0.0, 1.5, 0.0});
         run(world, 100);
         world.body(one).set_enabled(false);
-        run(world, 100); // the other one has fallen to where it was
+        run(world, 100); // the other body has fallen to the position of the disabled one
         world.body(one).set_position(world.body(other).position() + Position(chance.in_box(0.5f)) * Position(1, 0, 1));
         world.body(one).set_enabled(true);
         float fastest = 0;
@@ -273,7 +274,7 @@ TEST(Enabling, NothingPushesWhatIsDisabled) {
     World world;
     const BodyId id = add_crate(world, {0.0, 5.0, 0.0});
     Body body = world.body(id);
-    body.add_force({1e3f, 0.0f, 0.0f}); // forgotten
+    body.add_force({1e3f, 0.0f, 0.0f}); // the force is discarded when the body is disabled
     body.set_enabled(false);
     const std::string refused = "wrong_state | Body::add_force | ";
     EXPECT_EQ(refusal([&] { body.add_force({1, 0, 0}); }).substr(0, refused.size()), refused);
@@ -322,12 +323,12 @@ TEST(Enabling, ACharacterThatIsDisabledStandsStillAndGoesOn) {
     body.set_enabled(true);
     run(world, 60);
     EXPECT_NEAR(body.position().x, there.x + 1.0, 0.1);
-    world.body(floor).set_enabled(false); // it falls to the ground
+    world.body(floor).set_enabled(false); // the body falls to the ground
     run(world, 60);
     EXPECT_NEAR(body.position().y, there.y - 1.0, 0.05);
 }
 
-// Heaps of bodies that are joined, so that they collide and so that they do not.
+// Heaps of bodies with more joints, between bodies that collide with each other and bodies that do not.
 struct JoinedHeap : Heap {
     std::vector<JointId> joints;
 
@@ -371,7 +372,7 @@ TEST(Enabling, AJointThatIsDisabledIsNotThereForAnything) {
     }
 }
 
-// The bits of one that was made disabled are those of one that was made, and disabled before anything moved.
+// A joint that is created disabled, and enabled before the next step, gives the same bits as one created enabled.
 TEST(Enabling, AJointThatIsMadeDisabledIsThereOnceItIsEnabled) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         JoinedHeap at_once(seed), later(seed);
@@ -410,7 +411,7 @@ TEST(Enabling, AJointThatIsEnabledAgainBringsItsBodiesTogether) {
         world.set_joint_enabled(joint, false);
         EXPECT_EQ(world.joint_state(joint).force, Vec3(0.0f));
         run(world, 30);
-        EXPECT_NEAR(world.body(box).position().y, -1.0 - 0.5 * 9.81 * 0.25, 0.05); // it woke, and falls
+        EXPECT_NEAR(world.body(box).position().y, -1.0 - 0.5 * 9.81 * 0.25, 0.05); // the box woke and falls
         EXPECT_NEAR(world.joint_state(joint).linear_error, 0.5f * 9.81f * 0.25f, 0.05f);
         EXPECT_TRUE(world.joint_events().empty());
         world.set_joint_enabled(joint, true);
@@ -420,7 +421,7 @@ TEST(Enabling, AJointThatIsEnabledAgainBringsItsBodiesTogether) {
             fastest = std::max(fastest, glm::length(world.body(box).linear_velocity()));
         }
         EXPECT_LT(world.joint_state(joint).linear_error, 1e-3f);
-        EXPECT_LT(fastest, 6.0f); // no faster than errors are taken back, but for its fall
+        EXPECT_LT(fastest, 6.0f); // joint errors are corrected no faster than this, apart from the fall
     }
 }
 

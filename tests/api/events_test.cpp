@@ -1,4 +1,4 @@
-// What a step reports: contacts that begin, end and hit, bodies that fall asleep and wake, and the contacts themselves.
+// Events of a step: contacts that begin, end and hit, bodies that fall asleep and wake, and the list of contacts.
 #include "test_world.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ Material without_friction() {
     return material;
 }
 
-// Steps until something begins to touch; how many steps it took, or -1.
+// Steps until a contact begins. Returns the number of steps taken, or -1 if none begins.
 int run_until_touching(World& world, int most) {
     for (int i = 0; i < most; ++i) {
         world.step(frame);
@@ -28,7 +28,7 @@ TEST(Events, BallThatFallsBeginsToTouchAndHitsOnce) {
     const BodyId ball = add_body(world, body_at({2.0, 5.5, -1.0}), Sphere{});
     const ShapeId ground_shape = world.body(ground).shapes()[0], ball_shape = world.body(ball).shapes()[0];
     const int steps = run_until_touching(world, 120);
-    // It falls 5 m: t = sqrt(2 h / g) = 1.0096 s, and arrives with sqrt(2 g h) = 9.905 m/s.
+    // The ball falls 5 m: t = sqrt(2 h / g) = 1.0096 s, and arrives with sqrt(2 g h) = 9.905 m/s.
     EXPECT_NEAR(steps * frame, 1.0096, 0.05);
     ASSERT_EQ(world.contact_begins().size(), 1u);
     ASSERT_EQ(world.contact_hits().size(), 1u);
@@ -58,11 +58,11 @@ TEST(Events, BallThatFallsBeginsToTouchAndHitsOnce) {
 TEST(Events, SlowTouchIsNoHit) {
     World world;
     add_ground(world);
-    add_body(world, body_at({0.0, 0.52, 0.0}), Sphere{}); // arrives with 0.63 m/s
+    add_body(world, body_at({0.0, 0.52, 0.0}), Sphere{}); // arrives at 0.63 m/s
     ASSERT_GT(run_until_touching(world, 60), 0);
     EXPECT_TRUE(world.contact_hits().empty());
     WorldDef def;
-    def.hit_speed = 0.4f; // the speed counts that it has at the start of the step
+    def.hit_speed = 0.4f; // compared with the approach speed at the start of the step
     World attentive(def);
     add_ground(attentive);
     add_body(attentive, body_at({0.0, 0.52, 0.0}), Sphere{});
@@ -70,8 +70,8 @@ TEST(Events, SlowTouchIsNoHit) {
     EXPECT_EQ(attentive.contact_hits().size(), 1u);
 }
 
-// One impact in ten at 1,000 Hz, which fell on the very end of a step, was none of the step's: what was left of it was
-// too short for it to be seen.
+// Without the fix one impact in ten at 1,000 Hz, namely one at the very end of a step, was not reported in that step:
+// the remainder of the step was too short for the impact to be detected.
 TEST(Events, ImpactsAtTheEndOfAStepAreHits) {
     for (const float dt : {frame, 1.0f / 240, 1.0f / 1000})
         for (const float restitution : {0.0f, 0.5f})
@@ -127,7 +127,8 @@ TEST(Events, BounceEndsAndBeginsInTurn) {
         ends += int(world.contact_ends().size());
         ASSERT_TRUE(begins == ends || begins == ends + 1) << "step " << i;
     }
-    // A meter down and up takes 2 sqrt(2 / g) = 0.903 s: the first hit at 0.45 s, then eleven in all 10 s.
+    // Falling and rising by a meter takes 2 sqrt(2 / g) = 0.903 s: the first hit is at 0.45 s, and there are eleven in
+    // 10 s.
     EXPECT_NEAR(begins, 11, 1);
 }
 
@@ -170,7 +171,8 @@ TEST(Events, EveryBeginOfAMixedHeapIsFollowedByAtMostOneEnd) {
         else
             add_body(world, body_at(p), Box{{0.3f, 0.2f, 0.4f}});
     }
-    // Brief ones began and were over in one step: they are no contacts at its end, and end in the next.
+    // Brief contacts begin and end within one step: they are not among the contacts at its end, and their end is
+    // reported in the next step.
     std::vector<std::pair<ShapeId, ShapeId>> touching, brief;
     for (int i = 0; i < 400; ++i) {
         world.step(frame);
@@ -260,7 +262,7 @@ TEST(Events, FrictionImpulseActsOnB) {
     world.step(frame);
     ASSERT_EQ(world.contacts().size(), 1u);
     const Contact contact = world.contacts()[0];
-    // Friction slows the crate with 0.6 of its weight, and drags the ground along.
+    // Friction decelerates the crate with 0.6 of its weight, and acts on the ground with the opposite sign.
     const float sign = contact.body_b == ground ? 1.0f : -1.0f;
     EXPECT_NEAR(sign * contact.friction_impulse.x, 0.6f * 9810.0f * frame, 0.05f * 9810.0f * frame);
     EXPECT_NEAR(contact.friction_impulse.y, 0.0f, 1.0f);

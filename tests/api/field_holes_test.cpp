@@ -1,5 +1,5 @@
-// Height fields with holes: where a height is none, there is nothing. A mesh of the triangles that are left is the
-// same.
+// Height fields with holes: a cell whose height is missing has no surface. A mesh of the remaining triangles must
+// behave the same.
 #include "chance.h"
 #include "test_world.h"
 
@@ -16,13 +16,13 @@ HeightField any_field(Chance& chance, float height) {
     const unsigned one_in = 2 + chance.below(8);
     for (float& h : heights) h = chance.below(one_in) == 0 ? HeightField::hole : chance.between(-height, height);
     for (const std::size_t corner : {std::size_t(0), std::size_t(1), std::size_t(columns), std::size_t(columns) + 1})
-        heights[corner] = 0; // one cell is there
+        heights[corner] = 0; // one cell is never a hole
     return HeightField(columns, rows, {chance.between(0.5f, 1.5f), chance.between(0.5f, 1.5f)}, heights);
 }
 Mesh mesh_of(const HeightField& field) {
     std::vector<Vec3> corners = field.vertices();
     for (Vec3& p : corners)
-        if (p.y == HeightField::hole) p.y = 0; // no triangle has it
+        if (p.y == HeightField::hole) p.y = 0; // no triangle uses this vertex
     return Mesh(corners, field.indices());
 }
 Shape any_solid(Chance& chance) {
@@ -38,7 +38,7 @@ Shape any_solid(Chance& chance) {
     }
 }
 
-// Two worlds with the same ground, once as a field and once as a mesh.
+// Two worlds with the same ground, as a height field and as a mesh.
 struct Pair {
     World field, mesh;
     Pair(Chance& chance, float height) {
@@ -97,10 +97,10 @@ TEST(FieldHoles, ShapesMeetWhatAMeshOfTheirTrianglesHas) {
     }
 }
 
-// What is over a hole falls through it; what is not, rests; what rolls comes to the hole and falls in.
+// A body above the hole falls through it, a body beside it rests, and a rolling body falls in when it reaches the hole.
 TEST(FieldHoles, ThingsFallThroughThemAndNowhereElse) {
     Chance chance(3);
-    constexpr int side = 21; // cells of half a meter; a hole of 3 m by 3 m about the middle, to 1.5 m from it
+    constexpr int side = 21; // cells of 0.5 m; the hole is 3 m by 3 m around the middle, to 1.5 m from it
     std::vector<float> heights(std::size_t(side) * side, 0.0f);
     for (int r = 8; r <= 12; ++r)
         for (int c = 8; c <= 12; ++c) heights[std::size_t(r * side + c)] = HeightField::hole;
@@ -139,7 +139,8 @@ TEST(FieldHoles, ThingsFallThroughThemAndNowhereElse) {
 TEST(FieldHoles, AreNeitherNumbersThatAreNoneNorAll) {
     std::vector<float> heights(9, 0.0f);
     const auto make = [&] { return HeightField(3, 3, {1, 1}, heights); };
-    heights[4] = HeightField::hole; // of every triangle but the two that the cells' diagonals leave out
+    // The hole touches all triangles except two, which the diagonals of their cells separate from it.
+    heights[4] = HeightField::hole;
     const HeightField field = make();
     EXPECT_EQ(field.indices(), (std::vector<std::uint32_t>{1, 5, 2, 3, 6, 7}));
     EXPECT_EQ(field.vertices()[4], Vec3(0, HeightField::hole, 0));
@@ -150,7 +151,7 @@ TEST(FieldHoles, AreNeitherNumbersThatAreNoneNorAll) {
     EXPECT_THROW(make(), Error);
     heights.assign(9, HeightField::hole);
     EXPECT_THROW(make(), Error);
-    heights[0] = heights[8] = 1; // corners, but no triangle
+    heights[0] = heights[8] = 1; // two vertices with a height, but no triangle
     EXPECT_THROW(make(), Error);
 }
 

@@ -1,4 +1,4 @@
-// ContactHit::time, against motion that is known exactly.
+// ContactHit::time, compared with motion that is known exactly.
 #include "test_world.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ BodyId add_wall(World& world, const Position& position, const Material& material
     return add_body(world, body_at(position, BodyType::static_), Box{{0.1f, 2.0f, 2.0f}}, with_material(material));
 }
 
-// Times since the world began, in the order in which they were listed.
+// Hit times in seconds since the world began, in the order in which they were reported.
 struct Hit {
     double time;
     int step;
@@ -54,13 +54,14 @@ TEST(HitTimes, OfABallBetweenWallsAreTheExactOnes) {
             const std::vector<Hit> hits = step_and_list(world, 12, dt);
             const double exact_speed = double(float(speed));
             for (std::size_t k = 0; k < hits.size(); ++k) {
-                const double exact = (0.75 - start + 1.5 * double(k)) / exact_speed; // centers go from -0.75 to 0.75
+                // The centers move between -0.75 and 0.75.
+                const double exact = (0.75 - start + 1.5 * double(k)) / exact_speed;
                 ASSERT_NEAR(hits[k].time, exact, 1e-4 * double(dt)) << speed << " m/s, bounce " << k;
                 several += k > 0 && hits[k - 1].step == hits[k].step;
             }
             EXPECT_NEAR(double(hits.size()), std::floor((12 * double(dt) * exact_speed - 0.75 + start) / 1.5) + 1, 1);
         }
-    EXPECT_GT(several, 100); // bounces in the same step as the one before
+    EXPECT_GT(several, 100); // hits in the same step as the previous hit
 }
 
 TEST(HitTimes, OfWhatStopsAtAWallAreTheExactOnes) {
@@ -79,9 +80,9 @@ TEST(HitTimes, OfWhatStopsAtAWallAreTheExactOnes) {
     }
 }
 
-// Gravity adds g t^2 / 2 to the way of a step, which the estimate may leave out: then it is late by g t^2 / (2 v). The
-// engine's fall is ahead of the parabola by up to g t h / 2 in substeps of length h, and its chord over a step by up to
-// g / 8 times the square of the step.
+// Gravity adds g t^2 / 2 to the distance traveled in a step, which the estimate may leave out: it is then late by g t^2
+// / (2 v). The simulated fall is ahead of the parabola by up to g t h / 2 in substeps of length h, and its chord over a
+// step of length T by up to g T^2 / 8.
 TEST(HitTimes, OfWhatFallsAndStopsAreOffByNoMoreThanGravityMakesOfAStep) {
     constexpr double g = 9.81;
     for (int shot = 0; shot < 40; ++shot) {
@@ -104,8 +105,8 @@ TEST(HitTimes, OfWhatFallsAndStopsAreOffByNoMoreThanGravityMakesOfAStep) {
     }
 }
 
-// A top that spins on the ground makes the step several passes, 7 of half a radian each. What hangs on a joint is a
-// contact of the solver, which may stop it at the end of the pass before.
+// A spinning top on the ground makes the engine divide the step into several passes, 7 of half a radian each. The
+// contact of a jointed body is solved by the contact solver, which may stop the body at the end of the previous pass.
 TEST(HitTimes, AreThoseWithinTheStepAlsoWhereItTakesSeveralPasses) {
     for (const auto& [restitution, is_joined] : {std::pair(0.0f, false), {1.0f, false}, {0.0f, true}})
         for (int shot = 0; shot < 30; ++shot) {
@@ -118,7 +119,7 @@ TEST(HitTimes, AreThoseWithinTheStepAlsoWhereItTakesSeveralPasses) {
             top.angular_velocity = {200.0f, 0.0f, 0.0f};
             top.linear_velocity = {0.1f, 0.0f, 0.0f};
             add_body(world, top, Box{{0.25f, 0.4f, 0.1f}}, with_material(bouncing(0.0f)));
-            world.step(frame); // it touches
+            world.step(frame); // the top touches the ground
             const double speed = 30.0, gap = 0.02 + 0.015 * shot;
             BodyDef ball = body_at({-0.25 - gap, 50.0, 0.0});
             ball.linear_velocity = {float(speed), 0.0f, 0.0f};

@@ -1,4 +1,4 @@
-// The life of joints: breaking, going with their bodies, handles, sleep, changes, snapshots, and what is refused.
+// Life of joints: breaking, removal together with their bodies, handles, sleep, changes, snapshots, and invalid calls.
 #include "joint_rig.h"
 
 namespace cairn::test {
@@ -150,7 +150,7 @@ TEST(Joints, SnapshotsHoldThem) {
     EXPECT_EQ(std::get<GeneralJoint>(def.joint).drives[0].stiffness, 10);
 }
 
-// How joints lie in the solver's blocks is kept from step to step. A world that was just restored has nothing kept.
+// The solver caches the arrangement of joints in blocks from step to step. A world that was just restored has no cache.
 TEST(Joints, ChangesCountAtOnceAsInAWorldJustRestored) {
     World world;
     std::vector<BodyId> balls;

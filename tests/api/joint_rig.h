@@ -1,5 +1,5 @@
 /// \file joint_rig.h
-/// What the tests of joints are built with: two bodies and a joint between them, and its controls.
+/// A rig for the tests of joints: two bodies with a joint between them, and access to its controls.
 #pragma once
 
 #include "test_world.h"
@@ -9,8 +9,8 @@
 
 namespace cairn::test {
 
-/// A fixed base at the origin and a dynamic box of unequal sides beside it, joined at the base's origin. Weightless:
-/// only what the test does moves it.
+/// A fixed base at the origin and a dynamic box of unequal sides beside it, joined at the base's origin. There is no
+/// gravity: only the test moves the box.
 struct Rig {
     World world;
     BodyId base, body;
@@ -41,7 +41,7 @@ inline JointControl driven(float velocity, float cap = infinity) {
     return {{}, motor, 0};
 }
 
-/// Which of its axes a general joint locks.
+/// A general joint that locks the given linear and angular axes.
 inline GeneralJoint locked(std::array<bool, 3> linear, std::array<bool, 3> angular) {
     GeneralJoint joint;
     if (linear[0] || linear[1] || linear[2]) joint.limits.push_back({JointAxis::linear, linear, 0.0f, 0.0f, {}, 0});

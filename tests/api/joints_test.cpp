@@ -1,4 +1,4 @@
-// Joints: what each holds and what it leaves free, limits from both sides, motors, springs and friction.
+// Joints: which degrees of freedom each type constrains, limits in both directions, motors, springs and friction.
 #include "joint_rig.h"
 
 #include <cmath>
@@ -10,7 +10,8 @@ constexpr float pi = 3.14159265f;
 
 // --- degrees of freedom
 
-// A joint, its axis along x, and which of six ways of a push move the body: along and about x, y, z.
+// A joint type, its axis along x, and which of six degrees of freedom are free: translation along and rotation about x,
+// y, z.
 struct Freedom {
     const char* name;
     Joint joint;
@@ -56,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Freedom{"general_hinge_z", locked({yes, yes, yes}, {yes, yes, no}), {no, no, no, no, no, yes}}),
     [](const auto& info) { return info.param.name; });
 
-// The same, with the axis across the box's own axes and the anchor away from its center.
+// As above, with the axis oblique to the box's own axes and the anchor away from its center.
 TEST(Joints, HoldWhereverTheirAxisAndAnchorAre) {
     const std::vector<Joint> joints = {FixedJoint{},       BallJoint{},      HingeJoint{}, SliderJoint{},
                                        CylindricalJoint{}, UniversalJoint{}, WheelJoint{}};
@@ -237,7 +238,7 @@ TEST(Joints, ServoBringsABodyToItsPose) {
     Rig rig(servo, {1, 0, 0}, WorldDef{});
     rig.run(3);
     const Body body = rig.world.body(rig.body);
-    // By gravity it hangs g / (2 pi f)^2 lower.
+    // Under gravity the servo sags by g / (2 pi f)^2.
     EXPECT_NEAR(glm::length(Vec3(body.position()) - Vec3{0.5f, 0.25f - 9.81f / (10 * pi * 10 * pi), 0}), 0, 2e-3f);
     EXPECT_GT(std::fabs(glm::dot(body.rotation(), servo.rotation)), 0.9999f);
 }

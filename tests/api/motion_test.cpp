@@ -1,4 +1,5 @@
-// Motion without contacts, against closed forms: gravity, damping, fields, forces, torques, impulses, free rotation.
+// Motion without contacts, compared with closed forms: gravity, damping, fields, forces, torques, impulses, free
+// rotation.
 #include "test_world.h"
 
 #include <ostream>
@@ -26,7 +27,7 @@ TEST(Motion, FreeFallFollowsTheParabola) {
         run(world, 120);
         EXPECT_NEAR(body.position().x, 6.0, 1e-3);
         EXPECT_NEAR(body.position().z, -2.0, 1e-3);
-        // The Euler forms err by g h t / 2, with h the substep.
+        // The Euler methods have an error of g h t / 2, where h is the length of a substep.
         const double lag = 0.5 * 9.81 * 2 * frame / world.usual_substeps(float(frame));
         const double tolerance = integrator == Integrator::rk4 ? 1e-3 : 1.01 * lag + 1e-3;
         EXPECT_NEAR(body.position().y, 100.0 + 8.0 - 0.5 * 9.81 * 4, tolerance);
@@ -198,7 +199,7 @@ TEST(Fields, PointGravityKeepsACircularOrbit) {
     sun.exponent = -2.0f;
     world.add_force_field(sun);
     BodyDef planet = body_at({10.0, 0.0, 0.0});
-    planet.linear_velocity = {0.0f, 0.0f, -10.0f}; // sqrt(1000 / 10)
+    planet.linear_velocity = {0.0f, 0.0f, -10.0f}; // the speed of a circular orbit, sqrt(1000 / 10)
     const Body body = world.body(add_body(world, planet, Sphere{0.1f}));
     for (int i = 0; i < 1000; ++i) {
         world.step(frame);
@@ -250,7 +251,7 @@ TEST_P(FreeRotation, KeepsEnergyAndAngularMomentum) {
     const auto& [top, integrator] = GetParam();
     WorldDef def = weightless();
     def.integrator = integrator;
-    def.substeps = 8; // Runge-Kutta loses energy of the fastest tops with fewer
+    def.substeps = 8; // Runge-Kutta loses energy for the fastest tops with fewer
     World world(def);
     BodyDef body;
     body.angular_velocity = top.spin;

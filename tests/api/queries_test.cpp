@@ -1,4 +1,4 @@
-// Ray casts and overlap tests, against closed forms and against brute force.
+// Ray casts and overlap tests, compared with closed forms and with brute force.
 #include "test_world.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST(CastRay, MeetsAPlaneFromAboveAndItsSolidSideFromBelow) {
 
 TEST(CastRay, MeetsARectangleWithinItsExtentsAndFromItsFrontOnly) {
     World world;
-    // 2 m along x (the tangent) and 6 m along normal x tangent = -z.
+    // The rectangle measures 2 m along x (the tangent) and 6 m along normal x tangent = -z.
     add_body(world, body_at({0.0, 1.0, 0.0}, BodyType::static_),
              rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 3.0f}));
     const Vec3 down(0.0f, -1.0f, 0.0f);
@@ -177,7 +177,7 @@ struct Scene {
     }
 };
 
-// Distance along the ray (of unit direction) to a shape, from its public description alone; negative if missed.
+// Distance along the ray (of unit direction) to a shape, computed from its public description only; negative on a miss.
 double brute_distance(const World& world, ShapeId id, const Position& origin, const DVec& direction) {
     const Transform pose = world.shape_transform(id);
     const DVec o = turn_back(pose.rotation, origin - pose.position), d = turn_back(pose.rotation, direction);
@@ -323,7 +323,7 @@ TEST(Overlap, DeepWithinAndAroundAndWithPlanes) {
     const auto result = world.overlap(Sphere{0.3f}, {{0.4, 20.0, 0.0}, Quat(1, 0, 0, 0)});
     EXPECT_EQ(result, (std::vector<ShapeId>{world.body(big).shapes()[0], world.body(small).shapes()[0]}))
         << "in order of slot index";
-    // Both bodies lie in the half-space below y = 30; a plane against a plane tells nothing.
+    // Both bodies lie in the half-space below y = 30; the overlap of two planes is not tested.
     add_ground(world);
     EXPECT_EQ(world.overlap(Plane{}, {{0.0, 30.0, 0.0}, Quat(1, 0, 0, 0)}).size(), 2u);
     EXPECT_TRUE(world.overlap(Plane{}, {{0.0, 10.0, 0.0}, Quat(1, 0, 0, 0)}).empty());

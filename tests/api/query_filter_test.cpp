@@ -1,4 +1,4 @@
-// Which shapes a query sees: every query, with every part of its filter.
+// Query filters: every kind of query with every part of the filter.
 #include "test_world.h"
 
 #include <functional>
@@ -7,7 +7,7 @@
 namespace cairn::test {
 namespace {
 
-// Shapes side by side along x, 2 m apart, each of another kind; queries go along them.
+// Boxes of different body types side by side along x, 2 m apart; queries go along the row.
 struct Row {
     World world{weightless()};
     BodyId fixed, kinematic, dynamic, trigger, aloof;
@@ -26,14 +26,14 @@ struct Row {
 
 using Bodies = std::set<BodyId>;
 
-// What each query sees of the row, one query after the other.
+// One function per kind of query, which returns the bodies of the row that the query finds.
 std::vector<std::function<Bodies(const World&, const QueryFilter&)>> queries() {
     const auto bodies_of = [](const World& world, const std::vector<ShapeId>& shapes) {
         Bodies bodies;
         for (const ShapeId id : shapes) bodies.insert(world.body_of(id));
         return bodies;
     };
-    // The nearest alone: asked from above each of them.
+    // Queries for the nearest shape only are made once from above each body.
     const auto each = [](auto ask) {
         return [ask](const World& world, const QueryFilter& filter) {
             Bodies bodies;
@@ -96,7 +96,7 @@ TEST(QueryFilter, AnyIsOneOfAll) {
     EXPECT_TRUE(world.cast_ray({-5, 0, 0}, {1, 0, 0}, 200, any));
     EXPECT_TRUE(world.cast_shape(Sphere{}, {{-5, 0, 0}, Quat(1, 0, 0, 0)}, {200, 0, 0}, any));
     EXPECT_TRUE(world.closest_point({-5, 0, 0}, 300, any));
-    // What there is none of is not found either.
+    // Queries that miss every shape find nothing.
     EXPECT_TRUE(world.overlap(Box{}, {{0, 9, 0}, Quat(1, 0, 0, 0)}, any).empty());
     EXPECT_FALSE(world.cast_ray({-5, 9, 0}, {1, 0, 0}, 200, any));
     EXPECT_FALSE(world.cast_shape(Sphere{}, {{-5, 9, 0}, Quat(1, 0, 0, 0)}, {200, 0, 0}, any));

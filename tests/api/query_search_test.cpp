@@ -1,4 +1,5 @@
-// Queries find what a look at each shape alone finds, over random places, directions and lengths.
+// Queries over the whole world find what a test of each shape alone finds, for random positions, directions and
+// lengths.
 #include "chance.h"
 #include "test_world.h"
 
@@ -52,7 +53,7 @@ Shape any_surface(Chance& chance, unsigned kind) {
 constexpr unsigned layer_count = 60;
 constexpr Position center{2000, -300, 40};
 
-// Solids and surfaces across each other, each in a layer of its own; some fixed, some awake, some asleep.
+// Overlapping solids and surfaces, each in its own layer; some static, some awake, some asleep.
 void build(World& world, Chance& chance) {
     for (unsigned i = 0; i < layer_count; ++i) {
         BodyDef body = body_at(center + Position(chance.in_box(4)), i % 3 == 0 ? BodyType::static_ : BodyType::dynamic);
@@ -105,7 +106,8 @@ TEST(QuerySearch, CastsMeetTheFirstOfAllThatEachAloneMeets) {
             EXPECT_NEAR(glm::length(hit->normal), 1, 1e-5);
             if (hit->fraction == 0) continue;
             EXPECT_LT(glm::dot(hit->normal, way), 1e-6f);
-            // They touch there, and not before. (Surfaces may be crossed from behind before they are met.)
+            // The shapes touch at the reported fraction, and not before. (Surfaces may be crossed from behind before
+            // they are hit.)
             const auto overlaps = [&](float off) {
                 const Position at = start.position + hit->fraction * Position(way) + Position(off * hit->normal);
                 return !world
@@ -143,7 +145,8 @@ TEST(QuerySearch, ClosestPointsAreThoseOfTheNearestAlone) {
             ++found;
             EXPECT_NEAR(hit->distance, nearest->distance, 1e-9) << seed << ' ' << k;
             EXPECT_NEAR(glm::length(hit->point - from), hit->distance, 1e-6) << seed << ' ' << k;
-            // A ball that reaches a little farther overlaps it, one that does not quite reach it does not.
+            // A ball whose radius is slightly larger than the distance overlaps the shape, a slightly smaller one does
+            // not.
             const auto layer = world.shape_def(hit->shape).filter.layers;
             if (!(hit->distance > 1e-3)) continue;
             const auto overlaps = [&](double radius) {
@@ -177,7 +180,7 @@ TEST(QuerySearch, OverlapsAreThoseOfEachAlone) {
     EXPECT_GT(found, 500u);
 }
 
-// Long casts over, and points far from, surfaces of many triangles.
+// Long shape casts over, and closest points far from, surfaces of many triangles.
 TEST(QuerySearch, SurfacesAreSearchedAlongTheWay) {
     Chance chance(31);
     std::vector<float> heights(200 * 200);
@@ -189,7 +192,7 @@ TEST(QuerySearch, SurfacesAreSearchedAlongTheWay) {
         const Position to(chance.between(-90, 90), 0, chance.between(-90, 90));
         const auto hit = world.cast_shape(Sphere{0.2f}, {from, Quat(1, 0, 0, 0)}, Vec3(3.0 * (to - from)));
         ASSERT_TRUE(hit) << k;
-        // Along the way to there nothing else was nearer.
+        // No surface is nearer than the radius anywhere on the path up to the hit.
         for (int i = 0; i < 50; ++i) {
             const Position at = from + (hit->fraction * i / 50) * 3.0 * (to - from);
             EXPECT_FALSE(world.closest_point(at, 0.2 - 1e-5)) << k;

@@ -1,4 +1,4 @@
-// Random calls of the API, legal and not, on three worlds that must stay the same (tests/fuzz/calls.h).
+// Random API calls, valid and invalid, on three worlds that must stay identical (tests/fuzz/calls.h).
 #include "../fuzz/calls.h"
 
 #include <gtest/gtest.h>

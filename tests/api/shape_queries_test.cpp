@@ -1,4 +1,4 @@
-// Shape casts, closest points, and which layers a query sees; against closed forms.
+// Shape casts, closest points, and query layers, compared with closed forms.
 #include "test_world.h"
 
 #include <random>
@@ -24,7 +24,7 @@ Transform at(const Position& position) { return {position, Quat(1.0f, 0.0f, 0.0f
 struct Still {
     const char* name;
     Shape shape;
-    double top; // above its origin
+    double top; // height of the top above the shape's origin, m
 };
 std::vector<Still> still_shapes() {
     return {{"sphere", Sphere{1}, 1},
@@ -135,7 +135,7 @@ TEST(ClosestPoints, InsideIsNoDistance) {
     EXPECT_NE(refusal([&] { world.closest_point({double(not_a_number), 0, 0}, 1); }), "");
 }
 
-// A double-sided plane is met from either side, and nothing is within it.
+// A double-sided plane is hit from both sides, and no point is inside it.
 TEST(Sheets, AreMetFromBothSides) {
     const Plane sheets[] = {Plane{{0, 1, 0}, {1, 0, 0}, {}, true}, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, 2), true},
                             Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, infinity), true}};
@@ -165,7 +165,7 @@ TEST(Sheets, AreMetFromBothSides) {
     }
 }
 
-// Far from the middle of a strip, and beside it.
+// Queries far from the middle of an infinitely long strip, and beside it.
 TEST(Sheets, StripsAreMetAlongTheirWholeLength) {
     World world;
     add_body(world, body_at({0, 0, 0}, BodyType::static_), Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(infinity, 1)});
@@ -186,8 +186,8 @@ TEST(Sheets, StripsAreMetAlongTheirWholeLength) {
     }
 }
 
-// Contacts are one-sided, and overlaps were asked of them: none of these was found whose center was below the surface
-// and beside its border.
+// Without the fix overlap queries used contacts, which are one-sided: they missed every ball whose center was below the
+// surface and beyond its border.
 TEST(Overlaps, BallsMeetASurfaceWhereverItsNearestPointIsWithinTheirRadius) {
     const std::vector<Shape> surfaces = {
         square(1), HeightField(3, 3, {1, 1}, std::vector<float>(9, 0.0f)), Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(1, 1)},
@@ -215,7 +215,7 @@ TEST(Overlaps, BallsMeetASurfaceWhereverItsNearestPointIsWithinTheirRadius) {
         }
         EXPECT_GT(met, 500);
         EXPECT_GT(met_below_beside, 100);
-        // And the other way round: the surface asks, the ball is there.
+        // The reverse: the surface is the query shape, and the ball is in the world.
         world.destroy_body(body);
         add_body(world, body_at(middle, BodyType::static_), Sphere{1});
         EXPECT_EQ(world.overlap(surface, at(middle + Position(1.6, 0.5, 0))).size(), 1u);
@@ -226,7 +226,7 @@ TEST(Overlaps, BallsMeetASurfaceWhereverItsNearestPointIsWithinTheirRadius) {
 TEST(Rounding, IsFeltByEveryQuery) {
     World world;
     add_body(world, body_at({0, 0, 0}, BodyType::static_), Box{{0.5f, 0.5f, 0.5f}, 0.25f});
-    // Towards a corner: the core's is at 0.5 in all, and the surface 0.25 beyond.
+    // Towards a corner: the corner of the core is at 0.5 on each axis, and the surface 0.25 beyond it.
     const double corner = std::sqrt(3.0) * 0.5 + 0.25, far = 4 / std::sqrt(3.0);
     const auto ray = world.cast_ray({far, far, far}, {-1, -1, -1}, 10);
     ASSERT_TRUE(ray);

@@ -1,4 +1,4 @@
-// Islands fall asleep, and wake when something concerns them.
+// Islands fall asleep, and wake when something affects them.
 #include "test_world.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace cairn::test {
 namespace {
 
-// A stack of two, and one crate apart, all asleep.
+// A stack of two crates, and one crate apart from it, all asleep.
 struct Asleep {
     World world;
     BodyId ground, below, above, apart;
@@ -38,14 +38,15 @@ TEST(Sleep, StackFallsAsleepAndCostsNothing) {
     EXPECT_EQ(asleep.world.state_hash(), hash);
 }
 
-// Links of robots often have an inertia and no shape.
+// Links of robots often have an inertia but no shape.
 TEST(Sleep, ABodyWithoutShapesStaysAwakeWhileItTurns) {
     WorldDef def;
     def.gravity = {0.0f, 0.0f, 0.0f};
     World world(def);
     BodyDef body;
     body.mass_properties = MassProperties{2.0f, {}, {0.5f, 0.02f, 0.5f}, {1.0f, 0.0f, 0.0f, 0.0f}};
-    body.angular_velocity = {0.0f, 0.2f, 0.0f}; // at 0.5 m: faster than 0.05 m/s
+    // At a radius of 0.5 m: faster than the 0.05 m/s below which a body may sleep.
+    body.angular_velocity = {0.0f, 0.2f, 0.0f};
     const BodyId turns = world.create_body(body);
     body.angular_velocity = {0.0f, 0.05f, 0.0f};
     const BodyId hardly = world.create_body(body);
@@ -118,7 +119,7 @@ TEST(Sleep, AirborneBodiesDoNotSleepAtTheTopOfTheirFlight) {
 struct Wake {
     const char* name;
     std::function<void(Asleep&)> cause;
-    bool above, apart; // which of the others must be awake after a few steps (`below` always)
+    bool above, apart; // whether each of these must be awake after a few steps (`below` always must)
 };
 std::ostream& operator<<(std::ostream& out, const Wake& wake) { return out << wake.name; }
 
@@ -240,7 +241,7 @@ TEST(Sleep, MovedStaticBodyWakesWhatRestedOnIt) {
     EXPECT_LT(world.body(crate).position().y, 2.0) << "it falls";
 }
 
-// It stayed where it was, held by a hook that was gone.
+// Without the fix the body stayed asleep in mid-air, although its support had moved away.
 TEST(Sleep, WhatHangsOnABodyThatIsMovedWakes) {
     const Joint joints[] = {BallJoint{}, HingeJoint{}, FixedJoint{}, SliderJoint{}};
     for (const BodyType type : {BodyType::static_, BodyType::kinematic})
@@ -297,7 +298,7 @@ TEST(Sleep, IslandsThatComeApartSleepApart) {
     EXPECT_TRUE(world.body(right).is_awake());
 }
 
-// A wall of loose bricks that was never awake, as a level has it.
+// A wall of loose bricks that are created asleep, as in a game level.
 struct Wall {
     World world;
     std::vector<BodyId> bricks;
@@ -360,7 +361,7 @@ TEST(Sleep, WhatTouchesSomethingThatMovesOrMayNotSleepStaysAwake) {
     EXPECT_NO_THROW(world.body(ground).sleep()) << "like wake: it is neither";
 }
 
-// Struck by a ball it falls like one that fell asleep by itself: nothing stays in the air.
+// When a ball hits it, the wall falls like one that fell asleep by itself: no brick stays in the air.
 TEST(Sleep, WhatWasMadeAsleepWakesWhenItLosesWhatCarriesIt) {
     for (int place = 0; place < 12; ++place) {
         Wall wall(true);
@@ -379,8 +380,8 @@ TEST(Sleep, WhatWasMadeAsleepWakesWhenItLosesWhatCarriesIt) {
     }
 }
 
-// A body at rest in free space, which two balls strike within a step: one that sleeps goes the way of one that never
-// does.
+// Two balls hit a body at rest in free space within one step: a sleeping body must move in the same way as one that may
+// not sleep.
 TEST(Sleep, WhatSleepsInFreeSpaceIsStruckTwiceInAStepLikeWhatIsAwake) {
     int struck_twice = 0;
     for (std::uint32_t seed = 0; seed < 200; ++seed) {

@@ -1,4 +1,4 @@
-// Saving a world, bringing it back, and refusing what is damaged.
+// Saving and restoring a world, and rejecting damaged snapshots.
 #include "test_world.h"
 
 #include <cstdio>
@@ -11,7 +11,7 @@
 namespace cairn::test {
 namespace {
 
-// A world with something of everything: piles, sleepers, a moving platform, fields, removed bodies and shapes.
+// A world with one of everything: piles, sleeping bodies, a moving platform, force fields, removed bodies and shapes.
 void fill(World& world) {
     add_ground(world);
     for (int i = 0; i < 30; ++i) {
@@ -144,7 +144,7 @@ TEST(Snapshot, SharesWhatStepsDoNotChangeUntilItIsChanged) {
     World copy;
     copy.restore(first);
     EXPECT_EQ(copy.save().definitions, first.definitions);
-    // Each of these is a change, and one only.
+    // Each call makes exactly one change to the definitions.
     const auto changes = [&](auto&& change) {
         change();
         const Snapshot now = world.save();
@@ -171,7 +171,7 @@ TEST(Snapshot, SharesWhatStepsDoNotChangeUntilItIsChanged) {
     EXPECT_EQ(copy.settings().substeps, WorldDef{}.substeps);
 }
 
-// The same slot with the same number, and hulls that differ in nothing that a hull's size and mass tell.
+// The same slot with the same generation, and two hulls of equal size and mass that differ otherwise.
 TEST(Snapshot, KnowsAnotherHullInTheSamePlace) {
     const std::vector<Vec3> points = {{-1, -1, -1}, {1, -1, -1}, {0, 1, 0}, {0, -1, 1}};
     World world;
@@ -186,7 +186,7 @@ TEST(Snapshot, KnowsAnotherHullInTheSamePlace) {
     EXPECT_TRUE(first.definitions->bytes == second.definitions->bytes);
 }
 
-// What lies between the fields of a struct came along as whatever the caller's memory held.
+// Without the fix the padding bytes of a struct were saved as whatever the caller's memory held.
 TEST(Snapshot, DoesNotKnowWhatLiesBetweenTheFieldsOfADefinition) {
     World world;
     const Snapshot empty = world.save();
@@ -206,7 +206,7 @@ TEST(Snapshot, DoesNotKnowWhatLiesBetweenTheFieldsOfADefinition) {
     EXPECT_TRUE(saved(0) == saved(0xff));
 }
 
-// A heap of 500 balls and boxes, some six pairs to a body.
+// A heap of 500 balls and boxes, with about six pairs per body.
 struct Heap : testing::Test {
     World world;
     void SetUp() override {
@@ -243,7 +243,7 @@ TEST_F(Heap, TakesAtMost300BytesForTheStateOfABody) {
     }
 }
 
-// Their snapshots were refused: a mass had to be finite.
+// Without the fix snapshots of such bodies were rejected, because a mass had to be finite.
 TEST(Snapshot, BodiesOfInfiniteMassComeBack) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     World world;
@@ -276,7 +276,7 @@ TEST(Snapshot, EmptyWorldAndWorldWithoutShapes) {
 
 // --- damage
 
-// Refused as a malformed file, and the world as it was.
+// Checks that the snapshot is rejected as a malformed file, and that the world stays as it was.
 testing::AssertionResult is_refused(World& world, const Snapshot& damaged, std::uint64_t hash) {
     try {
         world.restore(damaged);
@@ -317,7 +317,7 @@ TEST_F(Damage, CutOffAtEveryByteIsRefused) {
 TEST_F(Damage, AnyFlippedBitIsRefused) {
     std::mt19937 random(1);
     Snapshot damaged = good;
-    // All bits of the header, and a sample of the rest.
+    // All bits of the header, and a random sample of the others.
     std::vector<std::size_t> bits;
     for (std::size_t bit = 0; bit < 8 * 64; ++bit) bits.push_back(bit);
     std::uniform_int_distribution<std::size_t> any(0, 8 * good.bytes.size() - 1);
@@ -376,7 +376,7 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
     EXPECT_TRUE(stays_sane(target, 30));
 }
 
-// Hulls, meshes and height fields come back with the world that had them, also into another world.
+// Hulls, meshes and height fields are restored with the world that had them, also into another world.
 TEST(Snapshots, SharedShapesComeBack) {
     const std::vector<Vec3> points = {{-1, -1, -1}, {1, -1, -1}, {0, 1, 0}, {0, -1, 1}};
     const std::vector<Vec3> square = {{-9, 0, -9}, {9, 0, -9}, {-9, 0, 9}, {9, 0, 9}};

@@ -1,4 +1,4 @@
-// World::solver_contacts: which contacts are solved side by side, and in how many substeps.
+// World::solver_contacts: which contacts are solved side by side in lanes, and in how many substeps.
 #include "test_world.h"
 
 #include <algorithm>

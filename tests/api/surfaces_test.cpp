@@ -1,4 +1,4 @@
-// Materials: how two become one, sliding, rolling, spinning, bouncing.
+// Materials: combining two of them, sliding, rolling, spinning, bouncing.
 #include "test_world.h"
 
 #include <vector>
@@ -19,7 +19,7 @@ Material with_restitution(float restitution, CombineRule rule = CombineRule::ave
     return material;
 }
 
-// How far a box of that material slides on ground of that, from 4 m/s.
+// The distance that a box of one material slides on ground of the other, from 4 m/s.
 double sliding_distance(const Material& ground, const Material& box) {
     World world;
     add_ground(world, ground);
@@ -43,7 +43,7 @@ TEST(Friction, StopsABoxAtTheClosedFormDistance) {
 TEST(Friction, CombinesByTheStrongerRule) {
     struct Case {
         CombineRule ground, box;
-        double expected; // of 0.2 and 0.8
+        double expected; // for coefficients of 0.2 and 0.8
     };
     for (const Case& c :
          {Case{CombineRule::average, CombineRule::average, 0.5}, Case{CombineRule::minimum, CombineRule::minimum, 0.2},
@@ -129,7 +129,7 @@ TEST(Rolling, BallThrownWithoutSpinRollsAtFiveSevenths) {
 }
 
 TEST(Rolling, RollingFrictionStopsABall) {
-    // Torque N x lever slows a rolling ball by 5/7 g lever / r.
+    // Rolling friction has the torque N x lever, which decelerates a rolling ball by 5/7 g lever / r.
     Material material = with_friction(0.8f);
     material.rolling_friction = 0.02f;
     World world;
@@ -155,7 +155,7 @@ TEST(Rolling, TorsionalFrictionStopsASpinningBall) {
         BodyDef def = body_at({0.0, 0.5, 0.0});
         def.angular_velocity = {0.0f, 10.0f, 0.0f};
         const BodyId ball = add_body(world, def, Sphere{}, with_material(material));
-        // Torque friction x N x radius on 2/5 m r^2.
+        // Spinning friction has the torque friction x N x radius; the moment of inertia is 2/5 m r^2.
         const double deceleration = 0.5 * 9.81 * double(radius) / (0.4 * 0.25);
         run(world, 120);
         EXPECT_NEAR(world.body(ball).angular_velocity().y, 10.0 - 2 * deceleration, 0.05 + 0.1 * deceleration);
@@ -167,7 +167,7 @@ TEST(Rolling, TorsionalFrictionStopsASpinningBall) {
 
 // --- restitution
 
-// Rebound speed over approach speed of a ball that falls from that height.
+// Rebound speed over approach speed of a ball that falls from the given height.
 double measured_restitution(const Material& ground, const Material& ball_material, double height = 2.0) {
     World world;
     add_ground(world, ground);
@@ -194,7 +194,7 @@ TEST(Restitution, ReboundIsTheGivenShareOfTheApproach) {
 TEST(Restitution, CombinesByTheStrongerRule) {
     struct Case {
         CombineRule ground, ball;
-        double expected; // of 0.4 and 0.8
+        double expected; // for coefficients of 0.4 and 0.8
     };
     for (const Case& c :
          {Case{CombineRule::average, CombineRule::average, 0.6}, Case{CombineRule::minimum, CombineRule::multiply, 0.4},

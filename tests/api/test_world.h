@@ -1,5 +1,5 @@
 /// \file test_world.h
-/// Small worlds for the tests of the public API, and what must hold of any world after any step.
+/// Small worlds for the tests of the public API, and conditions that must hold in any world after any step.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -17,7 +17,7 @@ inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr double pi = 3.14159265358979323846;
 
-/// Settings without gravity.
+/// World settings without gravity.
 inline WorldDef weightless() {
     WorldDef def;
     def.gravity = {0.0f, 0.0f, 0.0f};
@@ -72,11 +72,11 @@ inline void run(World& world, int steps, float dt = frame) {
 inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 inline bool is_finite(const Position& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Half the sum of the squares of what makes energy, and gravity's part.
+/// Kinetic plus potential energy, J.
 inline double mechanical_energy(const World& world) { return world.kinetic_energy() + world.potential_energy(); }
 
-/// Everything that can be read of a body is finite, its rotation is a unit quaternion, and no speed exceeds the
-/// world's limits.
+/// Checks that all readable state of every body is finite, that rotations are unit quaternions, and that no speed
+/// exceeds the world's limits.
 inline testing::AssertionResult is_sane(const World& world) {
     const WorldDef& settings = world.settings();
     for (const BodyId id : world.bodies()) {
@@ -111,7 +111,7 @@ inline testing::AssertionResult is_sane(const World& world) {
     return testing::AssertionSuccess();
 }
 
-/// Steps, and stops at the first step after which the world is not sane.
+/// Steps the world, and stops at the first step after which it is not sane.
 inline testing::AssertionResult stays_sane(World& world, int steps, float dt = frame) {
     for (int i = 0; i < steps; ++i) {
         world.step(dt);
@@ -120,7 +120,7 @@ inline testing::AssertionResult stays_sane(World& world, int steps, float dt = f
     return testing::AssertionSuccess();
 }
 
-/// What `call` threw, as `code field: message`; empty if it threw nothing.
+/// The error that `call` threw, as `code | field | message`; empty if it threw nothing.
 template <class Call> std::string refusal(Call&& call) {
     static const char* const codes[] = {"invalid_value", "invalid_handle", "wrong_state",
                                         "invalid_file",  "unsupported",    "io"};

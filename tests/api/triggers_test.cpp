@@ -1,4 +1,4 @@
-// Triggers, collision filters and surfaces that move.
+// Triggers, collision filters and surface velocities.
 #include "test_world.h"
 
 namespace cairn::test {
@@ -27,7 +27,7 @@ TEST(Triggers, BallThatFallsThroughEntersAndLeavesOnce) {
         EXPECT_TRUE(world.contacts().empty());
         EXPECT_TRUE(world.contact_begins().empty());
     }
-    // It touches the zone at y = 1.5 and leaves it at y = -1.5: t = sqrt(2 h / g).
+    // The ball touches the zone at y = 1.5 and leaves it at y = -1.5: t = sqrt(2 h / g).
     EXPECT_NEAR((entered + 1) * frame, std::sqrt(2 * 3.5 / 9.81), 2 * frame);
     EXPECT_NEAR((left + 1) * frame, std::sqrt(2 * 6.5 / 9.81), 2 * frame);
     EXPECT_NEAR(world.body(ball).linear_velocity().y, -9.81f * 3, 0.01f) << "nothing has slowed it";
@@ -120,7 +120,7 @@ TEST(Conveyors, BeltCarriesWhatLiesOnItAndNothingElse) {
         run(world, 120);
         EXPECT_NEAR(world.body(crate).linear_velocity().x, 2, 0.01f);
         EXPECT_NEAR(world.body(crate).position().y, 0.5, 0.001);
-        // It was brought up to speed by friction, 0.6 g: after 2 s it is 2 t - v^2 / (2 a) away.
+        // Friction accelerates the crate with 0.6 g: after 2 s it has moved by 2 t - v^2 / (2 a).
         EXPECT_NEAR(world.body(crate).position().x, 4 - 4 / (2 * 0.6 * 9.81), 0.05);
         EXPECT_EQ(world.body(base).position().x, 0);
         world.set_surface_velocity(world.body(base).shapes()[0], {0, 0, -1});

@@ -1,4 +1,4 @@
-// Many worlds side by side do what each of them would do alone.
+// Worlds of a pool evolve exactly as each of them would alone.
 #include "test_world.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace cairn::test {
 namespace {
 
-// Bodies of several shapes that fall, roll and spin, some of them joined: other numbers of them in each world, so that
-// the memory of steps goes from small worlds to large ones and back.
+// Bodies of several shapes that fall, roll and spin, some of them jointed. Each world has a different number of them,
+// so that the scratch memory of steps changes between small and large worlds.
 Snapshot random_start(std::mt19937& random) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -63,7 +63,7 @@ TEST(WorldPool, WorldsOfEverySizeGoOnAsTheyWouldAlone) {
     for (const int threads : {1, 2, 3}) {
         WorldPool pool(starts[0], starts.size(), threads);
         for (std::size_t i = 0; i < starts.size(); ++i) pool.world(i).restore(starts[i]);
-        for (int k = 0; k < 30; ++k) pool.step(frame); // in turns
+        for (int k = 0; k < 30; ++k) pool.step(frame); // step by step, then many steps in one call
         pool.step(frame, 60);
         for (std::size_t i = 0; i < starts.size(); ++i) {
             EXPECT_EQ(pool.world(i).state_hash(), alone[i]) << "world " << i << ", " << threads << " threads";

@@ -1,4 +1,4 @@
-// The world as a whole: statistics, settings, shapes that come and go, worlds side by side.
+// The world as a whole: statistics, settings, adding and removing shapes, several worlds at a time.
 #include "test_world.h"
 
 #include <set>

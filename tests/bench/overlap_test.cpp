@@ -46,7 +46,7 @@ PlacedPart hull_at(const ConvexHull& hull, Position center, Quat rotation = Quat
     return place(scene_of(hull), part, {center, rotation, {}, {}});
 }
 
-// Corners at `size` from the center along each axis.
+// Vertices at a distance of `size` from the center on each axis.
 ConvexHull octahedron(float size) {
     ConvexHull hull;
     for (int axis = 0; axis < 3; ++axis)
@@ -58,7 +58,7 @@ ConvexHull octahedron(float size) {
     return hull;
 }
 
-// A box cut into triangles.
+// A box as triangles.
 ConvexHull box_hull(Vec3 half_extents) {
     ConvexHull hull;
     for (int i = 0; i < 8; ++i)
@@ -91,12 +91,12 @@ TEST(BenchPenetration, of_boxes_is_least_along_a_face_or_an_edge) {
     const PlacedPart box = box_at({0, 0, 0}, {0.5f, 0.5f, 0.5f});
     EXPECT_NEAR(penetration(box, box_at({0.25, 0.9, 0.1}, {0.5f, 0.5f, 0.5f})), 0.1, 1e-9);
     EXPECT_NEAR(penetration(box, box_at({0.25, 1.2, 0.1}, {0.5f, 0.5f, 0.5f})), -0.2, 1e-9);
-    // An edge pointing down, as deep as the half diagonal reaches.
+    // An edge that points down: its depth is half the diagonal.
     const double reach = std::sqrt(0.5);
     const PlacedPart on_edge =
         box_at({0, 0.5 + reach - 0.05, 0}, {0.5f, 0.5f, 0.5f}, turn({0, 0, 1}, std::acos(0.0) / 2));
     EXPECT_NEAR(penetration(box, on_edge), 0.05, 1e-6);
-    // Two edges across each other: only the axis of both edges tells.
+    // Two crossing edges: only the cross product of both edges separates them.
     const double quarter = std::acos(0.0) / 2;
     const PlacedPart along_z = box_at({0, 0, 0}, {0.5f, 0.5f, 2}, turn({0, 0, 1}, quarter));
     const PlacedPart along_x = box_at({0, 2 * reach - 0.03, 0}, {2, 0.5f, 0.5f}, turn({1, 0, 0}, quarter));
@@ -118,7 +118,7 @@ TEST(BenchPenetration, of_boxes_is_symmetric_and_no_shorter_move_separates_them)
         EXPECT_NEAR(depth, penetration(b, a), 1e-12);
         if (depth <= 0.01) continue;
         ++overlapping;
-        // No move by less than the depth sets them apart.
+        // No translation shorter than the depth separates them.
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < 20; ++k) {
             const glm::dvec3 way = glm::normalize(glm::dvec3(between(-1, 1), between(-1, 1), between(-1, 1)));
@@ -148,7 +148,7 @@ TEST(BenchPenetration, of_hulls_is_that_of_the_boxes_that_they_are) {
         overlapping += depth > 0;
         for (const double other : {penetration(hull_at(hull_a, {0, 0, 0}, turn_a), hull_at(hull_b, at, turn_b)),
                                    penetration(hull_at(hull_a, {0, 0, 0}, turn_a), box_at(at, size_b, turn_b))}) {
-            // Apart, both stop at the first axis that shows it.
+            // For separated hulls both searches stop at the first separating axis.
             if (depth > 0) {
                 EXPECT_NEAR(other, depth, 1e-6);
             } else {
@@ -161,12 +161,12 @@ TEST(BenchPenetration, of_hulls_is_that_of_the_boxes_that_they_are) {
 
 TEST(BenchPenetration, of_octahedra_is_known) {
     const ConvexHull hull = octahedron(1);
-    // Tip into tip along an axis: the faces, whose normals are (1, 1, 1) / sqrt 3, part them first.
+    // Vertex against vertex along an axis: the minimal translation is along the face normals (1, 1, 1) / sqrt 3.
     EXPECT_NEAR(penetration(hull_at(hull, {0, 0, 0}), hull_at(hull, {0, 1.97, 0})), 0.03 / std::sqrt(3.0), 1e-6);
     EXPECT_LE(penetration(hull_at(hull, {0, 0, 0}), hull_at(hull, {0, 2.01, 0})), 0);
-    // Tip into a floor.
+    // A vertex against a floor.
     EXPECT_NEAR(penetration(box_at({0, -1, 0}, {5, 1, 5}), hull_at(hull, {0.3, 0.98, 0})), 0.02, 1e-6);
-    // A ball above a tip and beside a face.
+    // A ball above a vertex, and one beside a face.
     EXPECT_NEAR(penetration(sphere_at({0, 1.4, 0}, 0.5), hull_at(hull, {0, 0, 0})), 0.1, 1e-5);
     const double face = (1 / std::sqrt(3.0) + 0.45) / std::sqrt(3.0); // the coordinates of a point 0.45 off a face
     EXPECT_NEAR(penetration(sphere_at({face, face, face}, 0.5), hull_at(hull, {0, 0, 0})), 0.05, 1e-6);
@@ -181,7 +181,7 @@ TEST(BenchPenetration, of_capsules_counts_from_axis_to_axis) {
     EXPECT_NEAR(penetration(capsule({0, 0, 0}), capsule({0, 0, 0.92}, turn({0, 0, 1}, quarter))), 0.08, 1e-6); // across
     EXPECT_NEAR(penetration(capsule({0, 0, 0}), capsule({0, 3.2, 0})), -0.2, 1e-9);
     EXPECT_NEAR(penetration(capsule({0, 0, 0}), sphere_at({0.6, 0.4, 0}, 0.2f)), 0.1, 1e-6);
-    // On a floor, standing and lying, and over the edge of a box.
+    // A capsule on a floor, standing and lying, and over the edge of a box.
     const PlacedPart floor = box_at({0, -1, 0}, {5, 1, 5});
     EXPECT_NEAR(penetration(floor, capsule({0, 1.48, 0})), 0.02, 1e-9);
     EXPECT_NEAR(penetration(capsule({0, 0.47, 0}, turn({0, 0, 1}, quarter)), floor), 0.03, 1e-6);
@@ -195,7 +195,7 @@ TEST(BenchPenetration, of_cylinders_counts_from_ends_sides_and_rims) {
     const PlacedPart floor = box_at({0, -1, 0}, {5, 1, 5});
     EXPECT_NEAR(penetration(floor, cylinder({0, 0.99, 0})), 0.01, 1e-9);                           // on an end
     EXPECT_NEAR(penetration(floor, cylinder({0, 0.48, 0}, turn({0, 0, 1}, quarter))), 0.02, 1e-6); // on its side
-    const double lean = std::sqrt(1.25); // on its rim: the corner of its silhouette is straight below its center
+    const double lean = std::sqrt(1.25); // on its rim: the corner of its silhouette is vertically below its center
     EXPECT_NEAR(penetration(floor, cylinder({0, lean - 0.03, 0}, turn({0, 0, 1}, std::atan(0.5)))), 0.03, 1e-6);
     EXPECT_NEAR(penetration(cylinder({0, 0, 0}), cylinder({0.6, 0.2, 0.75})), 1 - std::hypot(0.6, 0.75), 1e-6);
     EXPECT_NEAR(penetration(cylinder({0, 0, 0}), cylinder({0.1, 1.96, 0})), 0.04, 1e-9); // ends
@@ -204,7 +204,7 @@ TEST(BenchPenetration, of_cylinders_counts_from_ends_sides_and_rims) {
     EXPECT_LE(penetration(cylinder({0, 0, 0}), cylinder({0.8, 0, 0.8})), 0);
 }
 
-// The least overlap over half a million directions and then around the best: slow, and by another way.
+// The least overlap over many directions, refined around the best one: slow, and independent of the code under test.
 double by_many_directions(const PlacedPart& a, const PlacedPart& b) {
     const auto reach = [](const PlacedPart& part, const glm::dvec3& d) {
         const double along = std::abs(glm::dot(d, part.axes[1]));
@@ -261,7 +261,7 @@ TEST(BenchPenetration, of_round_shapes_is_as_small_as_a_dense_search_finds) {
     EXPECT_GT(overlapping, 20);
 }
 
-// A ramp that rises by `slope` per meter along x, with a tip of that height in its middle.
+// A ramp that rises by `slope` per meter along x, with a peak of height `tip` in its middle.
 SurfaceMesh ramp(float slope, float tip = 0) {
     SurfaceMesh mesh;
     mesh.columns = mesh.rows = 5;
@@ -285,7 +285,7 @@ TEST(BenchPenetration, of_a_part_in_a_mesh_is_its_depth_below_the_triangles) {
     Part part;
     part.shape = PartShape::mesh;
     const PlacedPart surface = place(scene, part, {{10, 5, 0}, Quat(1, 0, 0, 0), {}, {}});
-    const auto above = [](double x, double height) { // so far from the surface along its normal
+    const auto above = [](double x, double height) { // at that distance from the surface along its normal
         return Position(10 + x - 0.6 * height, 5 + 0.75 * x + 0.8 * height, 0.3);
     };
     const Quat along = turn({0, 0, 1}, std::atan(0.75));
@@ -294,7 +294,7 @@ TEST(BenchPenetration, of_a_part_in_a_mesh_is_its_depth_below_the_triangles) {
     EXPECT_NEAR(penetration(box_at(above(0, 0.28), {0.4f, 0.3f, 0.2f}, along), surface), 0.02, 1e-6);
     EXPECT_NEAR(penetration(round_at(PartShape::capsule, above(0, 0.96), 0.5f, 0.5f, along), surface), 0.04, 1e-6);
     EXPECT_NEAR(penetration(round_at(PartShape::cylinder, above(0, 0.49), 0.3f, 0.5f, along), surface), 0.01, 1e-6);
-    EXPECT_LT(penetration(box_at({20, 0, 0}, {0.4f, 0.3f, 0.2f}), surface), -1); // beside it
+    EXPECT_LT(penetration(box_at({20, 0, 0}, {0.4f, 0.3f, 0.2f}), surface), -1); // beside the surface
 }
 
 TEST(BenchPenetration, of_a_part_on_a_tip_of_a_mesh_counts_from_the_tip) {
@@ -325,11 +325,11 @@ TEST(BenchMass, of_parts_is_that_of_the_textbook) {
     EXPECT_NEAR(mass.inertia[1][1] / mass.mass, 2, 1e-6);
     EXPECT_NEAR(mass.inertia[0][0] / mass.mass, 1 + 0.75, 1e-6);
 
-    part.half_height = 0; // a capsule without length is a ball
+    part.half_height = 0; // a capsule of zero length is a ball
     part.shape = PartShape::capsule;
     mass = mass_of(scene, part, 1);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(mass.inertia[i][i] / mass.mass, 0.4 * 4, 1e-6);
-    // Much longer than thick it is a rod.
+    // A capsule much longer than thick approximates a rod.
     part.half_height = 1000;
     mass = mass_of(scene, part, 1);
     EXPECT_NEAR(mass.inertia[2][2] / mass.mass, 1000.0 * 1000 / 3, 3000);
@@ -337,9 +337,9 @@ TEST(BenchMass, of_parts_is_that_of_the_textbook) {
 
 TEST(BenchMass, of_a_hull_that_is_no_simple_polyhedron_is_refused) {
     std::vector<Vec3> points = octahedron(1).points;
-    points.emplace_back(0.1f, 0.2f, 0.1f); // inside
+    points.emplace_back(0.1f, 0.2f, 0.1f); // an interior point
     EXPECT_THROW(hull_triangles(points), std::invalid_argument);
-    EXPECT_THROW(hull_triangles(box_hull({1, 1, 1}).points), std::invalid_argument); // four in a plane
+    EXPECT_THROW(hull_triangles(box_hull({1, 1, 1}).points), std::invalid_argument); // four points in a plane
 }
 
 } // namespace

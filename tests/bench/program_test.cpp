@@ -1,4 +1,4 @@
-// The program itself, run as a user would.
+// The benchmark program as a user runs it.
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(BenchProgram, saves_what_joints_hold_with_all_its_bodies) {
     ASSERT_EQ(run_bench("--scenes joint_grid,ragdolls --n 3 --save " + folder.string()).exit_code, 0);
     cairn::scene::Scene net = cairn::scene::load(folder / "joint_grid.gltf");
     EXPECT_EQ(net.world.bodies().size(), 9u);
-    // Even one in the other they do not collide.
+    // The bodies do not collide even when they overlap.
     net.world.body(net.world.bodies().back()).set_position(net.world.body(net.world.bodies()[4]).position());
     net.world.step(net.info.time_step);
     EXPECT_TRUE(net.world.contacts().empty());
@@ -112,12 +112,13 @@ TEST(BenchProgram, saves_scenes_that_load_again_with_all_their_bodies) {
             dynamic += scene.world.body(id).type() == cairn::BodyType::dynamic;
         EXPECT_EQ(dynamic, 20u) << name;
         const bool in_room = name != std::string("tumbler") && name != std::string("terrain");
-        EXPECT_EQ(scene.world.bodies().size(), in_room ? 25u : 21u) << name; // floor and four walls, or one piece
+        // A floor and four walls, or a single piece.
+        EXPECT_EQ(scene.world.bodies().size(), in_room ? 25u : 21u) << name;
         EXPECT_TRUE(scene.warnings.empty()) << name;
         EXPECT_EQ(scene.world.settings().gravity.y, -10.0f);
         EXPECT_FALSE(scene.info.title.empty());
         ASSERT_TRUE(scene.info.camera) << name;
-        // Everything that moves is in the picture: within the angle of view around the middle.
+        // All dynamic bodies are in the picture: within the angle of view around its center.
         const cairn::Position eye = scene.info.camera->position;
         const glm::dvec3 forward = glm::normalize(scene.info.camera->target - eye);
         const double half_angle = 0.5 * double(scene.info.camera->vertical_fov_degrees) * 3.14159265 / 180;

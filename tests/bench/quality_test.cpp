@@ -38,15 +38,15 @@ TEST(BenchQuality, measures_the_distance_between_the_anchors_of_joints) {
     EXPECT_NEAR(measure_joint_errors(scene, states).greatest, 0.03, 1e-12);
     EXPECT_NEAR(measure_joint_errors(scene, states).mean, 0.02, 1e-12);
     states[1].position.y += 0.03;
-    // A quarter turn about z: the anchors 0.5 m above and beside the center go where the others are not.
+    // A quarter turn about z: the anchors 0.5 m above and beside the center move away from their counterparts.
     states[1].rotation = cairn::Quat(std::sqrt(0.5f), 0, 0, std::sqrt(0.5f));
     EXPECT_NEAR(measure_joint_errors(scene, states).greatest, std::sqrt(0.5), 1e-6);
     states[1].position.x = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(measure_joint_errors(scene, states).greatest, 0.0); // of 2-3, the only one left
+    EXPECT_EQ(measure_joint_errors(scene, states).greatest, 0.0); // of joint 2-3, the only one with finite bodies
 }
 
 TEST(BenchPenetration, leaves_out_what_does_not_collide) {
-    Scene scene = make_scene("ragdolls", 1); // limbs overlap where they are joined
+    Scene scene = make_scene("ragdolls", 1); // limbs overlap at their joints
     std::vector<BodyState> states = states_at_start(scene);
     EXPECT_EQ(measure_penetrations(scene, states).overlaps, 0u);
     scene.joints.pop_back(); // a knee
@@ -85,7 +85,7 @@ TEST(BenchQuality, adds_up_linear_and_rotational_energy) {
 }
 
 TEST(BenchQuality, takes_the_inertia_of_a_compound_about_its_own_center) {
-    // Two balls of 1 kg, 2 m apart, spinning about their middle: 2 * (0.4 r^2 + 1) kg m^2.
+    // Two balls of 1 kg, 2 m apart, rotate about their common center: 2 * (0.4 r^2 + 1) kg m^2.
     Scene scene;
     const float density = 1 / (4.0f / 3.0f * 3.14159265f * 0.125f);
     SceneBody body = make_scene("tower", 1).bodies[1];
@@ -107,7 +107,7 @@ TEST(BenchQuality, takes_the_inertia_of_a_compound_about_its_own_center) {
     std::vector<BodyState> states(1);
     states[0].angular_velocity = {0, 3, 0};
     EXPECT_NEAR(measure_kinetic_energy(scene, states), 0.5 * 2 * (0.4 * 0.25 + 1) * 9, 1e-4);
-    // Turned by a quarter about z, the world's y is the line through both: 2 * 0.4 r^2.
+    // Rotated by a quarter turn about z, the world's y axis is the line through both centers: 2 * 0.4 r^2.
     states[0].rotation = cairn::Quat(std::sqrt(0.5f), 0, 0, std::sqrt(0.5f));
     EXPECT_NEAR(measure_kinetic_energy(scene, states), 0.5 * 2 * 0.4 * 0.25 * 9, 1e-4);
 }
@@ -117,7 +117,7 @@ TEST(BenchQuality, does_not_count_overlaps_within_a_body) {
     std::vector<BodyState> states;
     for (const SceneBody& body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
     EXPECT_EQ(measure_penetrations(scene, states).overlaps, 0u);
-    states[6].position = states[5].position + Position(0.01, 0, 0); // two bodies in one place
+    states[6].position = states[5].position + Position(0.01, 0, 0); // two bodies at almost the same position
     EXPECT_GT(measure_penetrations(scene, states).overlaps, 0u);
 }
 

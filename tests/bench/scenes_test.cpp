@@ -113,8 +113,9 @@ TEST(BenchScenes, drop_ragdolls_of_11_bodies_whose_masses_are_one_to_ten) {
     std::vector<bool> hangs(scene.bodies.size());
     for (const SceneJoint& joint : scene.joints) {
         hinges += joint.kind == JointKind::hinge;
-        EXPECT_EQ((joint.body_a - walls) / 11, (joint.body_b - walls) / 11); // of one ragdoll
-        EXPECT_FALSE(hangs[joint.body_b]);                                   // a tree, from the pelvis
+        EXPECT_EQ((joint.body_a - walls) / 11, (joint.body_b - walls) / 11); // joints within one ragdoll
+        // The joints form a tree whose root is the pelvis.
+        EXPECT_FALSE(hangs[joint.body_b]);
         hangs[joint.body_b] = true;
         EXPECT_TRUE(joint.kind == JointKind::hinge ? joint.angle.has_value() : joint.reach.has_value());
         const AngleRange range = joint.angle.value_or(AngleRange{});

@@ -1,4 +1,4 @@
-// What is written by hand of the C API: worlds, bulk reads, geometries, snapshots, texts, errors.
+// The hand-written part of the C API: worlds, bulk reads, geometries, snapshots, texts, errors.
 #include "copy_world.h"
 
 #include "c_api/support.h"
@@ -22,7 +22,7 @@ class CCalls : public testing::Test {
     void SetUp() override { CAIRN_CALL(cairn_world_create(nullptr, &world)); }
     ~CCalls() override { cairn_world_destroy(world); }
 
-    // Bodies at random places with random velocities and rotations.
+    // Creates bodies at random positions with random velocities and rotations.
     void scatter(std::size_t count) {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> number(-5, 5);
@@ -35,7 +35,7 @@ class CCalls : public testing::Test {
             CAIRN_CALL(cairn_world_create_body(world, &def, &bodies.emplace_back()));
             cairn_shape box = cairn_default_shape(CAIRN_SHAPE_BOX);
             cairn_shape_def shape_def = cairn_default_shape_def();
-            shape_def.position = {0.3f, 0.1f, 0}; // so that the center of mass is not the origin
+            shape_def.position = {0.3f, 0.1f, 0}; // so that the center of mass differs from the origin
             cairn_shape_id shape;
             CAIRN_CALL(cairn_world_add_shape(world, bodies.back(), &box, &shape_def, &shape));
         }
@@ -47,7 +47,7 @@ class CCalls : public testing::Test {
 
 TEST_F(CCalls, BulkReadsSayWhatTheSingleOnesSayAtAnyStride) {
     scatter(600);
-    for (const std::size_t extra : {0u, 1u, 8u}) { // bytes between bodies; odd ones, too
+    for (const std::size_t extra : {0u, 1u, 8u}) { // bytes between bodies, also an odd number of them
         std::vector<std::byte> p(600 * (24 + extra)), q(600 * (16 + extra)), v(600 * (12 + extra)), w(v);
         cairn_body_arrays arrays = cairn_default_body_arrays();
         arrays.positions = reinterpret_cast<double*>(p.data()), arrays.position_stride = 24 + extra;
@@ -119,7 +119,7 @@ TEST_F(CCalls, TextsAreCutOffWhereTheyHaveNoRoom) {
 }
 
 TEST_F(CCalls, GeometriesAreReadBackAndRefuseOtherKinds) {
-    const float corners[] = {0, 0, 0, 9, 2, 0, 0, 9, 0, 2, 0, 9, 0, 0, 2, 9}; // 16 bytes apart
+    const float corners[] = {0, 0, 0, 9, 2, 0, 0, 9, 0, 2, 0, 9, 0, 0, 2, 9}; // stride of 16 bytes
     const uint32_t triangles[] = {0, 1, 2, 0, 2, 3, 1, 1, 2};
     const float heights[] = {0, 1, 2, 3, 4, 5};
     cairn_geometry *hull, *mesh, *field;
@@ -191,7 +191,8 @@ TEST_F(CCalls, GeometriesAreReadBackAndRefuseOtherKinds) {
     EXPECT_EQ(cairn_world_add_shape(world, body, &shape, nullptr, &id), CAIRN_ERROR_INVALID_VALUE);
     shape.as.hull.geometry = hull;
     CAIRN_CALL(cairn_world_add_shape(world, body, &shape, nullptr, &id));
-    for (cairn_geometry* geometry : {hull, mesh, field}) cairn_geometry_release(geometry); // the shape stays
+    // The shape keeps its geometry.
+    for (cairn_geometry* geometry : {hull, mesh, field}) cairn_geometry_release(geometry);
     float mass = 0;
     CAIRN_CALL(cairn_body_get_mass(world, body, &mass));
     EXPECT_NEAR(mass, 8000.0f / 6, 0.01f);
@@ -292,7 +293,7 @@ TEST_F(CCalls, ASceneInMemoryIsTheOneThatWouldBeInAFile) {
     CAIRN_CALL(cairn_scene_save_to_memory(loaded, second.data(), length + 1, &again));
     EXPECT_EQ(second, text);
     cairn_world_destroy(loaded);
-    std::string part(10, '?'); // what has no room is cut off
+    std::string part(10, '?'); // the text is truncated to the capacity
     CAIRN_CALL(cairn_scene_save_to_memory(world, part.data(), part.size(), &again));
     EXPECT_EQ(again, length);
     EXPECT_EQ(part, text.substr(0, 9) + '\0');
@@ -314,7 +315,7 @@ TEST_F(CCalls, ASceneThatIsDamagedInMemoryIsRefusedByItsName) {
 
 TEST(CApiVersion, IsThatOfTheHeaders) { EXPECT_EQ(cairn_abi_version(), CAIRN_ABI_VERSION); }
 
-// A structure that has grown since its first version: a program that was compiled with that one knows no `added`.
+// A structure that has grown since its first version: a program compiled with that version does not know `added`.
 struct Grown {
     std::uint32_t struct_size;
     float old;
@@ -335,7 +336,7 @@ TEST(CApiStructSize, ProgramsThatWereCompiledEarlierGetDefaultsForWhatTheyDoNotK
     require_versioned(&out, "out", 8);
     write_versioned(defaults, &out);
     EXPECT_EQ(out.old, 1);
-    EXPECT_EQ(out.added, -3); // beyond what the program has
+    EXPECT_EQ(out.added, -3); // beyond the program's structure
     EXPECT_EQ(out.struct_size, 8u);
 }
 

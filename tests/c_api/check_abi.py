@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compares the binary interface of libcairn_c with the recorded one (abi.txt): exported symbols with their versions, sizes of
-structs and places of their members. What a program was compiled with must stay as it is, unless CAIRN_ABI_VERSION grows.
+structs and offsets of their members. Compiled programs depend on them: they must not change unless CAIRN_ABI_VERSION grows.
 
 usage: check_abi.py LIBRARY LAYOUT_PROGRAM [--renew]
 """

@@ -6,7 +6,7 @@ namespace cairn_test {
 
 namespace {
 
-// What a call that fills an array has to give, asked twice: how many, then which.
+// Reads the list of a call that fills an array, in two calls: first the number, then the elements.
 template <class T, class Call> void read_list(std::vector<T>& list, Call&& call) {
     size_t count = 0;
     CAIRN_CALL(call(static_cast<T*>(nullptr), size_t{0}, &count));
@@ -102,7 +102,7 @@ void copy_world(const cairn_world* from, cairn_world** to) {
     CAIRN_CALL(cairn_world_create(&settings, to));
     std::vector<cairn_body_id> bodies;
     std::vector<cairn_joint_id> joints;
-    std::map<uint64_t, cairn_body_id> made; // by the bits of the body that it is like
+    std::map<uint64_t, cairn_body_id> made; // by the bits of the original body
     read_list(bodies, [&](auto... to_read) { return cairn_world_get_bodies(from, to_read...); });
     read_list(joints, [&](auto... to_read) { return cairn_world_get_joints(from, to_read...); });
     for (const cairn_body_id body : bodies) copy_body(from, body, *to, &made[body.bits]);

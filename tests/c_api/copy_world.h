@@ -1,4 +1,4 @@
-// A world made anew from what the C API tells of another one.
+// Copies a world with the information that the C API gives about it.
 #pragma once
 
 #include <cairn/c/cairn.h>
@@ -10,14 +10,14 @@
 
 namespace cairn_test {
 
-// The call must have gone well; else the test ends with what it had to say.
+// Requires that the call succeeds; otherwise the test ends with its error message.
 #define CAIRN_CALL(call)                                                                                               \
     do {                                                                                                               \
         const cairn_result called = (call);                                                                            \
         ASSERT_EQ(called, CAIRN_OK) << #call << ": " << cairn_last_error();                                            \
     } while (false)
 
-// Bodies, shapes and joints of `from`, in their order, with all that can be asked of them. `to` gets a new world.
+// Copies bodies, shapes and joints of `from` in their order, with all their properties. `to` receives a new world.
 void copy_world(const cairn_world* from, cairn_world** to);
 
 } // namespace cairn_test

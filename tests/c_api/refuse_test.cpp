@@ -1,4 +1,5 @@
-// What the C API refuses: null, NaN, stale and foreign handles, wrong sizes. Nothing changes, and the error says what.
+// Invalid arguments of the C API: null, NaN, stale and foreign handles, wrong sizes. Nothing changes, and the error
+// gives the reason.
 #include "copy_world.h"
 #include "wrong_calls.h"
 
@@ -18,7 +19,7 @@ class WrongCalls : public testing::Test {
     void SetUp() override { build(); }
     ~WrongCalls() override { cairn_geometry_release(geometry); }
 
-    // Two bodies with a joint, and something stale of each kind.
+    // Two bodies with a joint, and a stale handle of each kind.
     void build() {
         cairn_world* made = nullptr;
         CAIRN_CALL(cairn_world_create(nullptr, &made));
@@ -34,7 +35,7 @@ class WrongCalls : public testing::Test {
         CAIRN_CALL(cairn_world_create_body(made, &def, &c.stale_body));
         CAIRN_CALL(cairn_world_add_shape(made, c.body, &box, nullptr, &c.shape));
         def.type = CAIRN_BODY_TYPE_STATIC;
-        CAIRN_CALL(cairn_world_create_body(made, &def, &ground)); // whose surface may move
+        CAIRN_CALL(cairn_world_create_body(made, &def, &ground)); // a static body, whose surface may have a velocity
         CAIRN_CALL(cairn_world_add_shape(made, ground, &box, nullptr, &c.shape));
         CAIRN_CALL(cairn_world_add_shape(made, other, &box, nullptr, &c.stale_shape));
         c.joint_def = cairn_default_joint_def();
@@ -56,7 +57,7 @@ class WrongCalls : public testing::Test {
         c.bounds = {{-1, -1, -1}, {1, 1, 1}};
     }
 
-    // The bytes of everything in the world, steps changing or not.
+    // The bytes of everything in the world, whether steps change it or not.
     std::string state() const {
         cairn_snapshot* snapshot = nullptr;
         cairn_snapshot_sizes sizes{};
@@ -95,7 +96,7 @@ TEST_F(WrongCalls, AreRefusedOneByOneAndChangeNothing) {
     }
 }
 
-// Else the test above would show nothing: with nothing wrong, the calls are accepted.
+// Verifies the test above: without the fault, the calls are accepted.
 TEST_F(WrongCalls, WouldBeAcceptedWithNothingWrong) {
     std::string last;
     for (int i = 0; i < wrong_call_count; ++i) {

@@ -1,4 +1,4 @@
-// The shipped scenes by way of C: the same bits as by way of C++.
+// The shipped scenes through C give the same bits as through C++.
 #include "copy_world.h"
 
 #include "scene/scene.h"
@@ -47,7 +47,7 @@ TEST_P(OfEveryScene, StepsInCHaveTheBitsOfStepsInCpp) {
     }
 }
 
-// As copy_world, by C++.
+// Like copy_world, through C++.
 cairn::World copy_by_cpp(const cairn::World& from) {
     cairn::World to(from.settings());
     std::map<cairn::BodyId, cairn::BodyId> made{{cairn::BodyId{}, cairn::BodyId{}}};
@@ -78,7 +78,7 @@ cairn::World copy_by_cpp(const cairn::World& from) {
     return to;
 }
 
-// Everything is asked for by C and given to C again: nothing of a body, shape or joint is lost on the way.
+// Every property is read and set through C: nothing of a body, shape or joint is lost.
 TEST_P(OfEveryScene, AWorldMadeAnewThroughCIsTheOneMadeAnewThroughCpp) {
     load();
     cairn_world* copy = nullptr;

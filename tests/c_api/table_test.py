@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The table of the API notices what the public headers have otherwise: each fault is put into a copy of them."""
+"""Finds differences between the API table and the public headers: each test puts one into a copy of the headers."""
 import pathlib
 import shutil
 import sys
@@ -8,7 +8,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools"))
-import api_table  # noqa: E402 # beside what it reads
+import api_table  # noqa: E402 # needs the path above
 
 
 class Table(unittest.TestCase):

@@ -1,4 +1,4 @@
-// Calls of the C API with one thing wrong in each; wrong_calls.c is made from the table.
+// Calls of the C API with exactly one fault each; wrong_calls.c is generated from the table.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-// A world, and values that are right in every call.
+// A world, and values that are valid in every call.
 struct wrong_context {
     cairn_world* world;
     cairn_body_id body, stale_body;
@@ -24,9 +24,9 @@ struct wrong_context {
 
 struct wrong_call {
     const char* function;
-    const char* what; // is wrong
+    const char* what; // the argument that is wrong
     cairn_result (*call)(const struct wrong_context* context, int wrong);
-    int wrong; // -1: nothing
+    int wrong; // -1: no fault
     cairn_result expected;
 };
 

@@ -1,4 +1,4 @@
-// What characters may be asked for, and what of them survives saving, recording and many threads.
+// API calls on characters: which are valid, and what survives saving, recording and many threads.
 #include "walking.h"
 
 #include <cairn/history.h>
@@ -127,7 +127,7 @@ TEST(CharacterCalls, StaySaneBeyondMeasure) {
                 world.step(dt);
             }
             World other;
-            other.restore(world.save()); // throws if a number is none
+            other.restore(world.save()); // throws if a value is NaN
             EXPECT_TRUE(std::isfinite(world.body(c).position().x + world.body(d).position().y)) << dt << " " << gravity;
         }
     }
@@ -145,7 +145,7 @@ TEST(CharacterCalls, WhatOneStandsOnMayGo) {
     EXPECT_EQ(world.body(c).character_state().ground_normal, Vec3(0, 1, 0));
     world.destroy_body(platform);
     EXPECT_TRUE(world.body(c).character_state().ground_body.is_null());
-    world.save(); // and what is saved is in order
+    world.save(); // the saved state is consistent
     World other;
     other.restore(world.save());
     run(world, 60);
@@ -181,7 +181,7 @@ TEST(CharacterCalls, MeetsWhatItsShapeCollidesWithAndNoTriggers) {
     EXPECT_TRUE(world.is_valid(wall));
 }
 
-// A small world with everything in it, driven by the number of the step alone.
+// A small world with every feature of characters; its inputs depend only on the step number.
 struct Stroll {
     World world;
     std::vector<BodyId> walkers;

@@ -5,7 +5,7 @@ namespace {
 
 using namespace cairn_test;
 
-// What a user sees first.
+// The most visible behavior comes first.
 
 TEST(CharacterGround, AFallingOneLandsAndStandsStill) {
     World world;
@@ -67,7 +67,7 @@ TEST(CharacterGround, ClimbsStairsUpToItsStepHeight) {
         World world;
         add_floor(world);
         const double rise = i % 3 == 0 ? 0.2995 : chance.between(0.02, 0.29), tread = chance.between(0.25, 0.6);
-        const double angle = chance.between(-0.6, 0.6); // at which it comes
+        const double angle = chance.between(-0.6, 0.6); // angle of approach
         for (int k = 0; k < 10; ++k) add_fixed(world, {1 + tread * k + 5, rise * (k + 1) - 5, 0}, Box{{5, 5, 10}});
         const BodyId c = add_character(world, {0, 0, 0});
         const float speed = float(chance.between(0.5, 6));
@@ -81,7 +81,7 @@ TEST(CharacterGround, ClimbsStairsUpToItsStepHeight) {
         }
         EXPECT_TRUE(always) << rise << " " << tread << " " << speed;
         EXPECT_NEAR(feet_of(world, c).y, 10 * rise, 2e-3) << rise << " " << tread << " " << speed << " " << angle;
-        // And down again, on the ground all the time.
+        // And down again, always on the ground.
         world.body(c).set_walk_velocity(-speed * Vec3(std::cos(angle), 0, std::sin(angle)));
         always = true;
         for (int s = 0; s < int(1.2 * seconds * 60) && feet_of(world, c).x > -0.3; ++s) {
@@ -98,7 +98,7 @@ TEST(CharacterGround, DoesNotClimbWhatIsHigherThanAStep) {
     for (int i = 0; i < 20; ++i) {
         World world;
         add_floor(world);
-        const double rise = i % 2 == 0 ? 0.304 : chance.between(0.31, 1.5); // it had been 0.322
+        const double rise = i % 2 == 0 ? 0.304 : chance.between(0.31, 1.5); // without the fix it climbed up to 0.322
         add_fixed(world, {1 + 5, rise - 5, 0}, Box{{5, 5, 1000}});
         const BodyId c = add_character(world, {0, 0, 0});
         world.body(c).set_walk_velocity(float(chance.between(0.5, 20)) * Vec3(1, 0, float(chance.between(-1, 1))));
@@ -114,7 +114,7 @@ TEST(CharacterGround, WalksUpSlopesUpToItsLimitAndSlidesDownSteeperOnes) {
         World world;
         const double limit = chance.between(0.3, 1.0), slope = chance.between(0.05, 1.3);
         if (std::fabs(limit - slope) < 0.02) continue;
-        // Rises along x.
+        // The plane rises along x.
         const Vec3 normal(-float(std::sin(slope)), float(std::cos(slope)), 0);
         add_fixed(world, {0, 0, 0}, Plane{.normal = normal});
         CharacterDef def;
@@ -138,7 +138,7 @@ TEST(CharacterGround, WalksUpSlopesUpToItsLimitAndSlidesDownSteeperOnes) {
         } else {
             EXPECT_EQ(world.body(c).character_state().support, CharacterSupport::steep) << slope << " " << limit;
             EXPECT_LT(before.x, -0.3) << slope;
-            // It cannot walk up, and gains speed as on ice.
+            // The character cannot walk up, and accelerates as on ice.
             const double speed = double(glm::length(world.body(c).character_state().velocity));
             world.body(c).set_walk_velocity({5, 0, 0});
             run(world, 30);

@@ -1,4 +1,5 @@
-// Characters and what moves: platforms that carry them, doors that push them, bodies that they push and weigh on.
+// Characters and moving bodies: platforms that carry them, doors that push them, and bodies that they push and press
+// down on.
 #include "walking.h"
 
 namespace {
@@ -22,12 +23,12 @@ TEST(CharacterMoving, IsCarriedByPlatformsThatMoveInAnyDirection) {
             EXPECT_LT(glm::length(world.body(c).position() - world.body(platform).position() - offset), 2e-3);
         }
         EXPECT_LT(glm::length(world.body(c).character_state().ground_velocity - velocity), 1e-3f);
-        // It walks on it as on any floor.
+        // The character walks on it as on any floor.
         world.body(c).set_walk_velocity({1, 0, 0.5f});
         run(world, 30);
         const Position walked = world.body(c).position() - world.body(platform).position() - offset;
         EXPECT_LT(glm::length(walked - Position(0.5, 0, 0.25)), 0.01);
-        // And jumps off with its velocity.
+        // It keeps the platform's velocity when it jumps.
         world.body(c).jump(3);
         world.step(frame);
         EXPECT_LT(glm::length(world.body(c).character_state().velocity - (velocity + Vec3(1, 3 - 9.81f / 60, 0.5f))),
@@ -35,12 +36,12 @@ TEST(CharacterMoving, IsCarriedByPlatformsThatMoveInAnyDirection) {
     }
 }
 
-// It stood still on belts.
+// Without the fix characters did not move on conveyor belts.
 TEST(CharacterMoving, RidesOnBeltsOfAnyDirectionAndSlope) {
     Chance chance(22);
     for (int i = 0; i < 60; ++i) {
         World world;
-        // Any part of the surface velocity that leads out of the surface does not count.
+        // The component of the surface velocity along the normal has no effect.
         const double slope = chance.between(0, 0.6);
         const Quat lean = about_up(chance.between(0, 6.2)) * glm::angleAxis(float(slope), Vec3(1, 0, 0));
         const Vec3 normal = lean * Vec3(0, 1, 0);
@@ -60,7 +61,7 @@ TEST(CharacterMoving, RidesOnBeltsOfAnyDirectionAndSlope) {
         EXPECT_TRUE(stands(world, c)) << i;
         EXPECT_LT(glm::length(world.body(c).position() - before - Position(along)), 0.02) << i;
         EXPECT_LT(glm::length(world.body(c).character_state().ground_velocity - along), 1e-3f) << i;
-        // Off the end it keeps that speed, as it does off a platform.
+        // Beyond the end of the belt the character keeps that velocity, as when it leaves a platform.
         world.body(c).jump(2);
         world.step(frame);
         const Vec3 left = world.body(c).character_state().velocity - along;
@@ -68,7 +69,7 @@ TEST(CharacterMoving, RidesOnBeltsOfAnyDirectionAndSlope) {
     }
 }
 
-// It floated in fields: only the gravity of the world pulled at it.
+// Without the fix characters floated in force fields: only the world's gravity acted on them.
 TEST(CharacterMoving, StandsAndWalksOnAPlanet) {
     Chance chance(23);
     for (int i = 0; i < 30; ++i) {
@@ -91,7 +92,7 @@ TEST(CharacterMoving, StandsAndWalksOnAPlanet) {
         CharacterDef walks;
         walks.up = Vec3(up);
         world.body(c).set_character(walks);
-        run(world, 30); // 1.2 of 2 m
+        run(world, 30); // 1.2 m of 2 m
         EXPECT_NEAR(glm::length(world.body(c).position()), size + radius + 2 - 0.5 * 9.81 * 0.25, 0.1) << i;
         run(world, 60);
         EXPECT_TRUE(stands(world, c)) << i;
@@ -213,8 +214,9 @@ TEST(CharacterMoving, WalksThroughACrowdOfBoxes) {
     EXPECT_GT(world.body(c).position().x, 12);
 }
 
-// What turns about a place moves otherwise at every other; what falls faster than the character bears it no longer; and
-// what it is squeezed between lets it go. Of 100 rooms like these 5 had one that flew at 10 to 22 m/s.
+// Without the fix, 5 of 100 rooms like these had a character that flew off at 10 to 22 m/s. The velocity of a rotating
+// body differs from point to point; a body that falls faster than the character does not support it; and a character
+// that is squeezed between bodies lets go.
 TEST(CharacterMoving, AreNotFlungByTheBoxesThatTheyStandOn) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         Chance chance(seed);
@@ -248,7 +250,7 @@ TEST(CharacterMoving, WeighsOnNothingThatFallsWithIt) {
         const BodyId box =
             add_body(world, BodyType::dynamic, {0, 100, 0}, Box{{0.5f, 0.25f, 0.5f}}, {.density = float(mass / 0.5)});
         const BodyId c = add_character(world, {chance.between(-0.3, 0.3), 100.25, chance.between(-0.3, 0.3)});
-        run(world, 2); // the first step cannot know that it does
+        run(world, 2); // the first step cannot know that the box falls too
         const float before = world.body(box).linear_velocity().y;
         run(world, 40);
         EXPECT_NEAR(world.body(box).linear_velocity().y - before, -9.81f * 40 * frame, 0.02f) << mass;
@@ -267,7 +269,7 @@ TEST(CharacterMoving, WeighsOnASeesaw) {
         world.body(plank).set_rotation(Quat(1, 0, 0, 0));
         const BodyId c = add_character(world, {2, 1.05, 0}, {.mass = float(mass)});
         run(world, 40);
-        // Against 40 kg on the other side.
+        // The counterweight has a mass of 40 kg.
         const double tilt = 2 * double(world.body(plank).rotation().z);
         if (mass > 40)
             EXPECT_LT(tilt, -0.05);
@@ -306,7 +308,7 @@ TEST(CharacterMoving, CharactersStopAtEachOther) {
             for (const BodyId c : crowd) ASSERT_FALSE(overlaps_something(world, c)) << seed << " " << s;
         }
     }
-    // Head on, nobody passes.
+    // Two characters that meet head on block each other.
     World world;
     add_floor(world);
     const BodyId left = add_character(world, {-2, 0, 0}), right = add_character(world, {2, 0, 0});

@@ -1,5 +1,5 @@
-// Characters on height fields and in rooms full of things: wherever they go for long, they stay above ground, inside,
-// and come on.
+// Characters on height fields and in crowded rooms: on long random walks they stay above the ground and inside, and
+// make progress.
 #include "walking.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace {
 
 using namespace cairn_test;
 
-// A closed room, 20 m wide and 6 m high, as one mesh that faces inward.
+// A closed room, 20 m wide and 6 m high, as one mesh that faces inwards.
 void add_room(World& world) {
     const std::vector<Vec3> v{{-10, 0, -10}, {10, 0, -10}, {10, 0, 10}, {-10, 0, 10},
                               {-10, 6, -10}, {10, 6, -10}, {10, 6, 10}, {-10, 6, 10}};
@@ -66,7 +66,7 @@ TEST(CharacterTerrain, WalksOverHillsOfAHeightField) {
         std::vector<float> heights;
         const double height = chance.between(0.05, 0.9);
         for (int i = 0; i < n * n; ++i) heights.push_back(float(chance.between(0, height)));
-        // A rim that is too high to leave.
+        // A border that is too high to leave.
         for (int i = 0; i < n; ++i)
             for (const int k : {i, n * (n - 1) + i, n * i, n * i + n - 1}) heights[std::size_t(k)] = 30;
         World world;
@@ -82,7 +82,7 @@ TEST(CharacterTerrain, WalksOverHillsOfAHeightField) {
             const Position p = world.body(c).position();
             const auto below = world.cast_ray(p, {0, -1, 0}, 100, {.ignored_bodies = {c}});
             ASSERT_TRUE(below && below->body == ground) << seed << " " << s << ": it fell through";
-            const Position middle = p - Position(0, double(half_height), 0); // of its lower ball
+            const Position middle = p - Position(0, double(half_height), 0); // center of the lower hemisphere
             const auto nearest = world.closest_point(middle, 1, {.ignored_bodies = {c}});
             if (nearest) {
                 ASSERT_GT(nearest->distance, 0.97 * radius) << seed << " " << s;

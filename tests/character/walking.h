@@ -19,7 +19,7 @@ class Chance {
   public:
     explicit Chance(unsigned seed) : random_(seed) {}
     double between(double a, double b) { return a + (b - a) * (double(random_()) / 4294967295.0); }
-    // A unit vector in the plane of the ground.
+    // A random unit vector in the horizontal plane.
     Vec3 heading() {
         const double angle = between(0, 2 * 3.14159265358979);
         return {float(std::cos(angle)), 0, float(std::sin(angle))};
@@ -47,10 +47,10 @@ inline BodyId add_fixed(World& world, const Position& position, const Shape& sha
 
 inline BodyId add_floor(World& world) { return add_fixed(world, {0, 0, 0}, Plane{}); }
 
-inline constexpr float half_height = 0.5f, radius = 0.3f, foot = half_height + radius; // m, of the usual capsule
+inline constexpr float half_height = 0.5f, radius = 0.3f, foot = half_height + radius; // of the default capsule, m
 inline constexpr float usual_skin = 0.02f;
 
-// At `feet`, standing there but for its skin.
+// Adds a character that stands at `feet`, one skin width above it.
 inline BodyId add_character(World& world, const Position& feet, const CharacterDef& def = {},
                             const Shape& shape = Capsule{half_height, radius}) {
     const BodyId id =
@@ -71,7 +71,7 @@ inline bool stands(const World& world, BodyId character) {
     return world.body(character).character_state().support == CharacterSupport::ground;
 }
 
-// The deepest that a shape of the character overlaps anything, m, by casting what is left of it. 0: it does not.
+// Whether a shape at the pose of the character overlaps any other body.
 inline bool overlaps_something(const World& world, BodyId character,
                                const Shape& shape = Capsule{half_height, radius}) {
     for (const ShapeId s : world.overlap(shape, world.body(character).transform()))

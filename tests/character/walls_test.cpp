@@ -1,4 +1,4 @@
-// Characters against walls, in corners and gaps: they never pass, never get stuck, and slide on as they should.
+// Characters against walls, in corners and gaps: they never pass through, never get stuck, and slide along correctly.
 #include "walking.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -7,7 +7,8 @@ namespace {
 
 using namespace cairn_test;
 
-// A wall of a kind: 0 a thin box, 1 a two-sided mesh, 2 a plane, 3 a hull, 4 a thin rectangle. `out`: its side.
+// Adds a wall of one kind: 0 a thin box, 1 a two-sided mesh, 2 a plane, 3 a hull, 4 a thin rectangle. `out`: its
+// normal.
 void add_wall(World& world, int kind, double distance, double angle) {
     const Quat turn = about_up(angle);
     const Vec3 out = turn * Vec3(1, 0, 0);
@@ -43,7 +44,7 @@ TEST(CharacterWalls, SlidesAlongWallsOfAnyKindAtAnySpeedAndNeverPasses) {
         const BodyId c = add_character(world, {0, 0, 0});
         const double speed = std::pow(10.0, chance.between(0, 2));
         const Vec3 out = about_up(angle) * Vec3(1, 0, 0), along = about_up(angle) * Vec3(0, 0, 1);
-        const double toward = chance.between(0.1, 1.4); // from along the wall to straight into it
+        const double toward = chance.between(0.1, 1.4); // angle from along the wall to straight into it
         const Vec3 wanted = float(speed) * (float(std::cos(toward)) * along - float(std::sin(toward)) * out);
         world.body(c).set_walk_velocity(wanted);
         const int steps = int(60 * std::min(1.0, 40 / speed)) + 1;
@@ -70,7 +71,7 @@ TEST(CharacterWalls, StaysInCornersOfAnyAngleAndComesOutAgain) {
         add_floor(world);
         const double first = chance.between(0, 6.28), opening = chance.between(0.3, 2.4);
         const int kind = i % 5;
-        // Two walls whose outer sides make a corner of that opening.
+        // Two walls whose front sides form a corner with that opening angle.
         add_wall(world, kind, 2, first);
         add_wall(world, kind, 2, first + 3.14159265 - opening);
         const BodyId c = add_character(world, {0, 0, 0});
@@ -183,7 +184,7 @@ TEST(CharacterWalls, FallsAlongWallsAndFromCeilings) {
         const Vec3 out = about_up(angle) * Vec3(1, 0, 0);
         const BodyId c = add_character(world, {0, 0, 0});
         run(world, 3);
-        world.body(c).jump(12); // 7 m, were it not for the ceiling
+        world.body(c).jump(12); // 7 m if there were no ceiling
         world.body(c).set_walk_velocity(-5.0f * out);
         double highest = 0;
         int in_the_air = 0;
@@ -194,7 +195,7 @@ TEST(CharacterWalls, FallsAlongWallsAndFromCeilings) {
             in_the_air += !stands(world, c);
         }
         EXPECT_NEAR(highest, 4.5 - 2 * foot - 2 * usual_skin, 5e-3);
-        // Up to the ceiling, and down again from rest: the wall does not hold it.
+        // Up to the ceiling, and down again from rest: the wall does not slow the fall.
         const double up = (12 - std::sqrt(144 - 2 * 9.81 * highest)) / 9.81, down = std::sqrt(2 * highest / 9.81);
         EXPECT_NEAR(in_the_air / 60.0, up + down, 0.05);
     }

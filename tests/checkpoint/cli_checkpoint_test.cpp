@@ -1,4 +1,4 @@
-// A run that goes on from a checkpoint ends as if it had never been interrupted.
+// A run that is resumed from a checkpoint ends as if it had never been interrupted.
 #include "cli_run.h"
 
 #include <random>
@@ -35,7 +35,7 @@ TEST_F(CliRun, ScenesWithJointsGoOnAsTheyWere) {
     }
 }
 
-// What is defined changes on the way then: the scene alone does not say which joints there are.
+// Breaking joints change the definitions: the scene alone does not say which joints exist.
 TEST_F(CliRun, JointsThatHaveBrokenStayBroken) {
     std::string text = read_all(fs::path(CAIRN_TEST_SCENES) / "25_ragdolls.gltf");
     const std::string mark = "\"CAIRN_joint\":{";
@@ -45,7 +45,7 @@ TEST_F(CliRun, JointsThatHaveBrokenStayBroken) {
     put("weak.gltf", text);
     const auto whole = summary("weak.gltf --frames 200 --columns joints --csv whole.csv");
     summary("weak.gltf --frames 120 --columns joints --csv out.csv --checkpoint ck");
-    const std::string broken = bytes("out.csv"); // a number that is none in the last row, and not in the first
+    const std::string broken = bytes("out.csv"); // NaN in the last row, and none in the first
     EXPECT_NE(broken.find("nan", broken.rfind('\n', broken.size() - 2)), std::string::npos);
     EXPECT_EQ(broken.substr(0, broken.find('\n', broken.find('\n') + 1)).find("nan,"), std::string::npos);
     EXPECT_GT(nlohmann::json::parse(bytes("ck/step_120/index.json"))["checkpoint"]["sections"][1], 0);
@@ -53,7 +53,7 @@ TEST_F(CliRun, JointsThatHaveBrokenStayBroken) {
     EXPECT_EQ(bytes("out.csv"), bytes("whole.csv"));
 }
 
-// The motors aim elsewhere in each step, no faster than they may.
+// The motors have new targets in each step, and approach them at limited speed.
 TEST_F(CliRun, JointsThatFollowATableGoOnWhereTheyWere) {
     put("poses.csv", "time,turn,lift,elbow\n0,0,0,0\n0.3,3,-1,1\n1,-3,1,2\n2,2,-2,0.5\n");
     const std::string arm = "'" CAIRN_TEST_DATA "/arm.urdf' --fixed-base --targets poses.csv --columns joints --csv ";

@@ -1,4 +1,5 @@
-// What cannot be gone on with, or written, is said in a line: what, where, which value, what was expected.
+// Checkpoints that cannot be resumed or written are reported in one line: what failed, where, the value, and what was
+// expected.
 #include "cli_run.h"
 
 #include <unistd.h>
@@ -37,7 +38,7 @@ TEST_F(CliRunRefusal, OfCheckpointsOfAnotherVersion) {
     const Result sum =
         shell("python3 -c 'import zlib; print(\"%08x\" % zlib.crc32(open(\"contents.json\",\"rb\").read()), "
               "end=\"\")'");
-    ASSERT_EQ(sum.code, 0) << sum.err; // the checksum is zlib's, as docs/scale.md says
+    ASSERT_EQ(sum.code, 0) << sum.err; // the checksum is zlib's crc32, as docs/scale.md says
     index["crc32"] = sum.out;
     put("ck/step_5/index.json", index.dump());
     expect_one_line(cairn("run 07_pyramid --resume ck"), 1,
@@ -57,7 +58,7 @@ TEST_F(CliRunRefusal, OfFoldersWithoutAWholeCheckpoint) {
         << result.err;
 }
 
-// One line of a batch job, for its first start and all that follow.
+// The same command line of a batch job is used for its first start and for all later ones.
 TEST_F(CliRunRefusal, DoesNotComeWhereTheFirstStartOfAJobFindsNoneYet) {
     const Result first = cairn("run 07_pyramid --frames 5 --checkpoint ck --resume ck");
     EXPECT_EQ(first.code, 0) << first.err;
@@ -106,7 +107,7 @@ TEST_F(CliRunRefusal, OfTwoRunsWithOneTable) {
 TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpointAndTheTable) {
     const std::string run = "13_pile --columns energy --checkpoint ck --csv ";
     summary(run + "out.csv --frames 10");
-    fs::rename(folder_ / "out.csv", folder_ / ".out.unfinished.csv"); // as if it had been killed then
+    fs::rename(folder_ / "out.csv", folder_ / ".out.unfinished.csv"); // as if the run had been killed at that time
     const Result full =
         shell("ulimit -f 16; exec \"$CAIRN\" run " + run + "out.csv --frames 30 --checkpoint-every 20 --resume ck");
     expect_one_line(
@@ -123,7 +124,7 @@ TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpointAndTheTable) {
 TEST_F(CliRunRefusal, OfFoldersWithoutTheRightToWrite) {
     put("file", "");
     expect_one_line(cairn("run 13_pile --checkpoint file/ck"), 1, "file/ck: cannot be made: ");
-    if (geteuid() == 0) return; // who may write everywhere
+    if (geteuid() == 0) return; // root may write everywhere
     fs::create_directories(folder_ / "locked");
     fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
     expect_one_line(cairn("run 13_pile --checkpoint locked"), 1, "locked: cannot be written to: Permission denied");

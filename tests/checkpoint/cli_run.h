@@ -1,4 +1,4 @@
-// `cairn run` with checkpoints, in a folder of the test's own.
+// `cairn run` with checkpoints, in a temporary folder of the test.
 #pragma once
 
 #include "../scene/cli_program.h"
@@ -16,18 +16,18 @@ class CliRun : public Cli {
     void put(const fs::path& file, const std::string& text) const {
         std::ofstream(folder_ / file, std::ios::binary | std::ios::trunc) << text;
     }
-    // The summary of a run that is to come to its end.
+    // The summary of a run that must complete.
     nlohmann::json summary(const std::string& arguments) const { return summary_of(cairn("run --json " + arguments)); }
     static nlohmann::json summary_of(const Result& result) {
         EXPECT_EQ(result.code, 0) << result.out << result.err;
         return nlohmann::json::parse(result.out, nullptr, false);
     }
-    // What must be the same of two runs that have come to the same end.
+    // Compares the parts of the summary that must be equal for two runs with the same end.
     static void expect_same_end(const nlohmann::json& one, const nlohmann::json& other) {
         for (const char* name : {"hash", "steps", "max_penetration", "energy", "momentum", "contacts"})
             EXPECT_EQ(one.value(name, nlohmann::json()), other.value(name, nlohmann::json())) << name;
     }
-    // A step in the shell that waits until there is a checkpoint, of which at most 20 s.
+    // A shell command that waits until there is a checkpoint, for at most 20 s.
     static constexpr const char* wait_for_a_checkpoint =
         "for i in $(seq 400); do ls ck/*/index.json >/dev/null 2>&1 && break; sleep 0.05; done\n";
 };

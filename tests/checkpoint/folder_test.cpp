@@ -1,5 +1,5 @@
-// Checkpoints in a folder: any number of ranks reads what any other number has written, and what is not whole is never
-// taken for it.
+// Checkpoints in a folder: any number of ranks can read what any other number has written, and an incomplete checkpoint
+// is never accepted.
 #include "run_on_ranks.h"
 
 #include "checkpoint/folder.h"
@@ -40,7 +40,7 @@ class CheckpointFolder : public testing::Test {
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Three of them, of up to `most` bytes each.
+    // Three random sections of up to `most` bytes each.
     Sections random_sections(std::size_t most) {
         Sections sections(3);
         for (std::vector<std::byte>& section : sections) {
@@ -55,7 +55,7 @@ class CheckpointFolder : public testing::Test {
             Writer(folder_, identity, communicator, keep).write({step, 0.1 * double(step), 0, 0.0, {}}, spans);
         });
     }
-    // As it is on each of so many ranks, which agree; what was told is in `lines_`.
+    // Reads the checkpoint on that number of ranks, which must agree; the messages are in `lines_`.
     std::optional<Checkpoint> read(int ranks) {
         std::vector<std::optional<Checkpoint>> found;
         std::mutex mutex;
@@ -123,7 +123,7 @@ TEST_F(CheckpointFolder, AnyNumberOfRanksReadsWhatAnyOtherNumberHasWritten) {
     }
 }
 
-// Wherever a file of the last checkpoint is cut off, and whichever of its bits is another one.
+// A file of the last checkpoint is truncated, modified by one bit, or removed, at random.
 TEST_F(CheckpointFolder, DamageAnywhereIsToldAndTheOlderOneIsRead) {
     const Sections older = random_sections(4000), newer = random_sections(4000);
     write(10, older, 2);
@@ -157,7 +157,7 @@ TEST_F(CheckpointFolder, DamageAnywhereIsToldAndTheOlderOneIsRead) {
             put(path, text);
         const std::optional<Checkpoint> found = read(1 + int(random_() % 3));
         ASSERT_TRUE(found) << name << " " << what << " at " << at;
-        if (found->moment.step == 20) { // blanks between the members of an index
+        if (found->moment.step == 20) { // only white space of the index was changed
             EXPECT_EQ(found->sections, newer);
             EXPECT_EQ(name, "index.json") << what << " at " << at;
         } else {
@@ -178,7 +178,7 @@ TEST_F(CheckpointFolder, MessagesSayWhatIsThereAndWhatMustBe) {
     write(10, sections, 2);
     const fs::path part = step(10) / "part_1";
     const auto line = [&] {
-        EXPECT_THROW(read(1), Error); // there is no other
+        EXPECT_THROW(read(1), Error); // there is no other checkpoint
         return lines_.empty() ? std::string() : lines_[0];
     };
     const std::string whole = bytes(part);
@@ -223,7 +223,8 @@ TEST_F(CheckpointFolder, KeepsSoManyAndAWholeOneAtAnyMoment) {
     EXPECT_EQ(steps_in(folder_), (std::vector<std::uint64_t>{40}));
     write(90, random_sections(100), 1);
     put(step(90) / "part_0", "damaged");
-    write(50, random_sections(100), 1, 1); // gone on from 40: the damaged one does not count among those that are kept
+    // Resumed from step 40: the damaged checkpoint does not count among those that are kept.
+    write(50, random_sections(100), 1, 1);
     EXPECT_EQ(steps_in(folder_), (std::vector<std::uint64_t>{90, 50}));
     EXPECT_EQ(read(1)->moment.step, 50u);
 }

@@ -1,4 +1,4 @@
-// The index of a checkpoint, as text and back.
+// The index of a checkpoint, converted to text and back.
 #include "checkpoint/index.h"
 
 #include "files/checksum.h"
@@ -40,7 +40,7 @@ TEST(CheckpointIndex, IsReadBackToTheLastBit) {
     EXPECT_NO_THROW(require_same(before.identity, after, "x"));
 }
 
-// What is changed is refused, or was no more than a blank.
+// A modified index is rejected, unless only white space was changed.
 TEST(CheckpointIndex, IsRefusedWithAnyBitChangedAndCutOffAnywhere) {
     const std::string text = to_text(example());
     for (std::size_t at = 0; at + 1 < text.size(); ++at) {
@@ -57,7 +57,7 @@ TEST(CheckpointIndex, IsRefusedWithAnyBitChangedAndCutOffAnywhere) {
     }
 }
 
-// With a checksum that fits, as somebody might write it by hand.
+// With a matching checksum, as if somebody had edited the file by hand.
 TEST(CheckpointIndex, SaysWhichMemberIsWrong) {
     const auto message = [](const char* change) {
         nlohmann::ordered_json json = nlohmann::ordered_json::parse(to_text(example()));

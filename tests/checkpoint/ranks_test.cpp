@@ -1,4 +1,4 @@
-// Checkpoints under mpirun: each process writes its part, and any other number of processes goes on.
+// Checkpoints under mpirun: each process writes its part, and any other number of processes can resume.
 #include "cli_run.h"
 
 #include "../sanitized.h"
@@ -15,7 +15,7 @@ class SharedRun : public CliRun {
         if (!CAIRN_TEST_HAS_RANKS) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev openmpi-bin)";
         if (cairn_test::is_sanitized) GTEST_SKIP() << "Open MPI itself leaks memory and races";
     }
-    // Open MPI may be started by root, and with more processes than there are cores, only if it is told so.
+    // Open MPI runs as root, and with more processes than there are cores, only with these options.
     static constexpr const char* begin =
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_base_warn_component_unused=0\n"
         "run() { timeout -k 5 120 mpirun --oversubscribe -n \"$@\"; }\n";
@@ -24,7 +24,7 @@ class SharedRun : public CliRun {
     }
 };
 
-// The pile is cut among the ranks as soon as it has landed.
+// The pile is divided among the ranks once it has landed.
 TEST_F(SharedRun, IsGoneOnWithByAnyNumberOfRanksAndThreads) {
     const std::string scene = "13_pile --every 5 --csv ";
     const auto whole = summary(scene + "whole.csv --frames 72");
@@ -46,7 +46,7 @@ TEST_F(SharedRun, IsGoneOnWithByAnyNumberOfRanksAndThreads) {
     }
 }
 
-// Also while parts or the index are written: there is a checkpoint after every other step.
+// A rank may also be killed while parts or the index are written, as there is a checkpoint after every other step.
 TEST_F(SharedRun, LosesLittleWhenAnyRankIsKilledAtAnyMoment) {
     const std::string scene = "25_ragdolls --frames 1000 --every 11 --csv ";
     const auto whole = summary(scene + "whole.csv");
@@ -79,7 +79,7 @@ TEST_F(SharedRun, LosesLittleWhenAnyRankIsKilledAtAnyMoment) {
     EXPECT_EQ(bytes("out.csv"), bytes("whole.csv"));
 }
 
-// Clocks of processes differ: that of the first one counts.
+// The clocks of processes differ: that of rank 0 decides.
 TEST_F(SharedRun, HasCheckpointsByTheClockOfTheFirstRank) {
     const auto shared = summary_of(mpirun(3, "25_ragdolls --frames 100 --checkpoint ck --checkpoint-seconds 0.02"));
     EXPECT_GT(shared["checkpoints"]["written"], 1);

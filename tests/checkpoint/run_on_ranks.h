@@ -1,4 +1,4 @@
-// Ranks that are threads of the test.
+// Ranks as threads of the test.
 #pragma once
 
 #include "../determinism/local_ranks.h"
@@ -10,7 +10,7 @@
 
 namespace cairn_test {
 
-// Calls work(communicator) on each of so many ranks at a time; on one, without a communicator.
+// Calls work(communicator) on each of that many ranks in parallel; on a single rank, without a communicator.
 inline void run_on_ranks(int ranks, const std::function<void(cairn::Communicator*)>& work) {
     if (ranks == 1) return work(nullptr);
     const auto post = std::make_shared<Post>(ranks);

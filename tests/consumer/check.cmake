@@ -1,10 +1,10 @@
-# Uses Cairn as others do: cmake -D... -P check.cmake. WAY is one of install, package, pkg_config, source,
-# c_package, c_pkg_config, deb and source_archive; BUILD is Cairn's
-# build folder, SOURCE its source; tests/CMakeLists.txt has the others.
-set(folder ${BUILD}_consumer) # beside it: as deep, so that compiler caches that make paths relative know the same files
+# Uses Cairn as other projects do: cmake -D... -P check.cmake. WAY is one of install, package, pkg_config, source,
+# c_package, c_pkg_config, deb and source_archive; BUILD is Cairn's build folder, SOURCE its source;
+# tests/CMakeLists.txt sets the other variables.
+set(folder ${BUILD}_consumer) # as deep as BUILD, so that compiler caches with relative paths find the same files
 set(installed ${folder}/cairn)
 
-# Ends the test when the command fails, with what it printed; else leaves that in `output`.
+# Runs a command. If it fails, the test ends with its output; otherwise the output is in `output`.
 function(run)
     execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE code)
     string(STRIP "${printed}" printed)
@@ -15,7 +15,7 @@ function(run)
     set(output "${printed}" PARENT_SCOPE)
 endfunction()
 
-# Builds the project of this folder, or of the one below it that PROJECT_FOLDER names, in `place` and runs what it makes.
+# Builds the project in this folder, or in the subfolder PROJECT_FOLDER, in `place`, and runs the resulting program.
 function(build_and_run place)
     set(project ${CMAKE_CURRENT_LIST_DIR}${PROJECT_FOLDER})
     file(REMOVE_RECURSE ${place}/CMakeCache.txt ${place}/CMakeFiles ${place}/_deps ${place}/consumer)
@@ -29,7 +29,7 @@ endfunction()
 if(WAY STREQUAL "install")
     file(REMOVE_RECURSE ${installed})
     run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${folder}/first_place)
-    file(RENAME ${folder}/first_place ${installed}) # it may be moved
+    file(RENAME ${folder}/first_place ${installed}) # the installed tree may be moved
     file(GLOB_RECURSE descriptions ${installed}/*.cmake ${installed}/*.pc)
     foreach(file IN LISTS descriptions)
         file(READ ${file} text)
@@ -142,10 +142,10 @@ elseif(WAY STREQUAL "source_archive")
     if(EXISTS ${root}/build OR EXISTS ${root}/.git)
         message(FATAL_ERROR "the archive has more than the source")
     endif()
-    # All of it is found; compiled it is like the source that it is a copy of.
+    # The archive must configure, which finds all files; compiling it would only repeat the build of the source.
     run(${CMAKE_COMMAND} -S ${root} -B ${place}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER})
 elseif(WAY STREQUAL "source")
-    # One set of kernels, and errors as in the presets, so that a compiler cache has all of it already.
+    # Only one set of kernels, and warnings as errors as in the presets, so that a compiler cache already has all files.
     build_and_run(${folder} -DCAIRN_SOURCE=${SOURCE} -DCMAKE_CXX_COMPILER=${COMPILER} -DCAIRN_KERNELS=scalar -DCAIRN_WERROR=ON
                   -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 else()

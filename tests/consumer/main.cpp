@@ -1,4 +1,4 @@
-// A program of somebody else's that uses Cairn: drops a crate onto the ground and tells how high it lies.
+// A program that uses Cairn: it drops a crate onto the ground and prints its final height.
 #include <cairn/cairn.h>
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 int main() {
     cairn::World world;
-    world.set_threads(2); // so that the threads are linked, too
+    world.set_threads(2); // so that the thread library is linked too
     const cairn::BodyId ground = world.create_body({.type = cairn::BodyType::static_});
     world.add_shape(ground, cairn::Plane{});
     const cairn::BodyId crate = world.create_body({.position = {0, 5, 0}});

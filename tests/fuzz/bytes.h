@@ -1,4 +1,4 @@
-// Numbers for a fuzz target, out of the bytes that it is given.
+// Converts the input bytes of a fuzz target to numbers.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -10,14 +10,14 @@ namespace cairn_fuzz {
 
 using namespace cairn;
 
-// Numbers out of bytes; zeros after the last.
+// Numbers from bytes; zeros after the last byte.
 class Bytes {
   public:
     explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
     bool is_empty() const { return bytes_.empty(); }
     int pick(int n) { return next() % n; } // 0 to n - 1
-    double fraction() {                    // 0 to 1, finely
+    double fraction() {                    // 0 to 1, in steps of 1/65536
         const int high = next();
         return double(256 * high + next()) / 65536;
     }

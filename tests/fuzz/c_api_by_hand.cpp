@@ -27,7 +27,7 @@ cairn_result set_threads(CState& s, cairn_world* world) {
     return cairn_world_set_threads(world, s.bytes.pick(4) ? s.bytes.pick(6) : 257 + s.bytes.whole() % 1000);
 }
 
-// The second world gives way to another one.
+// Creates a world, which replaces the second one.
 cairn_result create(CState& s, cairn_world*) {
     Given<cairn_world_def> def(s.bytes, draw_world_def(s.bytes), 4);
     Room<cairn_world*> world(s.bytes, 1);
@@ -40,11 +40,11 @@ cairn_result create(CState& s, cairn_world*) {
 }
 
 cairn_result destroy(CState&, cairn_world*) {
-    cairn_world_destroy(nullptr); // nothing happens; those that are there are destroyed when another takes their place
+    cairn_world_destroy(nullptr); // no effect; worlds are destroyed when another one replaces them
     return CAIRN_OK;
 }
 
-// What is restored at once is what was saved; then the snapshot is kept, for either world.
+// Saves the world, and checks that restoring it at once changes nothing; the snapshot is kept for either world.
 cairn_result save(CState& s, cairn_world* world) {
     Room<cairn_snapshot*> snapshot(s.bytes, 1);
     const cairn_result result = cairn_world_save(world, snapshot.get());
@@ -83,7 +83,7 @@ cairn_result snapshot_release(CState& s, cairn_world*) {
     return CAIRN_OK;
 }
 
-// A stride of 0 to 31 bytes, mostly 0; where it is given, the array is as long as it asks for.
+// An array with a stride of 0 to 31 bytes, mostly 0; the array is long enough for the requested stride.
 template <class T> struct Column {
     Column(CBytes& bytes, std::size_t bodies, std::size_t numbers)
         : stride(bytes.pick(4) ? 0 : std::size_t(bytes.pick(32))),
@@ -101,7 +101,8 @@ cairn_result read_bodies(CState& s, cairn_world* world) {
     for (cairn_body_id& id : ids) id = s.bytes.body_id();
     std::size_t count = ids.size();
     const bool all = s.bytes.pick(3) == 0;
-    if (all && s.bytes.pick(4)) cairn_world_get_bodies(world, nullptr, 0, &count); // stays as it was without a world
+    // Count remains unchanged without a world.
+    if (all && s.bytes.pick(4)) cairn_world_get_bodies(world, nullptr, 0, &count);
     Column<double> positions(s.bytes, count, 3);
     Column<float> rotations(s.bytes, count, 4), linear(s.bytes, count, 3), angular(s.bytes, count, 3);
     cairn_body_arrays arrays = cairn_default_body_arrays();
@@ -149,7 +150,7 @@ cairn_result spring(CState& s, cairn_world*) {
 
 // --- hulls, meshes and height fields
 
-// Takes the place of the one of its kind, which shapes may have been made of.
+// Keeps a new geometry in place of the previous one of its kind, which shapes may still use.
 cairn_result kept(CState& s, cairn_result result, Room<cairn_geometry*>& made, std::size_t kind) {
     if (result != CAIRN_OK) return done(result, made);
     if (s.bytes.geometries.size() < max_geometries) {
@@ -167,7 +168,7 @@ std::vector<float> numbers(CBytes& bytes, std::size_t count) {
     return list;
 }
 
-// Points of x, y, z, and the bytes from one to the next, for which the array is long enough.
+// Points of x, y, z with the stride between them, in bytes; the array is long enough for it.
 struct Points {
     explicit Points(CBytes& bytes)
         : count(std::size_t(bytes.pick(10))), stride(bytes.pick(4) ? 0 : std::size_t(bytes.pick(5)) * 5) {
@@ -186,7 +187,7 @@ cairn_result create_hull(CState& s, cairn_world*) {
     return kept(s, cairn_geometry_create_hull(points.get(), points.count, points.stride, made.get()), made, 0);
 }
 
-// Materials, and numbers of as many parts, or of others.
+// Materials, and the material indices of `parts` parts, or of a different number of them.
 struct Materials {
     Materials(CBytes& bytes, std::size_t parts) : materials(std::size_t(bytes.pick(4))) {
         for (cairn_material& material : materials) {
@@ -248,7 +249,7 @@ cairn_result geometry_release(CState& s, cairn_world*) {
     return CAIRN_OK;
 }
 
-// A list of a geometry by a call that takes room for so many.
+// Reads a list of a geometry through a call that fills an array of limited capacity.
 template <class T, class Call> cairn_result list_of(CState& s, const Call& call) {
     const cairn_geometry* const geometry = s.bytes.geometry();
     const auto capacity = std::size_t(s.bytes.pick(16));
@@ -308,7 +309,7 @@ cairn_result scene_save_to_memory(CState& s, cairn_world* world) {
     return done(cairn_scene_save_to_memory(world, text.get(), capacity, length.get()), text, length);
 }
 
-// A world as its own text, now and then with a byte changed or cut off, in the place of the second one.
+// Loads the text of a saved world, sometimes truncated or with a modified byte, in place of the second world.
 cairn_result scene_load_from_memory(CState& s, cairn_world* world) {
     if (++s.scenes > max_scenes) return CAIRN_OK;
     std::size_t length = 0;
@@ -332,7 +333,7 @@ cairn_result scene_load_from_memory(CState& s, cairn_world* world) {
     return result;
 }
 
-// What needs nothing and cannot fail.
+// Calls that need no arguments and cannot fail.
 cairn_result constants(CState&, cairn_world*) {
     require(cairn_abi_version() == CAIRN_ABI_VERSION && cairn_version()[0] && cairn_instruction_set()[0], "a version");
     require(cairn_hardware_threads() >= 1, "threads");

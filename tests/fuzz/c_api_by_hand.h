@@ -1,11 +1,11 @@
-// The calls of the C API that are not made from the table, or take long, with arguments out of bytes.
+// Calls of the C API that are not generated from the table, or are slow, with arguments from bytes.
 #pragma once
 
 #include "c_api_calls.h"
 
 namespace cairn_fuzz {
 
-// What a sequence of calls works with.
+// The state of a sequence of calls.
 struct CState {
     explicit CState(std::span<const std::uint8_t> data);
     ~CState();
@@ -13,9 +13,9 @@ struct CState {
 
     CBytes bytes;
     std::array<cairn_world*, 2> worlds{};
-    std::vector<cairn_snapshot*> snapshots; // of both, and of what was in their place
-    int second_worlds = 0;                  // that there have been
-    int steps = 0, scenes = 0, threads = 0; // so far: these take long
+    std::vector<cairn_snapshot*> snapshots; // of both worlds, and of those that were replaced
+    int second_worlds = 0;                  // number of worlds that have been in the second place
+    int steps = 0, scenes = 0, threads = 0; // counters of calls that take long
 };
 
 struct ByHand {

@@ -1,4 +1,4 @@
-// All calls of the C API that are made from the table, with what they take.
+// All calls of the C API that are generated from the table, with their arguments.
 #include "c_api_calls.h"
 
 #include "c_api_calls.inc"

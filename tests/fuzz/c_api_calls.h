@@ -1,4 +1,4 @@
-// Arguments of the C API out of bytes: mostly such that calls are accepted, now and then NaN, null, stale or nonsense.
+// Arguments of the C API from bytes: mostly valid ones, sometimes NaN, null, stale handles or arbitrary values.
 #pragma once
 
 #include <cairn/c/cairn.h>
@@ -14,7 +14,7 @@
 
 namespace cairn_fuzz {
 
-// Ends the program if something that must hold does not.
+// Ends the program if a condition that must hold does not.
 void require(bool holds, const char* what);
 
 class CBytes {
@@ -47,19 +47,19 @@ class CBytes {
     const cairn_geometry* geometry() {
         return pick(16) ? geometries[std::size_t(pick(256)) % geometries.size()] : nullptr;
     }
-    // One of that kind: 0 a hull, 1 a mesh, 2 a height field; seldom another.
+    // A geometry of that kind: 0 a hull, 1 a mesh, 2 a height field; rarely of another kind.
     const cairn_geometry* geometry(int kind) { return pick(16) ? geometries[std::size_t(kind)] : geometry(); }
     cairn_body_id body_id() { return of(bodies); }
     cairn_shape_id shape_id() { return of(shapes); }
     cairn_joint_id joint_id() { return of(joints); }
     cairn_force_field_id force_field_id() { return of(fields); }
 
-    // Handles that were given out by any world: those of what is gone, or of a world that is gone, included.
+    // Handles that any world has returned, including those of removed objects and of destroyed worlds.
     std::vector<cairn_body_id> bodies;
     std::vector<cairn_shape_id> shapes;
     std::vector<cairn_joint_id> joints;
     std::vector<cairn_force_field_id> fields;
-    std::vector<cairn_geometry*> geometries; // first one of each kind
+    std::vector<cairn_geometry*> geometries; // the first three are one of each kind
     template <class Id> void keep(std::vector<Id>& list, Id id) { list.push_back(id); }
 
   private:
@@ -73,7 +73,7 @@ class CBytes {
             -1e6};
         return odd[std::size_t(pick(int(odd.size())))];
     }
-    // The newest ones more often than others: those of long ago are mostly stale.
+    // The newest handles are drawn more often: old ones are mostly stale.
     template <class Id> Id of(const std::vector<Id>& list) {
         if (list.empty() || pick(32) == 0) return {pick(2) ? bits() : 0};
         const std::size_t among = pick(4) ? std::min<std::size_t>(list.size(), 8) : list.size();
@@ -94,8 +94,8 @@ concept Versioned = requires(T value) {
     value.struct_size;
 };
 
-// Bytes of a caller's structures, on the heap and exactly as many as they say they are: the sanitizer sees what is read
-// or written behind them.
+// A caller's structures on the heap, with exactly as many bytes as they claim: a sanitizer detects any access beyond
+// them.
 template <class T> class Block {
   public:
     Block(std::size_t size, const T& first) : bytes_(size) {
@@ -109,7 +109,7 @@ template <class T> class Block {
     std::vector<std::byte> bytes_; // from operator new, aligned for anything
 };
 
-// What a caller hands in by a pointer; null in one of so many cases.
+// An argument that a caller passes by pointer; null in one of `null_in` cases.
 template <class T> class Given {
   public:
     Given(CBytes& bytes, const T& value, int null_in)
@@ -127,7 +127,7 @@ template <class T> class Given {
     Block<T> block_;
 };
 
-// Where a caller wants results; seldom null.
+// Memory for the results of a call; rarely null.
 template <class T> class Room {
   public:
     Room(CBytes& bytes, std::size_t count, T first = {})
@@ -156,13 +156,13 @@ template <class T> class Room {
     std::vector<std::byte> before_;
 };
 
-// Where a call has failed, what it would have written is as it was.
+// Checks that a failed call has not modified its results.
 template <class... Rooms> cairn_result done(cairn_result result, const Rooms&... rooms) {
     if (result != CAIRN_OK) require((rooms.is_as_it_was() && ...), "a refused call has written a result");
     return result;
 }
 
-// What cairn_world_get_shape gives is the caller's.
+// Releases the geometry that cairn_world_get_shape has returned.
 inline void release(const cairn_shape& shape) {
     if (shape.kind == CAIRN_SHAPE_HULL) cairn_geometry_release(const_cast<cairn_geometry*>(shape.as.hull.geometry));
     if (shape.kind == CAIRN_SHAPE_MESH) cairn_geometry_release(const_cast<cairn_geometry*>(shape.as.mesh.geometry));
@@ -172,11 +172,11 @@ inline void release(const cairn_shape& shape) {
 
 struct CCallInfo {
     const char* name;
-    bool changes;  // the world
-    bool can_fail; // if nothing is wrong with the world, even so
+    bool changes;  // whether it changes the world
+    bool can_fail; // even with a valid world
 };
 
-// One of the calls that are made from the table, with arguments out of the bytes. The world may be null.
+// Makes one of the generated calls, with arguments from the bytes. The world may be null.
 extern const std::span<const CCallInfo> c_calls;
 cairn_result c_call(cairn_world* world, CBytes& bytes, int call);
 cairn_world_def draw_world_def(CBytes& bytes);

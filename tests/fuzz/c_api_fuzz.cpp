@@ -1,6 +1,6 @@
-// Sequences of calls of the C API, made from the table of the API, on two worlds at a time. What is refused says why,
-// and changes neither a world nor what the caller gave for results; calls that only read change nothing; no call
-// changes another world; a world that is restored is the one that was saved; nothing crashes.
+// Sequences of calls of the C API, generated from the table of the API, on two worlds at a time. A rejected call gives
+// a reason, and changes neither a world nor the memory for its results; reading calls change nothing; no call changes
+// another world; restoring a world gives the saved one; nothing crashes.
 #include "c_api_fuzz.h"
 #include "c_api_by_hand.h"
 
@@ -24,12 +24,12 @@ std::uint64_t hash(const cairn_world* world) {
     return value;
 }
 
-const char* current = ""; // call
+const char* current = ""; // name of the current call
 
 void call_one(CState& s) {
     const int made = int(c_calls.size()), number = s.bytes.pick(256);
     const bool by_hand = number >= made || s.bytes.pick(4) == 0;
-    // The first one by hand is a step, which there should be more of than of what is seldom called.
+    // The first of these is a step, which is made more often than rarely used calls.
     const std::size_t which = by_hand && s.bytes.pick(4) ? std::size_t(s.bytes.pick(256)) % calls_by_hand.size() : 0;
     const CCallInfo& info = by_hand ? calls_by_hand[which].info : c_calls[std::size_t(number)];
     current = info.name;
@@ -41,7 +41,7 @@ void call_one(CState& s) {
     CCallCount& count = counts()[info.name];
     ++(result == CAIRN_OK ? count.accepted : count.refused);
     for (int i = 0; i < 2; ++i) {
-        if (i == 1 && second_worlds != s.second_worlds) continue; // another one
+        if (i == 1 && second_worlds != s.second_worlds) continue; // the second world was replaced
         const bool may_change = result == CAIRN_OK && info.changes && world == s.worlds[std::size_t(i)];
         require(may_change || hash(s.worlds[std::size_t(i)]) == before[i],
                 "a call has changed a world that it must not change");
@@ -68,8 +68,8 @@ const std::map<std::string, CCallCount>& c_call_counts() {
     return counts();
 }
 
-// Four bodies with a box each, of which one is a character, a joint and a force field, so that every call has what it
-// may be about.
+// Adds four bodies with a box each (one of them a character), a joint and a force field, so that every call has
+// something to act on.
 static void furnish(CBytes& bytes, cairn_world* world) {
     const cairn_shape box = cairn_default_shape(CAIRN_SHAPE_BOX);
     for (int i = 0; i < 4; ++i) {

@@ -1,4 +1,4 @@
-// Sequences of calls of the C API, and how often each call was accepted and refused in them.
+// Sequences of calls of the C API, and how often each call was accepted and rejected in them.
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ double deepest(const World& world) {
 
 Calls::Calls(std::span<const std::uint8_t> bytes, std::uint64_t max_steps)
     : bytes_(bytes), max_steps_(max_steps), worlds_(3) {
-    // Restored, so that all three give out the same handles.
+    // All worlds are restored from one snapshot, so that they return the same handles.
     worlds_[threaded].restore(worlds_[single].save());
     worlds_[restored].restore(worlds_[single].save());
     worlds_[threaded].set_threads(4);
@@ -170,7 +170,8 @@ void Calls::add_shape(BodyId id) {
     if (bytes_.pick(8) == 0) def.filter.layers = 2;
     if (bytes_.pick(8) == 0) def.filter.collides_with = 1;
     const bool is_surface = !is(id, BodyType::dynamic) && bytes_.pick(3) == 0;
-    each([&, at = bytes_](World& world) { // the same bytes for each; what is degenerate is refused alike
+    // The same bytes for each world; degenerate shapes are rejected in all of them.
+    each([&, at = bytes_](World& world) {
         bytes_ = at;
         world.add_shape(id, is_surface ? surface() : shape(), def);
     });
@@ -386,8 +387,9 @@ void Calls::check_step(const Before& before, float dt) {
     for (const JointId id : world.joints())
         require(std::isfinite(world.joint_state(id).linear_error), "the state of a joint is not finite");
 
-    // What gravity, forces and the parting of overlaps can have added. Motors and moving bodies may add more.
-    bool is_driven = before.has_joints || !fields_.empty(); // a field may be endless at its center
+    // The energy that gravity, forces and the correction of overlaps can have added. Motors and moving bodies may add
+    // more.
+    bool is_driven = before.has_joints || !fields_.empty(); // a field may be singular at its center
     double given = 0;
     const double acceleration = 20, parting = 2.0 * double(world.settings().recovery_speed);
     for (const BodyId id : expected) {

@@ -1,6 +1,6 @@
-// Sequences of calls of the API that bytes spell out, on three worlds side by side: one with a single thread, one with
-// several, and one that is saved and restored again and again. All three must stay the same, bit by bit, and obey what
-// holds of every world.
+// Sequences of API calls, encoded as bytes, on three worlds: one with a single thread, one with several, and one that
+// is saved and restored repeatedly. All three must stay identical bit by bit, and satisfy the conditions that hold in
+// every world.
 #pragma once
 
 #include "bytes.h"
@@ -14,17 +14,17 @@ using namespace cairn;
 
 class Calls {
   public:
-    // No more steps than that are taken, however many the bytes ask for.
+    // At most `max_steps` steps are made, even if the bytes request more.
     explicit Calls(std::span<const std::uint8_t> bytes, std::uint64_t max_steps = 400);
 
-    // Runs until the bytes are used up. Throws std::logic_error where something does not hold that must.
+    // Runs until the bytes are used up. Throws std::logic_error if a condition is violated.
     void run();
     std::uint64_t steps() const { return worlds_[0].step_count(); }
 
   private:
     static constexpr std::size_t single = 0, threaded = 1, restored = 2;
 
-    // Calls f(world) for each; all must answer alike, and refuse alike.
+    // Calls f(world) for each world; all must return the same, and reject the same calls.
     template <class F> void each(F&& f);
     BodyId body();
     Body first(BodyId id) { return worlds_[single].body(id); }
@@ -50,9 +50,9 @@ class Calls {
     void save_and_restore();
     void call_wrongly();
     void step();
-    struct Before { // a step
+    struct Before { // state before a step
         double energy, depth;
-        bool has_joints; // they may break in it
+        bool has_joints; // joints may break in the step
     };
     void check_step(const Before& before, float dt);
 
@@ -62,8 +62,8 @@ class Calls {
     BodyId ground_;
     std::vector<BodyId> bodies_, dead_;
     std::vector<ForceFieldId> fields_;
-    double pushed_ = 0;   // N: the sum of the forces since the last step
-    bool placed_ = false; // whether anything was put somewhere since then, where it may overlap
+    double pushed_ = 0;   // sum of the forces since the last step, N
+    bool placed_ = false; // whether a body was placed since then, where it may overlap others
 };
 
 } // namespace cairn_fuzz

@@ -1,5 +1,5 @@
-// Fuzzes the API: any bytes are a sequence of calls (calls.h), run on one thread, on several, and with the world saved
-// and restored in between.
+// Fuzzes the API: any bytes encode a sequence of calls (calls.h), which runs on one thread, on several, and on a world
+// that is saved and restored in between.
 #include "calls.h"
 
 #include <cstdio>

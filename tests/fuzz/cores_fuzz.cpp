@@ -1,7 +1,7 @@
-// Fuzzes fast motion: any bytes are a closed room with bodies of random shapes, sizes, speeds and spins in it. After
-// each step a slow oracle (tests/impacts/core_watch.h) says whether the core of any went through that of another, or
-// through a surface. Cores that overlap by less, as the solver pressed them together, are a known limit
-// (docs/known_limits.md).
+// Fuzzes fast motion: any bytes describe a closed room with bodies of random shapes, sizes, speeds and spins. After
+// each step a slow oracle (tests/impacts/core_watch.h) checks whether the core of any body has passed through that of
+// another, or through a surface. Cores that overlap by less, because the solver pressed them together, are a known
+// limit (docs/known_limits.md).
 #include "bytes.h"
 #include "impacts/core_watch.h"
 
@@ -16,11 +16,11 @@
 namespace cairn_fuzz {
 namespace {
 
-// What is left out are the limits of docs/known_limits.md: joints, meshes and height fields, what turns over within a
-// step while the solver holds it, and what is a thousand times as light as what crushes it.
-constexpr double smallest = 0.01, largest = 0.06; // m: half widths of bodies
-constexpr double thinnest = 0.004;                // m: of a ball inside
-constexpr float max_turn = 2.5f;                  // rad in a step
+// The limits of docs/known_limits.md are excluded: joints, meshes and height fields, bodies that turn over within a
+// step while the solver holds them, and bodies a thousand times lighter than those that crush them.
+constexpr double smallest = 0.01, largest = 0.06; // half widths of bodies, m
+constexpr double thinnest = 0.004;                // radius of the inscribed ball, m
+constexpr float max_turn = 2.5f;                  // rad per step
 constexpr double density_low = 500, density_high = 2000;
 
 class Room {
@@ -73,7 +73,7 @@ class Room {
     }
     bool is_inside(BodyId id) const {
         const Position p = world_.body(id).center_of_mass();
-        return std::fabs(p.x) < half_ && std::fabs(p.y) < half_ && std::fabs(p.z) < half_; // false if no number
+        return std::fabs(p.x) < half_ && std::fabs(p.y) < half_ && std::fabs(p.z) < half_; // false for NaN
     }
 
     void add_walls() {
@@ -127,7 +127,7 @@ class Room {
             return Hull(corners);
         }
     }
-    // What would overlap anything is left out.
+    // Adds a body, unless it would overlap another one.
     void add_body() {
         BodyDef body;
         const double reach = half_ - 0.5 * largest;
@@ -142,7 +142,7 @@ class Room {
                 const Shape one = shape();
                 is_free = is_free && cairn_test::inner_radius(one) >= thinnest;
                 world_.add_shape(id, one, def);
-            } catch (const Error&) { // a hull without a volume
+            } catch (const Error&) { // a hull without volume
                 is_free = false;
             }
         is_free = is_free && is_inside(id) && !overlaps(id);
@@ -161,7 +161,7 @@ class Room {
     Bytes bytes_;
     World world_;
     float dt_ = 0;    // s
-    double half_ = 0; // m: of the room's width
+    double half_ = 0; // half the room's width, m
     std::vector<BodyId> bodies_;
 };
 

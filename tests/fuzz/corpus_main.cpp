@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
         std::printf("%s\n", file.c_str());
-        std::fflush(stdout); // so that the last line names the file that ended it
+        std::fflush(stdout); // so that the last line names the file that caused a crash
         std::ifstream stream(file, std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

@@ -1,9 +1,9 @@
-// Fuzzes build_hull: any bytes are points, and either they are refused with an Error or the hull passes every check.
+// Fuzzes build_hull: any bytes are points; they are rejected with an Error, or the hull passes every check.
 
 //
-// The first byte says how to read the others: as floats as they are, or as small whole numbers on a lattice (which
-// finds coplanar and collinear points much sooner), stretched, shifted or with a little noise. `./dev fuzz` runs it;
-// its corpus also runs with the tests, without a fuzzer (corpus_main.cpp).
+// The first byte selects how the others are read: as raw floats, or as small integers on a lattice (which finds
+// coplanar and collinear points much sooner), scaled, shifted or with a little noise. `./dev fuzz` runs it; its corpus
+// also runs with the tests, without a fuzzer (corpus_main.cpp).
 #include "hull_check.h"
 
 #include <cairn/error.h>

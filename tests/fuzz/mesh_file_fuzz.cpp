@@ -1,6 +1,5 @@
-// Any bytes as an OBJ file and as an STL file: triangles whose indices are in range, or an Error. The first byte
-// chooses which. `./dev fuzz` runs it; its corpus also runs with
-// the tests, without a fuzzer (corpus_main.cpp).
+// Any bytes as an OBJ or STL file: the result is triangles whose indices are in range, or an Error. The first byte
+// selects the format. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer (corpus_main.cpp).
 #include "scene/mesh_files.h"
 
 #include <cmath>

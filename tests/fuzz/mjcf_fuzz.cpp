@@ -1,4 +1,4 @@
-// Any bytes as an MJCF model: it loads and takes a step, or is refused with an Error. What loads can be saved,
+// Any bytes as an MJCF model: it loads and makes a step, or is rejected with an Error. A model that loads can be saved,
 // and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
 // (corpus_main.cpp).
 #include "model_fuzz.h"

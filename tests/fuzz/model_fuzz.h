@@ -1,4 +1,4 @@
-// What fuzz targets of models have in common.
+// Shared by the fuzz targets of model formats.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,8 +13,8 @@
 namespace cairn::fuzz {
 
 inline int try_model(const char* beginning, const std::uint8_t* data, std::size_t size) {
-    constexpr std::size_t max_bodies = 50; // small enough to be tried many times a second
-    std::string text(beginning);           // else it is of no format at all
+    constexpr std::size_t max_bodies = 50; // small enough to be tried many times per second
+    std::string text(beginning);           // otherwise the format is not recognized
     text.append(reinterpret_cast<const char*>(data), size);
     std::string saved;
     try {

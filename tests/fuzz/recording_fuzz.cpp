@@ -1,4 +1,4 @@
-// Recordings of any bytes: opened, replayed and entered anywhere, or refused.
+// Any bytes as a recording: it can be opened, replayed and entered at any step, or is rejected.
 #include "recording/recording.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!recording.info().keyframes.empty()) replay.seek(recording.info().keyframes.back());
         replay.branch();
         replay.step();
-    } catch (const cairn::Error&) { // refused
+    } catch (const cairn::Error&) { // rejected
     }
     return 0;
 }

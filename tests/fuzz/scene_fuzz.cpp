@@ -1,6 +1,6 @@
-// Any bytes as a scene file: it loads and takes a step, or is refused with an Error. What loads can be saved, and the
-// saved file loads again. `./dev fuzz` runs it; its corpus also runs with
-// the tests, without a fuzzer (corpus_main.cpp).
+// Any bytes as a scene file: it loads and makes a step, or is rejected with an Error. A scene that loads can be saved,
+// and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
+// (corpus_main.cpp).
 #include "scene/scene.h"
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace {
 
-// Small enough to be tried many times a second.
+// Number of bodies, small enough to be tried many times per second.
 constexpr std::size_t max_bodies = 50;
 
 std::span<const std::byte> as_bytes(const std::string& text) {

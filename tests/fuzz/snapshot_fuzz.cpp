@@ -1,7 +1,8 @@
-// Fuzzes World::restore: a snapshot of a small world, changed as the bytes say, is refused and leaves the world as it
-// was, or is the snapshot that it was before. The first byte chooses between that, bytes that are a snapshot as they
-// stand, and a change whose checksum was made to fit ('f' of the state, in place; 'n' of it, in a new world; 'd' of the
-// definitions): that may be taken, and then the world goes on, but what is refused has changed nothing.
+// Fuzzes World::restore: a modified snapshot of a small world is rejected and leaves the world unchanged, or equals the
+// original snapshot. The first byte selects between this, bytes that are used as a snapshot directly, and a
+// modification with a matching checksum ('f': of the state, restored in place; 'n': of the state, in a new world; 'd':
+// of the definitions). A snapshot with a matching checksum may be accepted, and then the world must continue without
+// crashing; if it is rejected, nothing changes.
 #include "world/snapshot_header.h"
 
 #include <cairn/cairn.h>
@@ -30,7 +31,7 @@ World small_world() {
         if (i > 0) world.create_joint(world.joint_at(last, body, def.position, {0, 1, 0}, HingeJoint{}));
         last = body;
     }
-    for (int i = 0; i < 2; ++i) { // one that sleeps, one on a mesh
+    for (int i = 0; i < 2; ++i) { // one body that sleeps, and one on a mesh
         def.position = {20.0 * (i + 1), 0.5, 0};
         if (i == 1) {
             BodyDef ground;
@@ -43,14 +44,14 @@ World small_world() {
         world.add_shape(world.create_body(def), Box{});
     }
     for (int i = 0; i < 40; ++i) {
-        if (i < 39) world.body(last).set_angular_velocity({0, 0.5f, 0}); // awake
+        if (i < 39) world.body(last).set_angular_velocity({0, 0.5f, 0}); // keeps it awake
         world.step(1.0f / 60);
     }
     world.destroy_body(world.create_body(def));
     return world;
 }
 
-// Follows what the state says wherever it leads.
+// Uses every part of the state, wherever its values lead.
 void live_on(World& world) {
     const std::vector<BodyId> bodies = world.bodies();
     for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
@@ -71,7 +72,8 @@ void live_on(World& world) {
     world.step(1.0f / 60);
 }
 
-// Three bytes each: where (of 65,536 parts of the whole), and what to change there; or where it ends.
+// Each modification has three bytes: its position (in units of 1/65,536 of the whole), and the change; or the position
+// at which the data are truncated.
 void damage(std::vector<std::byte>& bytes, const std::uint8_t* data, std::size_t size) {
     for (; size >= 3 && !bytes.empty(); data += 3, size -= 3) {
         const std::size_t at = (std::size_t(data[0]) * 256 + data[1]) * bytes.size() / 65536;

@@ -1,5 +1,5 @@
-// Any bytes as a URDF robot: it loads and takes a step, or is refused with an Error. What loads can be saved, and the
-// saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
+// Any bytes as a URDF robot: it loads and makes a step, or is rejected with an Error. A robot that loads can be saved,
+// and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
 // (corpus_main.cpp).
 #include "scene/scene.h"
 
@@ -12,17 +12,17 @@
 
 namespace {
 
-// Small enough to be tried many times a second.
+// Number of bodies, small enough to be tried many times per second.
 constexpr std::size_t max_bodies = 50;
 
 } // namespace
 
-// urdfdom loses links that hang on each other in a circle, when it finds no root to return.
+// urdfdom leaks links that form a cycle, when it finds no root to return.
 extern "C" const char* __lsan_default_suppressions() { return "leak:liburdfdom_model\n"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace cairn;
-    std::string text(1, '<'); // else it is no XML
+    std::string text(1, '<'); // otherwise it is not XML
     text.append(reinterpret_cast<const char*>(data), size);
     std::string saved;
     try {

@@ -1,5 +1,5 @@
-// Any bytes as a text layer of USD: it loads and takes a step, or is refused with an Error. What loads can be saved,
-// and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
+// Any bytes as a USD text layer: it loads and makes a step, or is rejected with an Error. A layer that loads can be
+// saved, and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
 // (corpus_main.cpp).
 #include "model_fuzz.h"
 

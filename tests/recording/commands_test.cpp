@@ -1,4 +1,4 @@
-// Changes of a world as commands: each is told of, and can be made again.
+// Changes of a world as commands: each one is reported, and can be executed again.
 #include "random_changes.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace cairn::test {
 namespace {
 
-// Keeps all that it is told.
+// Stores all commands that it receives.
 class Log final : public CommandListener, public CommandSource {
   public:
     void on_command(std::span<const std::byte> command) override {
@@ -38,7 +38,7 @@ class Log final : public CommandListener, public CommandSource {
     }
 
     std::vector<std::vector<std::byte>> commands;
-    std::map<std::size_t, StateDigest> digests; // after so many commands
+    std::map<std::size_t, StateDigest> digests; // by the number of preceding commands
     std::deque<Shape> shapes;
     std::deque<Snapshot> snapshots;
     bool refuses = false;
@@ -187,7 +187,7 @@ TEST(Command, OfAnOlderVersionWithFewerMembersHasTheirDefaults) {
         const Snapshot& snapshot(std::uint64_t) override { throw Error(ErrorCode::invalid_file, "s", "", "none"); }
     } none;
     World world;
-    const std::vector<std::byte> old{std::byte{7}, std::byte{1}, std::byte{1}}; // create_body, of 1 member: kinematic
+    const std::vector<std::byte> old{std::byte{7}, std::byte{1}, std::byte{1}}; // create_body with 1 member: kinematic
     world.execute(old, none);
     ASSERT_EQ(world.bodies().size(), 1u);
     EXPECT_EQ(world.body(world.bodies()[0]).type(), BodyType::kinematic);

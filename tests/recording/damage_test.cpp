@@ -1,4 +1,4 @@
-// Recordings that are cut off, damaged, or say something else than what was done.
+// Recordings that are truncated or damaged, or that do not match the original run.
 #include "recorded.h"
 #include "recording/contents.h"
 #include "recording/log_format.h"
@@ -14,7 +14,7 @@ namespace {
 using recording::Recording;
 using recording::Replay;
 
-// The same recording with other bytes in the messages of its log, and checksums that fit.
+// The same recording with modified messages in its log, and matching checksums.
 std::string rewritten(const std::string& bytes, const std::function<void(std::string& message)>& change) {
     const TemporaryFile file(".rewritten");
     const recording::McapReader reader(recording::InputBytes(bytes, "run.mcap"));
@@ -38,10 +38,10 @@ std::string rewritten(const std::string& bytes, const std::function<void(std::st
     return file.bytes();
 }
 
-// Where a command stands in the log.
+// The location of a command in the log.
 struct CommandPlace {
-    std::uint64_t step;            // that it comes before, counted from 1
-    std::size_t message, at, size; // of the log, in its bytes
+    std::uint64_t step;            // the step that it precedes, counted from 1
+    std::size_t message, at, size; // message index, and offset and size within the message, bytes
     std::string name;
 };
 std::vector<CommandPlace> commands_of(const std::string& bytes) {
@@ -70,7 +70,8 @@ TEST(DamagedRecording, SaysAtWhichStepAFlippedBitOfACommandWorks) {
     std::mt19937 random(1);
     int found = 0, refused = 0, named = 0;
     std::vector<CommandPlace> places = commands_of(run.bytes);
-    std::erase_if(places, [](const CommandPlace& place) { // a velocity, a push or a place: any bit counts
+    // Commands with a velocity, impulse or position, in which every bit matters.
+    std::erase_if(places, [](const CommandPlace& place) {
         return place.name != "Body::set_linear_velocity" && place.name != "Body::apply_impulse" &&
                place.name != "Body::set_position" && place.name != "World::create_body";
     });
@@ -88,12 +89,12 @@ TEST(DamagedRecording, SaysAtWhichStepAFlippedBitOfACommandWorks) {
             const Recording recording = Recording::from_memory(changed, "run.mcap");
             Replay replay(recording);
             while (replay.step() && !replay.divergence()) {}
-            if (!replay.divergence()) continue; // a name, user data, or a bit below what counts
+            if (!replay.divergence()) continue; // a name, user data, or a bit below the precision
             step = replay.divergence()->step;
             text = replay.divergence()->text();
             ++found;
             named += replay.divergence()->bodies.empty() ? 0 : 1;
-        } catch (const Error& error) { // no such body, no finite number: as good
+        } catch (const Error& error) { // an invalid body or a non-finite number: detected as well
             text = error.what();
             const std::size_t at = text.find("step ");
             ASSERT_NE(at, std::string::npos) << text;
@@ -101,7 +102,7 @@ TEST(DamagedRecording, SaysAtWhichStepAFlippedBitOfACommandWorks) {
             ++refused;
         }
         if (place.name == "World::create_body") {
-            EXPECT_GE(step, place.step) << text; // what it does may show only later, as damping does
+            EXPECT_GE(step, place.step) << text; // the effect may appear only later, as with damping
         } else {
             EXPECT_EQ(step, place.step) << place.name << " bit " << bit << ": " << text;
         }
@@ -130,7 +131,7 @@ TEST(DamagedRecording, ThatIsCutAtAnyByteOfItsLastChunkHasAllThatCameBefore) {
         ASSERT_EQ(cut.info().steps, size < last.offset + last.size ? before : run.hashes.size() - 1) << size;
         if (size % 499 != 0) continue;
         Replay replay(cut);
-        std::uint64_t last = 0; // after a step: it may be followed by changes
+        std::uint64_t last = 0; // hash after a step, which changes may follow
         while (replay.step()) last = replay.world().state_hash();
         EXPECT_FALSE(replay.divergence());
         EXPECT_EQ(last, run.hashes[std::size_t(replay.steps())]);
@@ -162,7 +163,7 @@ TEST(DamagedRecording, WithAnyByteChangedIsRefusedOrReplaysAsItWas) {
         bytes[at] = char(bytes[at] ^ (1 << (random() % 8)));
         try {
             const Recording recording = Recording::from_memory(bytes, "damaged.mcap");
-            if (recording.info().is_cut_off) continue; // its end is damaged: what is whole is read
+            if (recording.info().is_cut_off) continue; // its end is damaged: the complete part is read
             Replay replay(recording);
             while (replay.step()) {}
             replay.seek(recording.info().steps / 2);
@@ -175,7 +176,7 @@ TEST(DamagedRecording, WithAnyByteChangedIsRefusedOrReplaysAsItWas) {
         }
     }
     EXPECT_GT(refused, 100u);
-    EXPECT_GT(same, 100u); // in descriptions, indexes of messages, times
+    EXPECT_GT(same, 100u); // in descriptions, message indexes, times
 }
 
 TEST(DamagedRecording, ThatClaimsMoreThanItHasTakesNoMemory) {
@@ -187,7 +188,7 @@ TEST(DamagedRecording, ThatClaimsMoreThanItHasTakesNoMemory) {
     recording::RecordWriter(content)
         .number(std::uint64_t{0})
         .number(std::uint64_t{0})
-        .number(std::uint64_t{1} << 30) // uncompressed
+        .number(std::uint64_t{1} << 30) // uncompressed size
         .number(std::uint32_t{0})
         .text("zstd")
         .number(std::uint64_t{8});

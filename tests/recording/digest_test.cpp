@@ -1,4 +1,4 @@
-// Which bodies two worlds differ in, told from the digest of one of them.
+// State digests: they identify the bodies in which two worlds differ, given the digest of one of them.
 #include "random_changes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST_P(Digest, TellsWhichOneOrTwoBodiesDiffer) {
     for (int i = 0; i < 200; ++i) changes.change(world);
     std::mt19937 random(GetParam());
     const std::vector<BodyId> bodies = world.bodies();
-    for (const BodyId id : bodies) world.body(id).wake(); // or what is moved would wake, and so change, others
+    for (const BodyId id : bodies) world.body(id).wake(); // otherwise moving a body would wake, and so change, others
     for (int round = 0; round < 100; ++round) {
         other.restore(world.save());
         EXPECT_EQ(other.state_digest(), world.state_digest());
@@ -34,7 +34,7 @@ TEST_P(Digest, TellsWhichOneOrTwoBodiesDiffer) {
         }
         std::sort(moved.begin(), moved.end(), [](BodyId a, BodyId b) { return a.index() < b.index(); });
         EXPECT_NE(other.state_digest(), world.state_digest());
-        if (moved.size() > 2) moved.clear(); // more cannot be told apart
+        if (moved.size() > 2) moved.clear(); // more than two cannot be identified
         EXPECT_EQ(other.bodies_that_differ(world.state_digest()), moved);
         EXPECT_EQ(world.bodies_that_differ(other.state_digest()), moved);
     }

@@ -1,4 +1,4 @@
-// Undoing and redoing.
+// Undo and redo.
 #include "random_changes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST_P(Histories, OfAThousandChangesGiveTheHashesFromBeforeInAnyOrderOfUndoAndRe
         WorldDef settings;
     };
     const auto look = [&] { return Seen{world.state_hash(), world.bodies(), world.joints(), world.settings()}; };
-    std::vector<Seen> states{look()}; // before the first change, and after each
+    std::vector<Seen> states{look()}; // before the first change, and after each change
     std::size_t at = 0;
     const auto expect_same = [&](int round) {
         const Seen now = look();
@@ -37,7 +37,7 @@ TEST_P(Histories, OfAThousandChangesGiveTheHashesFromBeforeInAnyOrderOfUndoAndRe
         const std::uint32_t kind = random() % 8;
         if (kind < 4) {
             for (std::uint32_t k = 1 + random() % 3; k > 0; --k) changes.change(world);
-            if (!history.commit(world, "change " + std::to_string(made))) continue; // all of it was refused
+            if (!history.commit(world, "change " + std::to_string(made))) continue; // the whole change was rejected
             states.resize(++at);
             states.push_back(look());
             ++made;
@@ -46,7 +46,7 @@ TEST_P(Histories, OfAThousandChangesGiveTheHashesFromBeforeInAnyOrderOfUndoAndRe
                 ASSERT_FALSE(history.undo(world));
                 continue;
             }
-            if (random() % 4 == 0) world.step(dt); // not committed, and so lost
+            if (random() % 4 == 0) world.step(dt); // steps are not committed, and are therefore lost
             ASSERT_TRUE(history.undo(world));
             --at, ++undone;
             expect_same(round);

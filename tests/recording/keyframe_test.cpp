@@ -1,4 +1,4 @@
-// Whole states on the way of a recording: where they are, what they take, and what going to a moment takes with them.
+// Keyframes of a recording: their positions, their size, and their use in seeking.
 #include "recorded.h"
 #include "recording/log_format.h"
 #include "recording/mcap_reader.h"
@@ -24,7 +24,7 @@ RecorderOptions with_keyframes(double work, std::size_t budget) {
     return options;
 }
 
-// 100 balls that roll on the ground for ever, for so many steps; their file, as it is before it is closed or after.
+// Records 100 balls that roll on the ground for ever; returns the file before or after it is closed.
 std::string record_balls(int steps, const RecorderOptions& options, bool is_closed = true) {
     const TemporaryFile file(".mcap");
     Recorder recorder(file.path(), options);
@@ -67,20 +67,20 @@ TEST(Keyframes, StayWithinTheirBudgetEvenlySpreadOverTheWholeRun) {
         EXPECT_LE(widest, 2 * steps / info.keyframes.size());
         Replay replay(recording);
         for (const std::uint64_t step : info.keyframes) {
-            replay.seek(step - 1), replay.seek(step); // by the one before it, and by itself
+            replay.seek(step - 1), replay.seek(step); // through the previous keyframe, and through this one
             ASSERT_TRUE(replay.step() || step == steps);
             EXPECT_FALSE(replay.divergence()) << step;
         }
     }
 }
 
-// Snapshots had the number of their world, which is another one for each world of a process.
+// Without the fix a snapshot contained the number of its world, which differs between the worlds of a process.
 TEST(Keyframes, OfTheSameRunAreTheSameBytesInAnyWorldOfAProcess) {
     const RecorderOptions options = with_keyframes(1e-4, 1'000'000);
     const std::string first = record_balls(600, options), second = record_balls(600, options);
     EXPECT_GT(Recording::from_memory(first, "run.mcap").info().keyframes.size(), 3u);
     EXPECT_TRUE(first == second);
-    for (const std::uint32_t seed : {1u, 2u, 3u}) { // with joints, and events that wait for the next step
+    for (const std::uint32_t seed : {1u, 2u, 3u}) { // with joints, and events that are pending for the next step
         RecordedRun runs[2];
         for (RecordedRun& run : runs) run = record_changes(seed, 400, options);
         EXPECT_TRUE(runs[0].bytes == runs[1].bytes) << seed;
@@ -92,7 +92,8 @@ TEST(Keyframes, OfARunThatIsNotClosedAreReadToo) {
     const std::string cut = record_balls(3000, with_keyframes(1e-4, 200'000), false);
     const Recording closed = Recording::from_memory(whole, "run.mcap"), open = Recording::from_memory(cut, "cut.mcap");
     EXPECT_TRUE(open.info().is_cut_off);
-    EXPECT_GT(open.info().keyframes.size(), closed.info().keyframes.size()); // those that were given up
+    // The index of the closed file omits keyframes that were thinned out; without an index all of them are found.
+    EXPECT_GT(open.info().keyframes.size(), closed.info().keyframes.size());
     EXPECT_GT(open.info().steps, 2000u);
     Replay replay(open);
     for (const std::uint64_t step : open.info().keyframes) {
@@ -136,7 +137,7 @@ TEST(Keyframes, OfAWorldThatSleepsTakeNextToNothing) {
     EXPECT_LT(bytes, 0.05 * size * double(asleep));
 }
 
-// The same recording with its log as it is, and other messages in place of the others.
+// Copies a recording with its log unchanged, and its other messages replaced.
 template <class F> std::string with_other_states(const std::string& bytes, F&& add_others) {
     const TemporaryFile file(".rewritten");
     const recording::McapReader reader(recording::InputBytes(bytes, "run.mcap"));
@@ -161,7 +162,7 @@ template <class F> std::string with_other_states(const std::string& bytes, F&& a
     return file.bytes();
 }
 
-// As versions before /cairn/states wrote them: a list of their steps within the log, and whole snapshots.
+// Versions before /cairn/states wrote a list of keyframe steps within the log, and whole snapshots.
 TEST(Keyframes, OfOlderVersionsAreUsed) {
     const std::string bytes = record_balls(600, with_keyframes(1e-3, 100'000'000));
     const Recording recording = Recording::from_memory(bytes, "run.mcap");
@@ -222,8 +223,8 @@ TEST(Keyframes, OfLaterVersionsAreRefused) {
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-// 5,000 boxes and balls that fall onto the ground in twenty layers; after some 20 s they lie. Without rolling friction
-// a single ball that rocks in a hollow would keep all awake (docs/known_limits.md).
+// 5,000 boxes and balls that fall onto the ground in twenty layers, and come to rest after about 20 s. Without rolling
+// friction a single ball that rocks in a hollow would keep the whole heap awake (docs/known_limits.md).
 void build_heap(World& world) {
     world.add_shape(world.create_body({.type = BodyType::static_}), Plane{});
     std::mt19937 random(1);
@@ -243,7 +244,7 @@ void build_heap(World& world) {
     }
 }
 
-// Of the processor, at the moments that are farthest behind a keyframe.
+// Processor time, for the steps that are farthest from the preceding keyframe.
 TEST(Keyframes, LeadToAnyMomentOfTenMinutesOfFiveThousandBodiesInHalfASecond) {
     const TemporaryFile file(".mcap");
     constexpr int steps = 36'000;
@@ -264,7 +265,7 @@ TEST(Keyframes, LeadToAnyMomentOfTenMinutesOfFiveThousandBodiesInHalfASecond) {
     double longest = 0;
     std::uint64_t at = 0;
     for (const std::uint64_t step : moments) {
-        double took = 1e30; // the least of three, as others work on the machine as well
+        double took = 1e30; // the minimum of three, as other programs use the machine too
         for (int attempt = 0; attempt < 3 && took > 0.9 * longest; ++attempt) {
             replay.seek(0);
             start = processor_seconds();
@@ -277,7 +278,7 @@ TEST(Keyframes, LeadToAnyMomentOfTenMinutesOfFiveThousandBodiesInHalfASecond) {
     std::printf("at most %.3f s, to %.1f s; recorded in %.1f s, %zu keyframes of %.1f MB in all\n", longest,
                 double(at) / 60, recording_took, recording.info().keyframes.size(),
                 double(recording.info().keyframe_bytes) / 1e6);
-    // Half a second where the recording itself takes 30 s or less; slower machines take longer for both.
+    // 0.5 s if the recording itself takes 30 s or less; slower machines need longer for both.
     EXPECT_LE(longest, 0.5 * std::max(1.0, recording_took / 30));
 }
 

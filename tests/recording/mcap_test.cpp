@@ -1,4 +1,4 @@
-// The official reader of MCAP files reads recordings.
+// The official reader for MCAP files can read recordings.
 #include "recorded.h"
 
 #include <gtest/gtest.h>

@@ -264,7 +264,7 @@ void RandomChanges::change(World& world, bool steps) {
         if (kind < 16) return change_shapes(world, body);
         if (kind < 18) return change_joints(world);
         change_world(world);
-    } catch (const Error&) { // refused, and so not done
+    } catch (const Error&) { // the call was rejected and has no effect
     }
 }
 

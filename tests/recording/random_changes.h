@@ -1,4 +1,4 @@
-// A world to which random things are done: every call that changes a world is among them.
+// Random changes of a world: every call that changes a world is among them.
 #pragma once
 
 #include <cairn/cairn.h>
@@ -9,15 +9,15 @@
 
 namespace cairn::test {
 
-inline constexpr float dt = 1.0f / 60.0f; // s: of a step
+inline constexpr float dt = 1.0f / 60.0f; // length of a step, s
 
 class RandomChanges {
   public:
     explicit RandomChanges(std::uint32_t seed) : random_(seed) {}
 
-    // One call with arguments that it does not refuse; mostly steps, if `steps`.
+    // One call with valid arguments; mostly steps if `steps` is set.
     void change(World& world, bool steps = true);
-    // Bodies, shapes of every kind, joints and a force field, so that `change` finds something to change.
+    // Creates bodies, shapes of every kind, joints and a force field, so that `change` finds something to change.
     void populate(World& world);
 
   private:

@@ -1,4 +1,4 @@
-// What recordings have for programs that know nothing of Cairn.
+// Messages in recordings for programs other than Cairn.
 #include "recorded.h"
 #include "recording/mcap_reader.h"
 
@@ -37,7 +37,7 @@ TEST(Readings, RefuseAnIntervalThatIsNone) {
     }
 }
 
-// A ball falls on a plate that hangs on a hinge, beside each shape that there is.
+// A ball falls on a plate that hangs from a hinge, beside a shape of each kind.
 void fill(World& world) {
     const auto add = [&](const char* name, BodyType type, const Position& position, const Shape& shape) {
         BodyDef def;
@@ -64,7 +64,7 @@ void fill(World& world) {
     world.create_joint(def);
 }
 
-// Bytes of the messages that say which shapes there are.
+// Sizes of the messages that list the shapes, in bytes.
 std::vector<std::size_t> sizes_of_scenes(const std::filesystem::path& path) {
     const recording::McapReader reader{recording::InputBytes(path)};
     const std::optional<std::uint16_t> channel = reader.channel("/scene");

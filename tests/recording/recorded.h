@@ -1,4 +1,4 @@
-// Recordings to test with.
+// Recordings for tests.
 #pragma once
 
 #include "random_changes.h"
@@ -15,12 +15,12 @@
 
 namespace cairn::test {
 
-// A file that is gone with the test.
+// A file that is removed at the end of the test.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::string& extension) {
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        // Two runs of the tests at once have files of their own.
+        // The name is random, so that two runs of the tests at a time use different files.
         const std::string run = std::to_string(std::random_device()());
         std::string name = std::string("cairn_") + test->test_suite_name() + "_" + test->name() + "_" + run + extension;
         for (char& c : name) c = c == '/' ? '_' : c;
@@ -41,11 +41,11 @@ class TemporaryFile {
 };
 
 struct RecordedRun {
-    std::vector<std::uint64_t> hashes; // before the first step, and after each
-    std::string bytes;                 // of the file
+    std::vector<std::uint64_t> hashes; // before the first step, and after each step
+    std::string bytes;                 // contents of the file
 };
 
-// A run of random changes.
+// Records random changes.
 inline RecordedRun record_changes(std::uint32_t seed, int changes, recording::RecorderOptions options = {}) {
     const TemporaryFile file(".mcap");
     RecordedRun run;
@@ -61,7 +61,7 @@ inline RecordedRun record_changes(std::uint32_t seed, int changes, recording::Re
         random.change(world);
         if (recorder.steps() > before) run.hashes.push_back(world.state_hash());
     }
-    world.step(1.0f / 60.0f); // so that no change is left behind the last step
+    world.step(1.0f / 60.0f); // so that no change follows the last step
     run.hashes.push_back(world.state_hash());
     recorder.close();
     run.bytes = file.bytes();

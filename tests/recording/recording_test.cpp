@@ -1,4 +1,4 @@
-// Recordings in files, and going to any moment of them.
+// Recordings in files, and seeking to any time in them.
 #include "recorded.h"
 #include "recording/geometry_codec.h"
 #include "scene/scene.h"
@@ -50,7 +50,7 @@ TEST_P(Recordings, LeadToTheSameStateWhereverTheyAreEntered) {
         const std::uint64_t step = random() % (recording.info().steps + 1);
         replay.seek(step);
         ASSERT_EQ(replay.steps(), step);
-        if (step > 0) { // at the start, nothing has been done yet
+        if (step > 0) { // at the start, no command has been executed yet
             ASSERT_EQ(replay.world().state_hash(), run.hashes[std::size_t(step)]) << "after " << step << " steps";
         }
         for (int more = 0; more < 3 && replay.step(); ++more)
@@ -190,7 +190,7 @@ TEST(Recorded, BranchesGoOnWithWhatIsChangedThere) {
     EXPECT_NE(replay.first_refusal().find("step 61: Body::apply_impulse"), std::string::npos) << replay.first_refusal();
     EXPECT_FALSE(replay.divergence());
     replay.seek(30);
-    EXPECT_EQ(replay.world().body(replay.world().bodies()[0]).position().y, height); // as it was before the branch
+    EXPECT_EQ(replay.world().body(replay.world().bodies()[0]).position().y, height); // the height before the branch
     replay.branch();
     WorldDef weightless = replay.world().settings();
     weightless.gravity = {0, 0, 0};
@@ -199,7 +199,7 @@ TEST(Recorded, BranchesGoOnWithWhatIsChangedThere) {
     EXPECT_NEAR(replay.world().body(replay.world().bodies()[0]).position().y, height + 1.5 * double(speed.y), 1e-3);
 }
 
-// The size of the file of that many steps of 5,000 bodies that all move.
+// The size of a file with that number of steps of 5,000 bodies, all of which move, bytes.
 std::uint64_t bytes_of_steps(int steps) {
     const TemporaryFile file(".mcap");
     RecorderOptions options;
@@ -271,7 +271,7 @@ TEST(Geometry, OfHullsMeshesAndHeightFieldsIsTheSameAgain) {
         const float flat = round % 5 == 0 ? 0.01f : 1.0f;
         for (Vec3& p : points) {
             p.x = number(), p.y = flat * number(), p.z = number();
-            if (round % 3 == 0) p = {std::round(p.x * 3) / 3, p.y, std::round(p.z * 3) / 3}; // many in one plane
+            if (round % 3 == 0) p = {std::round(p.x * 3) / 3, p.y, std::round(p.z * 3) / 3}; // many points in one plane
         }
         const Hull hull(points);
         const Shape again = recording::decode_geometry(recording::encode_geometry(hull), "hull");

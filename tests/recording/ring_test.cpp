@@ -1,4 +1,4 @@
-// Rings of snapshots: going back a few frames, again and again.
+// Snapshot rings: going back a few steps, repeatedly.
 #include "random_changes.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST_P(Ring, GoesBackToWhatWasPushedBitForBitAndOnFromThere) {
     RandomChanges changes(GetParam());
     changes.populate(world);
     SnapshotRing ring(8);
-    std::deque<Snapshot> snapshots; // the same, in the way that is known to be exact
+    std::deque<Snapshot> snapshots; // the same states, stored in a way that is known to be exact
     std::mt19937 random(GetParam());
     int restored = 0;
     for (int i = 0; i < 600; ++i) {
@@ -50,7 +50,7 @@ TEST_P(Ring, GoesBackToWhatWasPushedBitForBitAndOnFromThere) {
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, Ring, testing::Range(1u, 7u));
 
-// Boxes in stacks of five; those that `moves` slide apart.
+// Boxes in stacks of five; with `moves` they slide apart.
 void build_stacks(World& world, int stacks, bool moves) {
     BodyDef ground;
     ground.type = BodyType::static_;
@@ -110,7 +110,7 @@ TEST(RingOfSnapshots, RefusesWhatItDoesNotHave) {
     EXPECT_EQ(world.step_count(), 3u);
     EXPECT_EQ(ring.size(), 1u);
     World moved(std::move(world));
-    EXPECT_THROW(ring.push(world), Error); // NOLINT: what is refused of a world that was moved from
+    EXPECT_THROW(ring.push(world), Error); // NOLINT: a moved-from world must be rejected
     EXPECT_EQ(ring.size(), 1u);
     ring.clear();
     EXPECT_EQ(ring.size(), 0u);
@@ -150,14 +150,14 @@ TEST(RingOfSnapshots, IsToldOfLikeARestore) {
     EXPECT_EQ(counter->told, (std::vector<std::string>{"World::restore", "World::step", "World::restore"}));
 }
 
-// Eight frames back, again and again: what that costs beside the steps themselves.
+// The cost of going back eight frames repeatedly, besides the steps themselves.
 TEST(RingOfSnapshots, CostsAboutWhatSnapshotsDoOrLess) {
     World by_ring, by_snapshots;
     build_stacks(by_ring, 100, true), build_stacks(by_snapshots, 100, true);
     SnapshotRing ring(9);
     std::deque<Snapshot> snapshots;
     double with_ring = 0, with_snapshots = 0;
-    const auto measure = [](double& sum, auto&& run) { // of the processor: machines that test are busy
+    const auto measure = [](double& sum, auto&& run) { // processor time: test machines are busy
         const std::clock_t start = std::clock();
         run();
         sum += 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;

@@ -1,4 +1,4 @@
-// Under a limit of memory the program ends with one line that says what it was doing.
+// When memory is limited, the program ends with one line that says what it was doing.
 #include "cli_program.h"
 
 #include "../sanitized.h"
@@ -15,8 +15,8 @@ using namespace cairn::test;
 
 class CliMemory : public Cli {
   protected:
-    // How often the program ran out of memory, under limits (KiB) from low to high; any other end than that, success,
-    // and not even starting is a failure.
+    // Counts how often the program ran out of memory under limits (KiB) from low to high. It may also succeed, or fail
+    // to load its shared libraries; any other end is a failure of the test.
     int times_out_of_memory(const std::string& arguments, const std::string& doing, int low, int high, int step) const {
         int times = 0;
         for (int limit = low; limit <= high; limit += step) {
@@ -65,7 +65,7 @@ TEST_F(CliMemory, LongRunsTakeNoMoreThanShortOnes) {
     };
     int limit = 20000; // KiB
     while (limit < 1000000 && !runs(limit, 10)) limit += 5000;
-    EXPECT_TRUE(runs(limit + 25000, 6000000)); // 8 bytes for each would be 47 MiB
+    EXPECT_TRUE(runs(limit + 25000, 6000000)); // 8 bytes for each step would be 47 MiB
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Where the program's output goes: files, links, devices, FIFOs, pipes and standard output.
+// Destinations of the program's output: files, links, devices, FIFOs, pipes and standard output.
 #include "cli_program.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace cairn::test;
 
 class CliOutput : public Cli {
   protected:
-    // Every option that writes a file, with a name for it.
+    // Every option that writes a file, with a file name for it.
     static constexpr std::array<std::array<const char*, 2>, 6> all{{{"--csv", "a.csv"},
                                                                     {"--png", "a.png"},
                                                                     {"--png", "a.jpg"},
@@ -40,7 +40,7 @@ TEST_F(CliOutput, LinksAreFollowedAndStay) {
         SCOPED_TRACE(name);
         fs::create_directories(folder_ / "there");
         const std::string target = std::string("there/") + name;
-        fs::create_symlink(target, folder_ / name); // to a file that is to be
+        fs::create_symlink(target, folder_ / name); // to a file that does not exist yet
         for (int i = 0; i < 2; ++i) {
             const Result result = cairn(short_run + option + " " + name);
             EXPECT_EQ(result.code, 0) << result.err;
@@ -68,8 +68,8 @@ TEST_F(CliOutput, FifosStayFifos) {
 }
 
 TEST_F(CliOutput, NobodyAtAFifoIsWaitedForUntilAnInterrupt) {
-    // The interrupt is sent once the program catches it (the second lowest bit of SigCgt) and has slept for a while:
-    // a machine with much to do may take long until then.
+    // The interrupt is sent once the program has a handler for it (the second lowest bit of SigCgt) and has slept for a
+    // while, which may take long on a busy machine.
     const Result result = shell(R"(set -m; mkfifo a.csv
         timeout --signal=KILL 60 "$CAIRN" run t_handles --csv a.csv & waits=$!
         slept=0
@@ -81,7 +81,7 @@ TEST_F(CliOutput, NobodyAtAFifoIsWaitedForUntilAnInterrupt) {
             then slept=$((slept + 1)); else slept=0; fi
         done 2>/dev/null
         kill -INT $program; wait $waits)");
-    EXPECT_EQ(result.code, 1) << result.err; // killed it would be 137
+    EXPECT_EQ(result.code, 1) << result.err; // if it were killed: 137
     EXPECT_EQ(result.err, "cairn: a.csv: cannot be written: Interrupted system call\n");
 }
 
@@ -101,7 +101,7 @@ TEST_F(CliOutput, StandardOutputHasManyNamesAndMessagesGoToTheOther) {
     for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
         SCOPED_TRACE(name);
         for (const char* to :
-             {"", " | cat", " >file; cat file"}) { // of a file, a pipe, and a file that has another name
+             {"", " | cat", " >file; cat file"}) { // to a file, through a pipe, and to a file that has another name
             const Result result = shell("\"$CAIRN\" run t_handles --frames 4 --csv " + std::string(name) + to);
             EXPECT_EQ(result.code, 0) << result.err;
             EXPECT_EQ(result.out.substr(0, 10), "time,body,");
@@ -130,7 +130,7 @@ TEST_F(CliOutput, DescriptorsOfTheShellAreWrittenTo) {
 TEST_F(CliOutput, ReadersThatGoAwayEndTheRunQuietly) {
     const Result head =
         shell("set -o pipefail; \"$CAIRN\" run t_handles --seconds 100000 --csv - --save a.gltf | head -3");
-    EXPECT_EQ(head.code, 141) << head.err; // as of `yes | head`
+    EXPECT_EQ(head.code, 141) << head.err; // as with `yes | head`
     EXPECT_EQ(head.err, "");
     EXPECT_EQ(std::count(head.out.begin(), head.out.end(), '\n'), 3);
     EXPECT_EQ(files(), 0u) << "something was left behind";
@@ -199,7 +199,8 @@ TEST_F(CliOutput, LongAndStrangeNamesOfFilesAreNames) {
     EXPECT_TRUE(fs::exists(folder_ / longest));
     const Result result =
         shell("\"$CAIRN\" convert t_handles $'\\xff.gltf' && \"$CAIRN\" run $'\\xff.gltf' --frames 1 --json");
-    EXPECT_EQ(result.code, 0) << result.err; // which is no UTF-8, and was an error after the run
+    // The name is not valid UTF-8; without the fix that was an error after the run.
+    EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out)["bodies"], 3);
     EXPECT_EQ(cairn("scenes . --json").code, 0);
 }

@@ -1,4 +1,4 @@
-// The program as its users meet it, started by the shell in a folder of its own.
+// The program as users run it: started by a shell in a temporary folder of its own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,12 +34,12 @@ class Cli : public testing::Test {
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Runs `cairn ARGUMENTS` by the shell, in the test's own folder.
+    // Runs `cairn ARGUMENTS` in a shell, in the test's own folder.
     Result cairn(const std::string& arguments, const std::string& before = "") const {
         return shell(before + " '" + CAIRN_TEST_BINARY "' " + arguments);
     }
 
-    // Runs a line of the shell there, in which "$CAIRN" is the program.
+    // Runs a shell command in that folder, where "$CAIRN" is the program.
     Result shell(const std::string& text) const {
         const fs::path out = folder_ / ".out", err = folder_ / ".err";
         std::ofstream(folder_ / ".script")

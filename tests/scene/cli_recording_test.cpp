@@ -82,7 +82,7 @@ TEST_F(CliRecording, ThatIsCutOffOrNoneSaysSo) {
     expect_one_line(cairn("replay none.mcap"), 1, "none.mcap: cannot be read");
     expect_one_line(shell("echo hello > text.mcap; \"$CAIRN\" info text.mcap"), 1, "text.mcap: is no recording");
     expect_one_line(cairn("record nothing -o run.mcap"), 1, "nothing");
-    EXPECT_EQ(cairn("replay run.mcap --verify").code, 0); // what was there before is still there
+    EXPECT_EQ(cairn("replay run.mcap --verify").code, 0); // the old file is unchanged
     expect_one_line(cairn("record tower -o run.txt"), 2, "must end in .mcap");
 }
 

@@ -1,4 +1,4 @@
-// Robots at the command line: fixed bases, floors, targets of joints, missing meshes, xacro.
+// Robots on the command line: fixed bases, floors, joint targets, missing meshes, xacro.
 #include "cli_program.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::string inertial(double mass, const std::string& xyz = "0 0 0") {
            R"("/><inertia ixx="0.02" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/></inertial>)";
 }
 
-// A base on the ground, an arm of 0.5 m that swings about y, and a hand that slides along it.
+// A base on the ground, an arm of 0.5 m that rotates about y, and a hand that slides along it.
 std::string arm(const std::string& limit = R"(effort="100" velocity="0")", const std::string& more = "") {
     return "<robot name=\"arm\"><link name=\"base\">" + inertial(5) +
            R"(<collision><origin xyz="0 0 0.1"/><geometry><box size="0.4 0.4 0.2"/></geometry></collision></link>)" +
@@ -50,7 +50,7 @@ class CliRobot : public Cli {
         }
         return pose;
     }
-    // By which a link has turned about an axis across the one that stands upright.
+    // The angle by which a link has rotated about a horizontal axis.
     static double angle(const std::vector<double>& pose) { return 2 * std::asin(std::hypot(pose.at(4), pose.at(5))); }
 };
 
@@ -76,7 +76,7 @@ TEST_F(CliRobot, AFloorHoldsWhatStandsOnIt) {
     write("box.urdf", "<robot name=\"r\"><link name=\"a\">" + inertial(1) +
                           R"(<collision><geometry><box size="1 1 1"/></geometry></collision></link></robot>)");
     ASSERT_EQ(cairn("run box.urdf --seconds 2 --csv out.csv --floor").code, 0);
-    EXPECT_NEAR(last("a").at(1), 0.0, 1e-3); // where it began
+    EXPECT_NEAR(last("a").at(1), 0.0, 1e-3); // its initial height
     EXPECT_NEAR(last("floor").at(1), -0.5, 1e-6);
     ASSERT_EQ(cairn("run t_handles --frames 1 --floor").code, 0);
 }
@@ -93,10 +93,10 @@ TEST_F(CliRobot, JointsFollowTheirTargets) {
     const Result stiff =
         cairn("run arm.urdf --seconds 3 --fixed-base --targets poses.csv --csv out.csv --servo-frequency 40");
     ASSERT_EQ(stiff.code, 0) << stiff.err;
-    EXPECT_NEAR(angle(last("upper")), 0.8, 0.002); // it gives less
+    EXPECT_NEAR(angle(last("upper")), 0.8, 0.002); // the stiff servo deflects less
 }
 
-// A hip that turns about two axes becomes one universal joint.
+// A hip with two rotation axes becomes one universal joint.
 TEST_F(CliRobot, BothAxesOfAHipFollowTheirTargets) {
     write("hip.xml",
           R"(<mujoco><option timestep="0.005"/><compiler angle="radian"/><worldbody><body name="pelvis" pos="0 0 2">
@@ -121,7 +121,7 @@ TEST_F(CliRobot, BothAxesOfAHipFollowTheirTargets) {
     expect_one_line(cairn("run hip.xml --targets half.csv"), 1, "(roll+pitch.position1, roll+pitch.position2)");
 }
 
-// Springs of a file that support a joint a little are no servos: 2 N m/rad do not lift 0.5 m of leg.
+// A weak spring that the file gives a joint is no servo: 2 N m/rad do not lift 0.5 m of leg.
 TEST_F(CliRobot, AServoFrequencyThatIsGivenIsThatOfJointsWithSpringsToo) {
     write(
         "leg.xml",
@@ -138,7 +138,7 @@ TEST_F(CliRobot, AServoFrequencyThatIsGivenIsThatOfJointsWithSpringsToo) {
     EXPECT_LT(turned(" --servo-frequency 20"), 0.02);
 }
 
-// Six links of 15 kg in all, stretched out. The second joint bears five of them.
+// Six links of 15 kg in all, stretched out horizontally. The second joint carries the last five of them.
 TEST_F(CliRobot, AnArmHoldsItsPoseWithTheTorqueOfTheClosedForm) {
     const double masses[] = {4, 4, 3, 2, 1.5, 0.5}, lengths[] = {0.15, 0.4, 0.35, 0.1, 0.1, 0.05};
     const char* axes[] = {"0 0 1", "0 1 0", "0 1 0", "1 0 0", "0 1 0", "1 0 0"};
@@ -234,7 +234,7 @@ TEST_F(CliRobot, OneMissingMeshDoesNotRefuseARobotThatHasItsInertia) {
     EXPECT_NE(result.err.find("collision 1: mesh filename: there is no such file"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("(the shape is left out)"), std::string::npos);
     EXPECT_NE(result.err.find("collision 2: mesh filename: must be an .stl or .obj file"), std::string::npos);
-    write("r.urdf", "<robot name=\"r\"><link name=\"a\">" + mesh + "</link></robot>"); // what would it weigh?
+    write("r.urdf", "<robot name=\"r\"><link name=\"a\">" + mesh + "</link></robot>"); // the mass would be unknown
     expect_one_line(cairn("run r.urdf --frames 1"), 1, "there is no such file");
     write("r.urdf",
           "<robot name=\"r\"><link name=\"a\">" + inertial(3) +
@@ -254,7 +254,7 @@ TEST_F(CliRobot, XacroFilesAreToldForWhatTheyAre) {
         "file: xacro r.urdf.xacro > robot.urdf");
     write("r.urdf", "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"${m}\"/></inertial></link></robot>");
     expect_one_line(cairn("run r.urdf"), 1, part);
-    // What xacro has made keeps its name space and says so in a comment.
+    // The output of xacro keeps its XML namespace and a comment that mentions it.
     write("r.urdf",
           "<!-- <xacro:include/> --><robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><link name=\"a\">" +
               inertial(1) + "</link></robot>");

@@ -1,4 +1,4 @@
-// What the program says of itself: its doctor, its manual page, and what completes its command line.
+// Information about the program itself: the doctor command, the manual page, and shell completion.
 #include "cli_program.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace cairn::test;
 
 class CliShell : public Cli {
   protected:
-    // What bash makes of a line, when the last word is to be completed.
+    // The completions that bash offers for a command line whose last word is incomplete.
     std::vector<std::string> completed(const std::string& words) const {
         const Result result = shell("eval \"$(\"$CAIRN\" completion bash)\"; COMP_WORDS=(" + words +
                                     "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _cairn \"$CAIRN\" 2>/dev/null; "
@@ -42,7 +42,7 @@ TEST_F(CliShell, BashCompletesCommandsOptionsValuesScenesAndFiles) {
     EXPECT_EQ(completed("cairn validate --case pend"), Words{"pendulum"});
     shell("touch '08 my own.gltf'");
     EXPECT_EQ(completed("cairn view 08"), (Words{"08 my own.gltf", "08_tower"}));
-    EXPECT_EQ(completed("cairn run x --csv 08"), Words{}); // readline has its own way with files
+    EXPECT_EQ(completed("cairn run x --csv 08"), Words{}); // files are left to readline's own completion
     EXPECT_EQ(completed("cairn run x --seconds ''"), Words{});
     EXPECT_EQ(completed("cairn fly --"), Words{});
 }

@@ -1,4 +1,4 @@
-// Tables of runs: which columns, which moments, and the two formats.
+// Tables of runs: the choice of columns and of times, and the two formats.
 #include "cli_program.h"
 
 #include <gtest/gtest.h>
@@ -47,12 +47,13 @@ TEST_F(CliTable, ColumnsAreChosen) {
     const Table sums = run("08 --frames 2 --columns contacts,energy,momentum");
     EXPECT_EQ(sums.at(0), (std::vector<std::string>{"time", "kinetic", "potential", "mx", "my", "mz", "lx", "ly", "lz",
                                                     "contacts", "contact_points", "max_penetration"}));
-    ASSERT_EQ(sums.size(), 1u + 3); // of the world: a line for each moment
+    ASSERT_EQ(sums.size(), 1u + 3); // one line for the whole world at each time
     EXPECT_EQ(sums[1][9], "0");
     EXPECT_EQ(sums[3][9], "40");
     const Table both = run("t_handles --frames 1 --columns velocity,energy");
     EXPECT_EQ(both.at(0), (std::vector<std::string>{"time", "body", "name", "vx", "vy", "vz", "kinetic", "potential"}));
-    for (std::size_t i = 2; i <= 3; ++i) EXPECT_EQ(both.at(i).at(6), both.at(1).at(6)); // in every line of a moment
+    // The same in every line of a time.
+    for (std::size_t i = 2; i <= 3; ++i) EXPECT_EQ(both.at(i).at(6), both.at(1).at(6));
     const std::string refused = "run t_handles --seconds 100000 --csv a.csv --columns ";
     expect_one_line(cairn(refused + "positions"), 2, "must be some of position, rotation, ");
     expect_one_line(cairn(refused + "position,,energy"), 2, "separated by commas, got ");
@@ -60,7 +61,7 @@ TEST_F(CliTable, ColumnsAreChosen) {
     expect_one_line(cairn("run t_handles --columns energy"), 2, "--csv");
 }
 
-// A rod of 2 kg held level by its hinge: m g r about the axis, and m g upwards.
+// A rod of 2 kg that its hinge holds horizontal: the torque is m g r about the axis, the force m g upwards.
 TEST_F(CliTable, JointsHaveTheirPositionsForcesAndTorques) {
     std::ofstream(folder_ / "arm.urdf")
         << R"(<robot name="r"><link name="world"/><link name="rod"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>)"
@@ -70,14 +71,14 @@ TEST_F(CliTable, JointsHaveTheirPositionsForcesAndTorques) {
            R"(</robot>)";
     std::ofstream(folder_ / "level.csv") << "time,\"a, b\"\n0,0\n";
     const Table table = run("arm.urdf --seconds 5 --targets level.csv --columns joints --servo-frequency 20");
-    ASSERT_EQ(table.at(0).size(), 1u + 2 * 7); // the comma in its name cuts it in two here
+    ASSERT_EQ(table.at(0).size(), 1u + 2 * 7); // the comma in the joint's name splits the header here
     EXPECT_EQ(table[0][1], "\"a");
     EXPECT_EQ(table[0][2], " b.position\"");
     const std::vector<std::string>& last = table.back();
     ASSERT_EQ(last.size(), 8u);
     EXPECT_NEAR(std::stod(last[1]), 0.0, 0.01);
     EXPECT_NEAR(std::stod(last[3]), 2 * 9.81, 0.01 * 2 * 9.81);
-    EXPECT_NEAR(std::fabs(std::stod(last[7])), 2 * 9.81 * 0.5, 0.01 * 2 * 9.81 * 0.5); // of the closed form, within 1 %
+    EXPECT_NEAR(std::fabs(std::stod(last[7])), 2 * 9.81 * 0.5, 0.01 * 2 * 9.81 * 0.5); // closed form, within 1 %
 }
 
 TEST_F(CliTable, MomentsAreChosen) {
@@ -104,7 +105,7 @@ TEST_F(CliTable, MomentsAreChosen) {
     expect_one_line(cairn(refused + "--every 0"), 2, "--every");
     expect_one_line(cairn(refused + "--from 0.001 --until 0.002"), 1, "have no step in common");
     expect_one_line(cairn(refused + "--from 0.5 --every 1000"), 1, "have no step in common");
-    EXPECT_EQ(cairn("run t_handles --seconds 1 --csv a.csv --from 1 --every 60").code, 0); // the last one
+    EXPECT_EQ(cairn("run t_handles --seconds 1 --csv a.csv --from 1 --every 60").code, 0); // only the last step
     expect_one_line(cairn(refused + "--from nan"), 2, "--from");
     expect_one_line(cairn("run t_handles --every 2"), 1, "are for --csv, --animate and --video, and there is none");
     ASSERT_EQ(cairn("run t_handles --frames 60 --every 20 --animate a.gltf").code, 0);
@@ -141,7 +142,7 @@ TEST_F(CliTable, ArraysOfNumPyHaveTheSameNumbers) {
         EXPECT_EQ(px, std::stod(table[i + 1][3]));
         EXPECT_EQ(vx, std::stof(table[i + 1][6]));
     }
-    // A pipe cannot be gone back in: the same bytes.
+    // A pipe cannot be rewound to fix the header, and yet gives the same bytes.
     ASSERT_EQ(shell("mkfifo b.npy; cat b.npy >got & \"$CAIRN\" " + arguments + " --csv b.npy; wait").code, 0);
     EXPECT_EQ(read_all(folder_ / "got"), array);
     expect_one_line(cairn(arguments + " --csv /dev/full"), 1, "No space left on device");
@@ -186,9 +187,9 @@ TEST_F(CliTable, ProgressIsShownOnTerminalsAlone) {
     EXPECT_NE(shown.out.find("/180000 steps, "), std::string::npos) << shown.out;
     EXPECT_NE(shown.out.find(" x real time), "), std::string::npos);
     EXPECT_NE(shown.out.find(" left"), std::string::npos);
-    EXPECT_NE(shown.out.find("\r\033[K"), std::string::npos); // and cleared
+    EXPECT_NE(shown.out.find("\r\033[K"), std::string::npos); // the line is cleared at the end
     const Result table = shell(in_terminal + "--seconds 3000 --columns energy --every 1000 --csv -");
-    EXPECT_EQ(table.out.find(" left"), std::string::npos); // it would be in the table
+    EXPECT_EQ(table.out.find(" left"), std::string::npos); // otherwise it would be in the table
     EXPECT_EQ(cairn("run t_handles --seconds 3000").err, "");
 }
 

@@ -1,4 +1,4 @@
-// The program as its users meet it: exit codes, one line for every error, files complete or absent.
+// The program as users run it: exit codes, one line for every error, output files complete or absent.
 #include "cli_program.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST_F(Cli, CsvHasALineForEachBodyAndMoment) {
     ASSERT_EQ(cairn("run t_handles --frames 4 --csv out.csv").code, 0);
     const std::string csv = read_all(folder_ / "out.csv");
     EXPECT_EQ(csv.substr(0, csv.find('\n')), "time,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 5); // the start and four steps
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 5); // the initial state and four steps
     EXPECT_NE(csv.find("\n0,1,\"about the middle axis\",0,"), std::string::npos) << csv;
     EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
 }
@@ -137,7 +137,7 @@ TEST_F(Cli, ScenesHaveTheirNumbersAndTheirNames) {
         const Result result = cairn("run " + name + " --frames 1 --json");
         return result.code == 0 ? nlohmann::json::parse(result.out)["scene"].get<std::string>() : result.err;
     };
-    fs::create_directories(folder_ / "tower"); // a folder of that name is no scene
+    fs::create_directories(folder_ / "tower"); // a folder is not a scene
     for (const char* name : {"08", "8", "tower", "08_tower", "08_tower.gltf", "tower.gltf"})
         EXPECT_NE(scene_of(name).find("/08_tower.gltf"), std::string::npos) << name << ": " << scene_of(name);
     for (const char* name : {"888", "0x8", "08_", "99999999999999999999", "_tower"})
@@ -154,7 +154,7 @@ TEST_F(Cli, NamesOfSeveralScenesAreRefusedWithTheCandidates) {
     expect_one_line(run("1"), 1, "1: may be any of 01_a.gltf, 01_b.gltf");
     expect_one_line(run("c"), 1, "c: may be any of 02_c.gltf, 3_c.glb");
     expect_one_line(run("05_d"), 1, "05_d: may be any of 05_d.glb, 05_d.gltf");
-    for (const char* name : {"a", "01_a", "c.glb", "2", "03", "01", "05_d.glb"}) // 01 is 04_01's name
+    for (const char* name : {"a", "01_a", "c.glb", "2", "03", "01", "05_d.glb"}) // 01 is the name of 04_01
         EXPECT_EQ(run(name).code, 0) << name << run(name).err;
 }
 
@@ -218,7 +218,7 @@ TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
     EXPECT_FALSE(fs::exists(folder_ / "a.gltf"));
 }
 
-// Read back by a program that knows glTF alone (check_animation.py).
+// The animation is verified by a script that uses only the glTF specification (check_animation.py).
 TEST_F(Cli, AnimationsPlayTheRun) {
     for (const char* scene : {"welcome", "t_handles"}) {
         SCOPED_TRACE(scene);
@@ -231,7 +231,7 @@ TEST_F(Cli, AnimationsPlayTheRun) {
     expect_one_line(cairn("run t_handles --frames 1 --animate missing/a.glb"), 1, "missing/a.glb: cannot be written");
 }
 
-// And by one that many people use. `./dev test` fetches it where there is npm.
+// The animation is also verified by three.js, a widespread library, which `./dev test` installs where npm is available.
 TEST_F(Cli, AnimationsPlayTheRunInThreeJs) {
     const fs::path reader = CAIRN_TEST_THREE;
     if (!fs::exists(reader / "node_modules")) GTEST_SKIP() << "three.js is not there: npm ci in " << reader;
@@ -258,7 +258,7 @@ TEST_F(Cli, ScenesAreListed) {
     }
 }
 
-// A file takes its name only once it is complete.
+// Output is written to a temporary file, which gets its final name only when it is complete.
 TEST_F(Cli, KilledInMidWriteTheOldFileIsWhole) {
     std::ofstream(folder_ / "out.csv") << "old\n";
     const Result result =
@@ -268,7 +268,7 @@ TEST_F(Cli, KilledInMidWriteTheOldFileIsWhole) {
     EXPECT_EQ(read_all(folder_ / "out.csv"), "old\n");
 }
 
-// A limit on the size of files is met as a full disk is: in mid-write.
+// A limit on the size of files acts like a full disk: it is reached while writing.
 TEST_F(Cli, NoRoomForAFileIsAnErrorAndTheOldOneIsKept) {
     const std::string limit = "trap '' XFSZ; ulimit -f 8;"; // 4 KiB
     for (const char* option : {"--csv out.csv", "--save out.gltf", "--animate out.glb", "--png out.png"}) {
@@ -296,7 +296,7 @@ TEST_F(Cli, ValidatePrintsATable) {
     EXPECT_EQ(result.out.find("3 oscillator"), std::string::npos);
     std::size_t rows = 0;
     for (std::size_t at = 0; (at = result.out.find(" pass\n", at)) != std::string::npos; ++at) ++rows;
-    --rows; // the last line
+    --rows; // the summary line
     const std::string last = std::to_string(rows) + " of " + std::to_string(rows) + " rows pass\n";
     ASSERT_GT(result.out.size(), last.size());
     EXPECT_EQ(result.out.substr(result.out.size() - last.size()), last);
@@ -329,7 +329,7 @@ TEST_F(Cli, ValidateAsJson) {
     EXPECT_EQ(json["passed"], passed);
     EXPECT_EQ(result.code, passed == json["rows"].size() ? 0 : 1);
     EXPECT_TRUE(json["published"].is_array());
-    EXPECT_EQ(cairn("validate --case 6 --json").out, result.out); // the same digits again
+    EXPECT_EQ(cairn("validate --case 6 --json").out, result.out); // the output is reproducible to the last digit
 }
 
 TEST_F(Cli, ValidateWritesAReport) {
@@ -341,16 +341,16 @@ TEST_F(Cli, ValidateWritesAReport) {
     for (const char* outside : {"src=", "url(", "@import", "<script", "<link"})
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     EXPECT_NE(page.find("<section id=\"impulses\">"), std::string::npos);
-    EXPECT_NE(page.find("(slope 1.00)"), std::string::npos); // of Euler's error in free fall
+    EXPECT_NE(page.find("(slope 1.00)"), std::string::npos); // slope of the error of Euler's method in free fall
     EXPECT_EQ(page.find("nan"), std::string::npos);
     const std::string plot = read_all(folder_ / "new/report/free_fall_1.svg");
     EXPECT_EQ(plot.substr(0, 4), "<svg");
     EXPECT_EQ(plot.substr(plot.size() - 7), "</svg>\n");
-    EXPECT_NE(page.find(plot.substr(0, plot.size() - 1)), std::string::npos); // the page has it inside
+    EXPECT_NE(page.find(plot.substr(0, plot.size() - 1)), std::string::npos); // the page contains the plot
     const std::string table = read_all(folder_ / "new/report/table.md");
     EXPECT_NE(table.find("\n## 17 impulses\n"), std::string::npos);
     for (const fs::directory_entry& file : fs::directory_iterator(folder_ / "new/report"))
-        EXPECT_NE(file.path().filename().string().front(), '.') << file.path(); // nothing half written is left
+        EXPECT_NE(file.path().filename().string().front(), '.') << file.path(); // no temporary file is left
 }
 
 TEST_F(Cli, ValidateRefusesAFolderThatCannotBe) {

@@ -1,5 +1,5 @@
-// Scene files with buffers that are cut off, flipped bit by bit, or lie about their sizes: each is refused with an
-// error, or loads as something that runs. Nothing else may happen.
+// Scene files with buffers that are truncated, have flipped bits, or declare wrong sizes: each is rejected with an
+// error, or loads as a scene that runs. Nothing else may happen.
 #include "mesh_text.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace cairn;
 using namespace cairn::scene_test;
 using scene::Scene;
 
-// A file with everything that buffers are used for.
+// A file that contains everything that uses buffers.
 MeshParts everything() {
     MeshParts parts = height_field();
     const int positions = parts.positions(tetrahedron_corners);
@@ -41,7 +41,7 @@ MeshParts everything() {
     return parts;
 }
 
-// Loads and runs whatever this is, if it can be loaded. Returns whether it could.
+// Loads the file and runs a step, if it can be loaded. Returns whether it could.
 bool survives(const std::string& bytes) {
     try {
         Scene scene = load_text(bytes, "test.glb");
@@ -73,7 +73,7 @@ TEST(SceneDamage, CutOffAtEveryByte) {
 
 TEST(SceneDamage, ChunksThatEndEarly) {
     const std::string whole = everything().container();
-    // The container's own length goes along: what is cut is the binary chunk, or its header.
+    // The container's own length is adjusted: the truncated part is the binary chunk, or its header.
     for (std::size_t length = 12; length < whole.size(); ++length) {
         std::string cut = whole.substr(0, length);
         for (std::size_t i = 0; i < 4; ++i) cut[8 + i] = static_cast<char>(length >> (8 * i) & 0xFF);
@@ -93,7 +93,7 @@ TEST(SceneDamage, EveryBitFlipped) {
     EXPECT_GT(refused, 1000);
 }
 
-// The first `from` in the file becomes `to`.
+// Expects the tetrahedron's file to be rejected after the first `from` has been replaced by `to`.
 void expect_refused(const std::string& from, const std::string& to, const std::string& message) {
     std::string text = tetrahedron(hull_of_node_1).text();
     const std::size_t place = text.find(from);
@@ -197,7 +197,7 @@ TEST(SceneDamage, NumbersThatAreNone) {
         corners[4] = bad;
         const int positions = parts.positions(corners);
         parts.mesh(positions, parts.indices(tetrahedron_triangles));
-        parts.nodes = R"({"mesh":0})"; // also where it is only looked at
+        parts.nodes = R"({"mesh":0})"; // also if it is only a visual
         try {
             load_text(parts.text());
             FAIL() << "loaded";
@@ -211,7 +211,7 @@ TEST(SceneDamage, NumbersThatAreNone) {
 TEST(SceneDamage, DegenerateMeshesAreNamed) {
     for (const bool is_hull : {false, true}) {
         MeshParts parts;
-        const int positions = parts.positions({0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}); // on one line
+        const int positions = parts.positions({0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0}); // collinear
         parts.mesh(positions, parts.indices(tetrahedron_triangles));
         parts.nodes = node("", is_hull ? hull_of_node_1 : mesh_of_node_1) + R"(,{"mesh":0})";
         try {
@@ -226,7 +226,7 @@ TEST(SceneDamage, DegenerateMeshesAreNamed) {
 }
 
 TEST(SceneDamage, SmallFilesCannotAskForEndlessMemory) {
-    MeshParts parts; // 1,000 nodes use one mesh of zeros, each with a scale of its own
+    MeshParts parts; // 1,000 nodes use one mesh of zeros, each with its own scale
     parts.accessors = R"({"componentType":5126,"count":1000000,"type":"VEC3"})";
     parts.accessor_count = 1;
     parts.mesh(0, -1, R"(,"mode":6)");
@@ -259,7 +259,7 @@ TEST(SceneDamage, OddTexts) {
     EXPECT_TRUE(survives(R"({"asset":{"version":"2.0"},"extras":")" + std::string(10'000'000, 'x') + "\"}"));
 }
 
-// Where decimals are written with a comma, files are read and written as everywhere else.
+// In a locale with a decimal comma, files are read and written as in any other.
 TEST(SceneDamage, LocalesDoNotMatter) {
     const char* found = nullptr;
     for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"}) {

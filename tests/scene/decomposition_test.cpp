@@ -1,4 +1,4 @@
-// Concave meshes that move, as convex parts.
+// Concave meshes of dynamic bodies, as convex parts.
 #include "mesh_text.h"
 
 #include "scene/decomposition.h"
@@ -74,7 +74,7 @@ double volume(const std::vector<Hull>& parts) {
     return sum;
 }
 
-// A ball at a point, against a body of these parts.
+// Whether a point, as a tiny ball, overlaps a body made of these parts.
 bool is_in(const std::vector<Hull>& parts, const glm::dvec3& point) {
     World world;
     const BodyId body = world.create_body({.type = BodyType::static_});
@@ -89,13 +89,13 @@ TEST(Decomposition, ConvexMeshesStayOneHull) {
     EXPECT_NEAR(volume(scene::decompose(box.vertices, box.indices)), 8.0, 1e-4);
     box.turn(glm::normalize(glm::dquat(0.7, 0.3, 0.2, 0.5)), {3, 2, 1});
     const std::vector<Hull> turned = scene::decompose(box.vertices, box.indices);
-    EXPECT_NEAR(volume(turned), 8.0, 0.08); // the steps of the grid may be taken for a dent, and make no air
+    EXPECT_NEAR(volume(turned), 8.0, 0.08); // the voxel steps may be taken for a dent, but must not add much volume
 }
 
 TEST(Decomposition, PartsComeNearTheSolidWhicheverWayItStands) {
     std::mt19937 random(3);
     std::normal_distribution<double> any;
-    const double around = 48, across = 24; // the torus of as many flat faces
+    const double around = 48, across = 24; // number of flat faces around and across the torus
     const double exact = 0.5 * across * std::sin(2 * pi / across) * 0.09 * around * std::sin(2 * pi / around);
     for (int round = 0; round < 5; ++round) {
         Solid ring = torus(48, 24);
@@ -127,7 +127,7 @@ TEST(Decomposition, EqualMeshesGiveEqualPartsInBoundedTime) {
     for (const std::size_t most : {std::size_t{1}, std::size_t{2}, std::size_t{5}, std::size_t{64}}) {
         EXPECT_LE(scene::decompose(wheel.vertices, wheel.indices, {.max_parts = most}).size(), most);
     }
-    // Triangles all over the place enclose nothing in particular, and take no longer than that.
+    // A soup of random triangles encloses no volume in particular, and must not take longer.
     std::mt19937 random(1);
     std::uniform_real_distribution<float> any(-1.0f, 1.0f);
     Solid noise;
@@ -140,7 +140,7 @@ TEST(Decomposition, EqualMeshesGiveEqualPartsInBoundedTime) {
     EXPECT_LT(elapsed.count(), 60.0);
 }
 
-// It was its hull, a drum, and stood still in whatever pushed it.
+// Without decomposition the wheel was its convex hull, a drum, and did not turn when balls fell on it.
 TEST(Decomposition, AWaterWheelTurns) {
     const Solid wheel = water_wheel();
     MeshParts parts;

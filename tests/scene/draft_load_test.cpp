@@ -1,4 +1,4 @@
-// Capsules and cylinders, collision filters, triggers, joints and visual meshes, as the drafts describe them.
+// Capsules and cylinders, collision filters, triggers, joints and visual meshes, as the Khronos drafts define them.
 #include "mesh_text.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(SceneColumns, ATipBelowIsTurnedUp) {
     const Cylinder shape = std::get<Cylinder>(scene.world.shape(only_shape_id(scene)));
     EXPECT_EQ(shape.radius, 1.0f);
     EXPECT_EQ(shape.radius_top, 0.0f);
-    // A ray from above meets the base at y = 1, far from the axis.
+    // A ray from above hits the base at y = 1, far from the axis.
     const auto hit = scene.world.cast_ray({0.9, 5, 0}, {0, -1, 0}, 10);
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->point.y, 1.0, 1e-6);
@@ -104,11 +104,11 @@ TEST(SceneFilters, SystemsAreLayersByName) {
     EXPECT_TRUE(meet(scene, 0, 2));
     EXPECT_FALSE(meet(scene, 1, 2));
     EXPECT_FALSE(meet(scene, 2, 3));
-    EXPECT_FALSE(meet(scene, 0, 3)); // wood lists who it meets, and air is not among them
-    EXPECT_TRUE(meet(scene, 1, 4));  // one of the systems of the last is enough
+    EXPECT_FALSE(meet(scene, 0, 3)); // wood lists the systems that it collides with, and air is not among them
+    EXPECT_TRUE(meet(scene, 1, 4));  // one of the last shape's systems is sufficient
     EXPECT_TRUE(meet(scene, 2, 5));
     EXPECT_TRUE(meet(scene, 3, 5));
-    EXPECT_FALSE(meet(scene, 1, 5)); // without a system it is not listed either
+    EXPECT_FALSE(meet(scene, 1, 5)); // a shape without a system is not listed either
     EXPECT_TRUE(meet(scene, 5, 5));
 }
 
@@ -139,7 +139,7 @@ TEST(SceneTriggers, AreShapesThatTouchNothing) {
     EXPECT_TRUE(scene.world.shape_def(shapes[1]).is_trigger);
     EXPECT_TRUE(std::holds_alternative<Box>(scene.world.shape(shapes[1])));
     const Vec3 inertia = scene.world.body(scene.world.bodies()[0]).mass_properties().inertia_diagonal;
-    EXPECT_NEAR(inertia.x, 0.4 * 2 * 0.25, 1e-6); // of the ball alone
+    EXPECT_NEAR(inertia.x, 0.4 * 2 * 0.25, 1e-6); // of the ball only
 }
 
 TEST(SceneTriggers, AloneIsAStaticBody) {
@@ -159,8 +159,8 @@ TEST(SceneTriggers, OfSeveralPartsAreOneBody) {
             << list;
     };
     refused("[]");
-    refused("[0]"); // not below itself
-    refused("[2]"); // no trigger
+    refused("[0]"); // not a descendant
+    refused("[2]"); // not a trigger
     refused("[9]");
 }
 
@@ -191,7 +191,7 @@ TEST(SceneJoints, AreReadWithTheirFrames) {
     EXPECT_EQ(def.name, "joint");
     EXPECT_EQ(def.body_a, scene.world.bodies().at(0));
     EXPECT_TRUE(def.body_b.is_null());
-    EXPECT_EQ(def.frame_a.position, Position(0, 2, 0)); // the scale of the body is in it
+    EXPECT_EQ(def.frame_a.position, Position(0, 2, 0)); // includes the scale of the body's node
     EXPECT_NEAR(def.frame_a.rotation.y, 0.70710678, 1e-6);
     EXPECT_EQ(def.frame_b.position, Position(7, 8, 9));
     EXPECT_TRUE(def.enable_collision);
@@ -268,7 +268,7 @@ TEST(SceneVisuals, MeshesOfNodesBelongToTheirBodies) {
     ASSERT_EQ(scene.visuals[0].surface->vertices.size(), 4u);
     EXPECT_EQ(scene.visuals[0].surface->vertices[3], Vec3(0, 0, 6));
     EXPECT_EQ(scene.visuals[0].surface->indices.size(), 12u);
-    EXPECT_TRUE(scene.visuals[1].body.is_null()); // scenery
+    EXPECT_TRUE(scene.visuals[1].body.is_null()); // a visual without a body
     EXPECT_EQ(scene.visuals[1].local.position, Position(7, 8, 9));
     EXPECT_EQ(scene.visuals[2].body, scene.world.bodies().at(1));
     EXPECT_EQ(scene.visuals[1].surface, scene.visuals[2].surface);
@@ -281,9 +281,9 @@ TEST(SceneVisuals, CompressedMeshesAreLeftOutWithAWarning) {
     parts.meshes.insert(parts.meshes.rfind("}]}"), R"(,"extensions":{"KHR_draco_mesh_compression":{}})");
     const Scene scene = load_text(parts.text());
     EXPECT_TRUE(scene.visuals.empty());
-    ASSERT_EQ(scene.warnings.size(), 2u); // the other: that it has no body
+    ASSERT_EQ(scene.warnings.size(), 2u); // the second warning: the scene has no body
     EXPECT_NE(scene.warnings[0].find("meshes[0].primitives[0]: is compressed"), std::string::npos);
-    parts.nodes = node("", hull_of_node_1) + R"(,{"mesh":0})"; // a collider cannot be left out
+    parts.nodes = node("", hull_of_node_1) + R"(,{"mesh":0})"; // a collider's mesh must not be omitted
     EXPECT_THROW(load_text(parts.text()), Error);
 }
 

@@ -1,4 +1,4 @@
-// Colors of vertices, and how surfaces meet the light.
+// Vertex colors, and the reflection properties of surfaces.
 #include "mesh_text.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,13 @@ const std::string small_picture_uri =
     "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4"
     "z8DwHwyBNAgwAABIyQj4xTT9BQAAAABJRU5ErkJggg==";
 
-// A square with all that a material may have.
+// A square whose material has every supported property.
 struct FinishedParts : MeshParts {
     std::string material = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"roughnessFactor":0.3,
         "metallicFactor":0.75,"metallicRoughnessTexture":{"index":0}},"normalTexture":{"index":0,"scale":0.5},
         "emissiveFactor":[0.1,0.2,1],"emissiveTexture":{"index":0},
         "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":3.7}}})";
-    std::string colors; // an attribute
+    std::string colors; // the vertex attribute for colors
 
     std::string text() {
         const int places = positions({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
@@ -67,7 +67,7 @@ TEST(SceneFinish, IsThatOfTheMaterial) {
     EXPECT_EQ(visual.surface->coordinates.size(), 4u);
 }
 
-// The format's default is a rough metal. What nobody has asked for is no metal.
+// The format's default is a rough metal. A material that does not mention these properties must not become metallic.
 TEST(SceneFinish, IsNoneWhereTheMaterialSaysNothingOfIt) {
     for (const char* material : {"{}", R"({"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}})",
                                  R"({"pbrMetallicRoughness":{"metallicFactor":0}})", R"({"emissiveFactor":[0,0,0]})"}) {

@@ -1,4 +1,4 @@
-// Drives of the draft: springs and motors, as forces and as accelerations, with and without a bound.
+// Joint drives of the draft: springs and motors, in force and in acceleration mode, with and without a maximum force.
 #include "joint_text.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST(JointDrives, ASpringReachesItsTarget) {
 }
 
 TEST(JointDrives, AForceGivesByTheWeightAndAnAccelerationDoesNot) {
-    // k x = m g with force, k x = g with acceleration.
+    // Equilibrium: k x = m g in force mode, k x = g in acceleration mode.
     for (const char* mode : {"force", "acceleration"}) {
         const bool is_force = mode[0] == 'f';
         std::string text = joint_text(drive("linear", mode, 1, R"(,"positionTarget":0,"stiffness":400,"damping":60)"),
@@ -41,7 +41,7 @@ TEST(JointDrives, AForceGivesByTheWeightAndAnAccelerationDoesNot) {
 }
 
 TEST(JointDrives, AVelocityIsApproachedAtTheRateOfTheDamping) {
-    // v = 2 (1 - exp(-c t / m)); with acceleration the mass drops out.
+    // v = 2 (1 - exp(-c t / m)); in acceleration mode the mass cancels.
     for (const char* mode : {"force", "acceleration"}) {
         const bool is_force = mode[0] == 'f';
         std::string text = joint_text(drive("linear", mode, 0, R"(,"velocityTarget":2,"damping":4)"));
@@ -68,7 +68,8 @@ TEST(JointDrives, AnAngleTurnsTheConnectedNode) {
 }
 
 TEST(JointDrives, APositionIsThatOfTheConnectedNodeSeenFromTheNodeOfTheJoint) {
-    // The joint on the ball's node, the world connected: the world shall be at +0.5, so that the ball goes to -0.5.
+    // The joint is on the ball's node, and the world is the connected node: the target puts the world at +0.5, so that
+    // the ball goes to -0.5.
     std::string text =
         joint_text(drive("linear", "acceleration", 0, R"(,"positionTarget":0.5,"stiffness":100,"damping":20)"));
     const std::string joint = R"("extensions":{"KHR_physics_rigid_bodies":{"joint":{"joint":0,"connectedNode":2}}})";
@@ -84,7 +85,7 @@ TEST(JointDrives, APositionIsThatOfTheConnectedNodeSeenFromTheNodeOfTheJoint) {
 }
 
 TEST(JointDrives, AreBoundedByTheirGreatestForce) {
-    // 3 N on 1 kg for a second.
+    // A force of 3 N acts on 1 kg for 1 s.
     OneJoint pushed(joint_text(drive("linear", "force", 2, R"(,"maxForce":3,"velocityTarget":100,"damping":1000)")));
     pushed.run(1.0);
     EXPECT_NEAR(pushed.speed().z, 3.0f, 0.03f);
@@ -92,13 +93,13 @@ TEST(JointDrives, AreBoundedByTheirGreatestForce) {
         hinge_about_x + drive("angular", "acceleration", 0, R"(,"maxForce":2,"velocityTarget":100,"damping":1000)")));
     turned.run(1.0);
     EXPECT_NEAR(turned.spin().x, 2.0f, 0.02f);
-    // Less than the weight: it sinks, with what is left.
+    // The maximum force is less than the weight: the ball sinks with the remaining acceleration.
     OneJoint weak(
         joint_text(drive("linear", "force", 1, R"(,"maxForce":5,"positionTarget":0,"stiffness":1e6,"damping":1e4)"), "",
                    "0,-9.81,0"));
     weak.run(1.0);
     EXPECT_NEAR(weak.position().y, -0.5 * (9.81 - 5.0), 0.05);
-    // A bound of 0 is none at all.
+    // A maximum of 0 is no force at all.
     OneJoint none(joint_text(drive("linear", "force", 1, R"(,"maxForce":0,"positionTarget":1,"stiffness":100)")));
     none.run(1.0);
     EXPECT_EQ(none.position().y, 0.0);

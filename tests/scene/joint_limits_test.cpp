@@ -1,4 +1,5 @@
-// What each kind of limit of the draft keeps, and what it leaves free. Numbers follow from mass 1 kg, inertia 1 kg m^2.
+// Joint limits of the draft: what each kind constrains, and what it leaves free. All numbers follow from a mass of 1 kg
+// and an inertia of 1 kg m^2.
 #include "joint_text.h"
 
 #include <gtest/gtest.h>
@@ -24,12 +25,12 @@ TEST(JointLimits, OneLinearAxisKeepsARange) {
         EXPECT_LT(most, 1.0 + length_tolerance);
         EXPECT_NEAR(one.position().y, 0.5, 1e-4); // the other axes are free
         EXPECT_NEAR(one.position().z, -1.0, 1e-4);
-        EXPECT_NEAR(one.speed().x, 0.0, 1e-3); // it does not bounce
+        EXPECT_NEAR(one.speed().x, 0.0, 1e-3); // no rebound
     }
 }
 
 TEST(JointLimits, OneLinearAxisIsThatOfTheFirstFrame) {
-    // x of the frame is y of the world.
+    // The frame's x axis is the world's y axis.
     OneJoint one(joint_text(R"("limits":[{"linearAxes":[0],"min":-0.5,"max":0.25}])", "", "0,-9.81,0",
                             R"("rotation":[0,0,0.70710678,0.70710678],)"));
     one.run(2.0);
@@ -40,7 +41,7 @@ TEST(JointLimits, OneLinearAxisHoldsOneValue) {
     OneJoint one(joint_text(R"("limits":[{"linearAxes":[1],"min":0.3,"max":0.3}])", "", "1,-9.81,0"));
     one.run(1.0);
     one.run(1.0, [&] { EXPECT_NEAR(one.position().y, 0.3, length_tolerance); });
-    EXPECT_GT(one.position().x, 1.9); // 1/2 t^2 of 2 s
+    EXPECT_GT(one.position().x, 1.9); // t^2 / 2 at 2 s
     EXPECT_NEAR(one.scene.world.joint_state(one.joint).force.y, 9.81f, 0.02f);
 }
 
@@ -58,7 +59,7 @@ TEST(JointLimits, TwoLinearAxesKeepADistanceFromALine) {
     double most = 0;
     one.run(2.0, [&] { most = std::max(most, glm::length(glm::dvec2(one.position()))); });
     EXPECT_NEAR(most, 0.5, length_tolerance);
-    EXPECT_NEAR(one.position().x, 0.3, length_tolerance); // where it met the cylinder
+    EXPECT_NEAR(one.position().x, 0.3, length_tolerance); // where it reached the limiting cylinder
     EXPECT_NEAR(one.position().y, 0.4, length_tolerance);
     EXPECT_NEAR(one.position().z, 2.0, 1e-3);
 }
@@ -117,7 +118,7 @@ TEST(JointLimits, OneAngularAxisHoldsOneValue) {
 }
 
 TEST(JointLimits, OneAngularAxisAloneIsTheTwist) {
-    // Turned about y first, as far as it likes; about its twist axis it is stopped.
+    // Rotation about y is free; rotation about the twist axis is limited.
     OneJoint one(joint_text(R"("limits":[{"linearAxes":[0,1,2],"min":0,"max":0},{"angularAxes":[0],"min":-0.25,)"
                             R"("max":0.25}])",
                             R"(,"angularVelocity":[0,1,0])"));
@@ -142,7 +143,7 @@ TEST(JointLimits, TwoAngularAxesAreACone) {
     const Vec3 axis = one.body().rotation() * Vec3(1.0f, 0.0f, 0.0f);
     one.body().set_angular_velocity(axis);
     one.run(1.0);
-    EXPECT_NEAR(glm::dot(one.spin(), axis), 1.0f, 0.02f); // about its own axis it turns on
+    EXPECT_NEAR(glm::dot(one.spin(), axis), 1.0f, 0.02f); // rotation about its own axis is free
 }
 
 TEST(JointLimits, ThreeAngularAxesKeepAnyTurn) {
@@ -157,7 +158,7 @@ TEST(JointLimits, ThreeAngularAxesKeepAnyTurn) {
 }
 
 TEST(JointLimits, SoftLinearBoundsAreSprings) {
-    // k x = m g; the rope of 0.25 m gives by 9.81 / 100.
+    // Equilibrium: k x = m g; the rope of 0.25 m stretches by 9.81 / 100.
     OneJoint axis(
         joint_text(R"("limits":[{"linearAxes":[1],"min":0,"max":0,"stiffness":100,"damping":8}])", "", "0,-9.81,0"));
     axis.run(6.0);
@@ -166,7 +167,7 @@ TEST(JointLimits, SoftLinearBoundsAreSprings) {
                              "0,-9.81,0"));
     rope.run(6.0);
     EXPECT_NEAR(rope.position().y, -0.25 - 0.0981, 5e-4);
-    // Between soft bounds nothing acts.
+    // Inside soft limits no force acts.
     OneJoint between(joint_text(R"("limits":[{"linearAxes":[1],"min":-1,"max":1,"stiffness":100,"damping":8}])",
                                 R"(,"linearVelocity":[0,0.5,0])"));
     between.run(1.0);
@@ -174,7 +175,7 @@ TEST(JointLimits, SoftLinearBoundsAreSprings) {
 }
 
 TEST(JointLimits, StiffnessSetsTheFrequencyAndDampingTheDecay) {
-    // omega = sqrt(k / m) = 10 /s, and 2 zeta omega = c / m: x = exp(-t / 2) cos(9.987 t) for c = 1.
+    // omega = sqrt(k / m) = 10 rad/s, 2 zeta omega = c / m; for c = 1: x is proportional to exp(-t / 2) sin(9.987 t).
     OneJoint one(joint_text(R"("limits":[{"linearAxes":[0],"min":0,"max":0,"stiffness":100,"damping":1}])",
                             R"(,"linearVelocity":[2,0,0])"));
     double last = 0, peak = 0, crossing = 0;
@@ -190,7 +191,7 @@ TEST(JointLimits, StiffnessSetsTheFrequencyAndDampingTheDecay) {
 }
 
 TEST(JointLimits, SoftAngularBoundsAreSprings) {
-    // A torque of 2 N m against 10 N m/rad beyond 0.25 rad.
+    // A torque of 2 N m against a stiffness of 10 N m/rad beyond 0.25 rad.
     OneJoint one(joint_text(R"("limits":[{"linearAxes":[0,1,2],"min":0,"max":0},{"angularAxes":[1,2],"min":0,"max":0},)"
                             R"({"angularAxes":[0],"min":-0.25,"max":0.25,"stiffness":10,"damping":4}])"));
     one.run(6.0, [&] { one.body().add_torque({2.0f, 0.0f, 0.0f}); });

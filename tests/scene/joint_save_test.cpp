@@ -1,4 +1,4 @@
-// Joints in files: every type with every property comes back, again and again the same.
+// Joints in files: every type with every property survives saving and loading, and a second save gives the same text.
 #include "joint_text.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ bool same(const Joint& a, const Joint& b) {
            std::visit([&](const auto& x) { return same(x, std::get<std::decay_t<decltype(x)>>(b)); }, a);
 }
 
-// Two balls, and one that stands still.
+// Two balls, and a static body.
 struct Balls {
     Scene scene{World(), {}, {}, {}, {}};
     BodyId left, right, still;
@@ -121,7 +121,7 @@ void expect_same_joint(const World& a, JointId id_a, const World& b, JointId id_
     EXPECT_EQ(x.name, y.name);
 }
 
-// All joints come back in their order; what is saved again is the same. Returns the text.
+// Checks that all joints are restored in their order, and that saving again gives the same text. Returns the text.
 std::string expect_saved(const Scene& scene) {
     const std::string text = scene::save_to_string(scene);
     const Scene again = load_text(text);
@@ -169,7 +169,7 @@ std::vector<Joint> all_joints() {
             DistanceJoint{},
             WheelJoint{rich, std::nullopt, spin},
             WheelJoint{rich, half, spin},
-            WheelJoint{rich, JointControl{}, spin}, // steers freely
+            WheelJoint{rich, JointControl{}, spin}, // free steering
             ServoJoint{},
             ServoJoint{{0.1f, 0.2f, -0.3f}, {0.8f, 0.6f, 0.0f, 0.0f}, soft, fast, 100.0f, 20.0f},
             GearJoint{-2.5f},
@@ -224,7 +224,7 @@ TEST(JointSave, KeepsTheOrderAndTheWorldOnEitherSide) {
     EXPECT_TRUE(again.world.joint_def(*again.world.find_joint("1")).body_b.is_null());
     EXPECT_TRUE(again.world.joint_def(*again.world.find_joint("2")).body_a.is_null());
     const JointDef& fourth = again.world.joint_def(*again.world.find_joint("4"));
-    EXPECT_EQ(fourth.body_a, again.world.find_body("still")); // the static body, not only the place of it
+    EXPECT_EQ(fourth.body_a, again.world.find_body("still")); // the static body itself, not only its position
     EXPECT_EQ(again.world.body(fourth.body_a).type(), BodyType::static_);
 }
 
@@ -319,7 +319,7 @@ TEST(JointSave, JointsThatCannotActAreKeptWithAWarning) {
         EXPECT_TRUE(scene::save_to_string(again) == saved);
         scene.world.step(1.0f / 60.0f);
     }
-    // Eight are allowed.
+    // Eight are accepted.
     many.resize(many.rfind(",{"));
     EXPECT_EQ(load_text(load("", many + "]")).world.joints().size(), 1u);
 }

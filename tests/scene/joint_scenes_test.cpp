@@ -1,4 +1,4 @@
-// What each of the scenes with joints is there to show, and how far their joints come apart while they do.
+// Each scene with joints does what it is meant to show, with limits on the joint errors meanwhile.
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class JointScene : public testing::Test {
     World& world() { return scene_.world; }
     double time_step() const { return double(scene_.info.time_step); }
 
-    // Steps for so many seconds, and follows how far the joints come apart, m.
+    // Steps for that many seconds, and records the largest joint error, m.
     void run(
         double seconds, const std::function<void()>& watch = [] {}) {
         const int steps = int(std::lround(seconds / time_step()));
@@ -70,8 +70,8 @@ TEST_F(JointScene, RagdollsFallDownTheStepsAndKeepTheirLimbs) {
     load("25_ragdolls");
     ASSERT_EQ(joints_.size(), 200u);
     run(8);
-    EXPECT_LT(worst_, 0.018);      // when they land with 6 m/s
-    EXPECT_LT(error_now(), 0.002); // 0.4 to 1.2 mm from ten starts that differ by 10 um
+    EXPECT_LT(worst_, 0.018);      // when the dolls land at 6 m/s
+    EXPECT_LT(error_now(), 0.002); // 0.4 to 1.2 mm over ten starts that differ by 10 um
     int down = 0;
     for (int i = 1; i <= 20; ++i) down += body("chest " + std::to_string(i)).position().y < 2.4 ? 1 : 0;
     EXPECT_GE(down, 15);
@@ -104,7 +104,7 @@ TEST_F(JointScene, TheBridgeCarriesTheBall) {
     EXPECT_GT(lowest, 2.6 + 0.875 - 0.3); // the deck is at 2.6 m
     EXPECT_LT(lowest, 2.6 + 0.875 - 0.02);
     EXPECT_GT(lowest_plank, 2.53 - 0.3);
-    // It lies in the hollow on the other bank, and nothing sways sideways.
+    // The ball comes to rest in the hollow on the other bank; nothing sways sideways.
     EXPECT_GT(ball.position().x, 8.4);
     EXPECT_LT(ball.position().x, 11.5);
     EXPECT_LT(std::fabs(ball.position().z), 0.2);
@@ -123,9 +123,9 @@ TEST_F(JointScene, TheBallBreaksTheWallAndTheChainHolds) {
     };
     run(1.2);
     EXPECT_EQ(moved(0.02), 0);
-    EXPECT_LT(worst_, 0.0002); // 0.02 mm in the swing
+    EXPECT_LT(worst_, 0.0002); // 0.02 mm while swinging
     run(8.8);
-    EXPECT_LT(worst_, 0.004); // when it hits the wall
+    EXPECT_LT(worst_, 0.004); // when the ball hits the wall
     EXPECT_GE(moved(0.5), 18) << "of " << start.size();
     EXPECT_LT(glm::distance(body("ball").position(), Position(0, 8.2, 0)), 18 * 0.32 + 0.72 + 0.001);
 }
@@ -152,7 +152,7 @@ TEST_F(JointScene, CarsDriveAroundOverBumps) {
         EXPECT_GT(way[i], 50) << name(i);
         EXPECT_GT(least[i], 0.9) << name(i);
     }
-    EXPECT_GT(high - low, 0.08); // the springs work
+    EXPECT_GT(high - low, 0.08); // the suspension works
 }
 
 TEST_F(JointScene, TheWalkerWalks) {
@@ -167,7 +167,7 @@ TEST_F(JointScene, TheWalkerWalks) {
     EXPECT_LT(worst_, 0.005);
     EXPECT_GT(walker.position().x - start.x, 5.5);
     EXPECT_LT(std::fabs(walker.position().z), 1.0);
-    EXPECT_GT(low, start.y - 0.05); // as level as Jansen's legs are
+    EXPECT_GT(low, start.y - 0.05); // within the height variation of Jansen's linkage
     EXPECT_LT(high, start.y + 0.06);
     EXPECT_GT(least, 0.99);
 }
@@ -175,7 +175,7 @@ TEST_F(JointScene, TheWalkerWalks) {
 TEST_F(JointScene, TheHandsOfTheClockKeepTwelveToOne) {
     load("30_clock");
     double minute = 0, hour = 0, last_minute = 0, last_hour = 0;
-    // A hinge gives its angle within a turn; the steps between are small.
+    // A hinge reports its angle modulo one turn; the change per step is small.
     const auto follow = [](double now, double& last, double& sum) {
         sum += std::remainder(now - last, 2 * pi);
         last = now;
@@ -230,7 +230,7 @@ TEST_F(JointScene, TheRobotHoldsTheTrayLevel) {
             EXPECT_LT(std::fabs(position_of("axis " + std::to_string(axis))), 0.006) << axis;
     });
     EXPECT_LT(worst_, 0.0001);
-    EXPECT_NEAR(turned, 0.6 * 12 - 0.25, 0.15); // it takes most of a second to come to its speed
+    EXPECT_NEAR(turned, 0.6 * 12 - 0.25, 0.15); // reaching its speed takes most of a second
     EXPECT_GT(least, std::cos(0.7 * pi / 180));
     const Position offset = cone.position() - tray.position();
     EXPECT_LT(std::hypot(offset.x, offset.z), 0.03);
@@ -238,7 +238,7 @@ TEST_F(JointScene, TheRobotHoldsTheTrayLevel) {
     EXPECT_GT(upright(cone), 0.999);
 }
 
-// One in, one out: the outer balls swing as far as the first one was lifted, and those between them stay.
+// One ball in, one ball out: the outer balls swing as far as the first one was lifted, and the inner ones stay at rest.
 TEST_F(JointScene, TheCradleSwingsOnItsStringsForAMinute) {
     load("11_newtons_cradle");
     EXPECT_EQ(scene_.joint_appearances.size(), 10u);

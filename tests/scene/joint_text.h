@@ -1,5 +1,5 @@
-// Scenes of one joint for tests: a ball of 1 kg with a moment of inertia of 1 kg m^2 about every axis, at the origin,
-// held to the world there.
+// Scenes with one joint for tests: a ball of 1 kg with a moment of inertia of 1 kg m^2 about every axis, at the origin
+// and jointed to the world there.
 #pragma once
 
 #include "scene_text.h"
@@ -11,8 +11,8 @@
 
 namespace cairn::scene_test {
 
-// `rules`: members of the physicsJoint; `motion`: more members of the body's, with a leading comma; `gravity`: three
-// numbers; `frames`: members of both frames' nodes, with a trailing comma.
+// `rules`: members of the physicsJoint; `motion`: additional members of the body's motion, with a leading comma;
+// `gravity`: three numbers; `frames`: members of both frames' nodes, with a trailing comma.
 inline std::string joint_text(const std::string& rules, const std::string& motion = "",
                               const std::string& gravity = "0,0,0", const std::string& frames = "") {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1],"extensions":{"CAIRN_world":{"gravity":[)" +
@@ -36,7 +36,7 @@ struct OneJoint {
     Position position() { return body().position(); }
     Vec3 spin() { return body().angular_velocity(); }
     Vec3 speed() { return body().linear_velocity(); }
-    // The rotation vector, for angles below pi.
+    // The rotation vector; valid for angles below pi.
     glm::dvec3 turned() {
         glm::dquat q(body().rotation());
         if (q.w < 0) q = -q;

@@ -1,4 +1,5 @@
-// The samples of the drafts, which are not part of the project: a folder that CAIRN_KHR_SAMPLES names.
+// The sample files of the Khronos drafts, which are not part of the project: the environment variable CAIRN_KHR_SAMPLES
+// names their folder.
 #pragma once
 
 #include "scene/scene.h"

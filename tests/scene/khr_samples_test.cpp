@@ -1,5 +1,5 @@
-// The samples and conformance files of the Khronos drafts. They are not part of this project: the environment
-// variable CAIRN_KHR_SAMPLES names the folder that holds them.
+// The samples and conformance files of the Khronos drafts. They are not part of this project: the environment variable
+// CAIRN_KHR_SAMPLES names their folder.
 #include "khr_samples.h"
 
 #include "scene/scene.h"
@@ -103,8 +103,8 @@ TEST_F(KhrSamples, ColliderMatrix) {
         scene::Scene scene = scene::load(file);
         const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
         ASSERT_EQ(moving.size(), 1u);
-        // What supports it: the top of the static shape, which is the XZ plane or half a meter or a meter off it. The
-        // origins of the dynamic shapes are within them, those of the tetrahedra in their bases.
+        // The height of the support: the top of the static shape, which is the XZ plane or half a meter or a meter off
+        // it. The origins of the dynamic shapes are inside them; those of tetrahedra are in their bases.
         double top = -1e9;
         for (const RayHit& hit : scene.world.cast_ray_all({0, 50, 0}, {0, -1, 0}, 100)) {
             if (hit.body != moving[0]) top = std::max(top, hit.point.y);
@@ -119,12 +119,12 @@ TEST_F(KhrSamples, ColliderMatrix) {
             });
             return fastest;
         };
-        fastest_in(4.0f); // it falls and settles
+        fastest_in(4.0f); // it falls and comes to rest
         const float before = fastest_in(3.0f), after = fastest_in(3.0f);
         std::printf("%-36s top %7.4f, least height %7.4f, at the end %7.4f, fastest %.3f then %.3f\n",
                     file.filename().c_str(), top, least, height(scene, moving[0]), double(before), double(after));
-        EXPECT_GT(least, top - 0.02); // those that slide a little on a ball of 10 m go down with it
-        // On that ball a tetrahedron rocks, and nothing damps it. All others come to rest.
+        EXPECT_GT(least, top - 0.02); // a shape that slides a little on a ball of 10 m radius descends with the surface
+        // On that ball a tetrahedron rocks without damping. All other shapes come to rest.
         const std::string name = file.stem().string();
         EXPECT_LT(after, name.ends_with("_05") || name.ends_with("_17") ? 0.2f : 0.01f);
         EXPECT_LT(after, 1.1f * before + 0.01f);
@@ -140,10 +140,10 @@ TEST_F(KhrSamples, CollisionFilters) {
         ASSERT_EQ(moving.size(), 2u);
         run_sample(scene, 4.0f);
         std::printf("%s: heights %.3f and %.3f\n", name, height(scene, moving[0]), height(scene, moving[1]));
-        if (std::string(name).back() == '0') { // the first meets the ground, the second falls through it
+        if (std::string(name).back() == '0') { // the first collides with the ground, the second falls through it
             EXPECT_NEAR(height(scene, moving[0]), 1.0, 0.02);
             EXPECT_LT(height(scene, moving[1]), -10.0);
-        } else { // one part of each meets it: the first stands on the lower one, the other sinks to its upper one
+        } else { // one part of each collides: the first stands on its lower part, the other sinks to its upper part
             EXPECT_NEAR(height(scene, moving[0]), 1.5, 0.02);
             EXPECT_LT(height(scene, moving[1]), 0.5);
             EXPECT_GT(height(scene, moving[1]), -1.5);
@@ -156,10 +156,11 @@ TEST_F(KhrSamples, Restitution) {
     const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
     std::array<double, 2> rebound{};
     run_sample(scene, 3.0f, [&] {
-        if (scene.world.time() < 1.0) return; // both have met the ground by then
+        if (scene.world.time() < 1.0) return; // both have hit the ground by then
         for (std::size_t i = 0; i < 2; ++i) rebound[i] = std::max(rebound[i], height(scene, moving[i]));
     });
-    // From 4 m above rest: the rule "average" of the ground wins, (0 + 0.5) / 2 and (1 + 0.5) / 2, which count squared.
+    // They fall from 4 m above rest: the ground's combine rule "average" takes precedence, (0 + 0.5) / 2 and (1 + 0.5)
+    // / 2, and the rebound height is proportional to the square.
     EXPECT_NEAR(rebound[0], 1.0 + 4.0 * 0.25 * 0.25, 0.1);
     EXPECT_NEAR(rebound[1], 1.0 + 4.0 * 0.75 * 0.75, 0.1);
 }
@@ -169,7 +170,7 @@ TEST_F(KhrSamples, Friction) {
     const std::vector<BodyId> moving = bodies_of(scene, BodyType::dynamic);
     const Position slides = scene.world.body(moving[0]).position(), sticks = scene.world.body(moving[1]).position();
     run_sample(scene, 1.0f);
-    // On a slope of 45 degrees; friction 0.3 leaves g sin 45 (1 - 0.3) of the acceleration.
+    // On a slope of 45 degrees a friction of 0.3 leaves the acceleration g sin 45 (1 - 0.3).
     EXPECT_NEAR(glm::length(scene.world.body(moving[0]).position() - slides), 0.5 * 9.81 * 0.7071 * 0.7, 0.2);
     EXPECT_LT(glm::length(scene.world.body(moving[1]).position() - sticks), 0.05);
 }
@@ -181,7 +182,7 @@ TEST_F(KhrSamples, MotionProperties) {
     run_sample(hovers, 2.0f);
     EXPECT_EQ(hovers.world.body(still).position(), start);
 
-    // The second has its velocity in the frame of a parent that is turned by 90 degrees: both turn about x.
+    // The second file's velocity is in the frame of a parent that is rotated by 90 degrees: both bodies rotate about x.
     for (const char* name : {"RigidBodies_MotionProperties_02", "RigidBodies_MotionProperties_04"}) {
         SCOPED_TRACE(name);
         scene::Scene spins = load(name);
@@ -203,7 +204,7 @@ TEST_F(KhrSamples, MotionProperties) {
     run_sample(masses, 1.0f);
     const float light = masses.world.body(hit.at(2)).linear_velocity().x;
     const float heavy = masses.world.body(hit.at(3)).linear_velocity().x;
-    EXPECT_GT(heavy, 1.5f * light); // hit by 100 times its mass, and by its own
+    EXPECT_GT(heavy, 1.5f * light); // hit by a body of 100 times its mass, and by one of its own
     EXPECT_GT(light, 0.0f);
 
     scene::Scene rigid = load("RigidBodies_MotionProperties_07");
@@ -213,7 +214,7 @@ TEST_F(KhrSamples, MotionProperties) {
     EXPECT_NEAR(height(rigid, upright), 1.0, 0.02);
 }
 
-// Compounds of parts that collide with different systems, and triggers that let everything through.
+// Compounds whose parts collide with different systems, and triggers, which let every body through.
 TEST_F(KhrSamples, FilteringAndTriggersSamples) {
     scene::Scene triggers = load("Triggers");
     std::size_t events = 0;

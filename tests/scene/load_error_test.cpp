@@ -1,4 +1,4 @@
-// Files that are refused, each with the line that its author gets to read.
+// Files that are rejected, each with the one-line message for its author.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -263,7 +263,7 @@ TEST(SceneRefusedText, FilesThatCannotBeRead) {
     expect_error([] { scene::load(std::filesystem::temp_directory_path()); }, ErrorCode::io, "is a folder, not a file");
 }
 
-// Damaged files are refused or loaded, and never do anything else. The damage is the same in every run.
+// Damaged files are rejected or loaded, and nothing else happens. The damage is the same in every run.
 TEST(SceneRefusedText, RandomDamage) {
     Parts parts;
     parts.world = R"("gravity":[0,-9.81,0],"camera":{"position":[1,2,3],"target":[0,1,0]})";

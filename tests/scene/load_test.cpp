@@ -1,4 +1,4 @@
-// What the loader makes of well-formed files.
+// Loading of well-formed files.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(SceneLoad, MassAndGravityFactor) {
     const Scene scene = load_nodes(node("", R"("motion":{"mass":7.5,"gravityFactor":-0.5},)" + box));
     EXPECT_FLOAT_EQ(only_body(scene).mass(), 7.5f);
     EXPECT_FLOAT_EQ(only_body(scene).gravity_scale(), -0.5f);
-    // A box of 1 x 2 x 3 m: m (y^2 + z^2) / 12 and so on.
+    // The moments of inertia of a box of 1 x 2 x 3 m: m (y^2 + z^2) / 12 and so on.
     const MassProperties properties = only_body(scene).mass_properties();
     const glm::dmat3 inertia(only_body(scene).world_inertia());
     EXPECT_NEAR(inertia[0][0], 7.5 * 13 / 12, 1e-4);
@@ -77,7 +77,7 @@ TEST(SceneLoad, GivenCenterOfMassAndInertia) {
     expect_equal(properties.center_of_mass, {0, -0.25, 0});
     expect_equal(only_body(scene).center_of_mass(), {0, -0.25, 0});
     const Mat3 inertia = only_body(scene).world_inertia();
-    EXPECT_NEAR(inertia[0][0], 2.0f, 1e-5); // turned by 90 degrees about z: x and y change places
+    EXPECT_NEAR(inertia[0][0], 2.0f, 1e-5); // rotated by 90 degrees about z: x and y are exchanged
     EXPECT_NEAR(inertia[1][1], 1.0f, 1e-5);
     EXPECT_NEAR(inertia[2][2], 3.0f, 1e-5);
 }
@@ -90,7 +90,7 @@ TEST(SceneLoad, MotionWithoutAColliderHasAMassAndAWarning) {
 }
 
 TEST(SceneLoad, VelocitiesAreInTheNodesAxes) {
-    // The parent turns by 90 degrees about y, which takes z to x.
+    // The parent is rotated by 90 degrees about y, which maps z to x.
     const Scene scene = load_nodes(R"({"children":[1],"rotation":[0,0.70710678,0,0.70710678]},)" +
                                    node("", R"("motion":{"angularVelocity":[0,0,1],"linearVelocity":[0,0,2]},)" + box));
     expect_equal(only_body(scene).angular_velocity(), {1, 0, 0});
@@ -105,7 +105,7 @@ TEST(SceneLoad, TransformsComposeDownTheHierarchy) {
 }
 
 TEST(SceneLoad, MatrixIsTheSameAsItsParts) {
-    // Turned by 90 degrees about y, scaled by 2, moved by (1, 2, 3).
+    // Rotation by 90 degrees about y, scale 2, translation (1, 2, 3).
     const Scene scene = load_nodes(node(R"("matrix":[0,0,-2,0, 0,2,0,0, 2,0,0,0, 1,2,3,1],)", R"("motion":{},)" + box));
     expect_equal(only_body(scene).position(), {1, 2, 3});
     EXPECT_NEAR(std::fabs(only_body(scene).rotation().y), 0.70710678, 1e-6);
@@ -300,7 +300,7 @@ TEST(SceneLoad, ColorsOfNodesAndOfMeshes) {
     EXPECT_EQ(scene.world.body_of(scene.appearances[1].shape), scene.appearances[1].body);
 }
 
-// Nothing is white only because its texture is not shown.
+// A mesh whose texture cannot be shown is gray instead of white, with a warning.
 TEST(SceneLoad, TexturesAreGrayAndSaidToBe) {
     Parts parts;
     parts.nodes = node(R"("mesh":0,)", sphere) + "," + node(R"("mesh":1,)", sphere);
@@ -316,7 +316,7 @@ TEST(SceneLoad, TexturesAreGrayAndSaidToBe) {
     ASSERT_EQ(scene.visuals.size(), 2u);
     EXPECT_EQ(scene.visuals[0].color, Vec3(0.4f));
     EXPECT_EQ(scene.visuals[1].color, 0.4f * Vec3(1.0f, 0.5f, 0.0f));
-    ASSERT_EQ(scene.warnings.size(), 2u); // of each mesh
+    ASSERT_EQ(scene.warnings.size(), 2u); // one for each mesh
     EXPECT_EQ(scene.warnings[0], "test.gltf: meshes[0].primitives[0].attributes: has no TEXCOORD_0 (its texture is not "
                                  "shown: a plain gray, tinted by the base color)");
 }

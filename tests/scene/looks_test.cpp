@@ -1,4 +1,4 @@
-// Textures, and meshes that bend with several bodies.
+// Textures, and skinned meshes that deform with several bodies.
 #include "mesh_text.h"
 
 #include "scene/animation.h"
@@ -17,7 +17,7 @@ using namespace cairn;
 using namespace cairn::scene_test;
 using Json = nlohmann::json;
 
-// Two by two texels: red, green, blue, and white that is not opaque.
+// Two by two texels: red, green, blue, and a translucent white.
 const std::string picture_text = "iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAYAAABytg0kAAAAE0lEQVR42mP4z8DwHwyBNAgwAABIyQj4xTT9"
                                  "BQAAAABJRU5ErkJggg==";
 const std::string picture_uri = R"({"uri":"data:image/png;base64,)" + picture_text + R"("})";
@@ -70,7 +70,7 @@ TEST(SceneTextures, AreThePicturesOfTheFileWithTheirCoordinates) {
     EXPECT_TRUE(scene.warnings.empty() || scene.warnings[0].find("no body") != std::string::npos);
 }
 
-// KHR_texture_transform's own example of an order: scale, then rotation, then offset.
+// KHR_texture_transform defines the order: scale, then rotation, then offset.
 TEST(SceneTextures, AreMovedTurnedAndScaled) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-3.0, 3.0);
@@ -86,7 +86,7 @@ TEST(SceneTextures, AreMovedTurnedAndScaled) {
         ASSERT_TRUE(scene.visuals.at(0).texture);
         for (std::size_t i = 0; i < 4; ++i) {
             const glm::dvec3 at(square_coordinates[2 * i], square_coordinates[2 * i + 1], 1.0);
-            const glm::dmat3 offset(1, 0, 0, 0, 1, 0, u0, v0, 1); // columns, as the extension's text has them
+            const glm::dmat3 offset(1, 0, 0, 0, 1, 0, u0, v0, 1); // in columns, as in the extension's text
             const glm::dmat3 turn(std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1);
             const glm::dmat3 scale(su, 0, 0, 0, sv, 0, 0, 0, 1);
             const glm::dvec3 expected = offset * turn * scale * at;
@@ -97,7 +97,7 @@ TEST(SceneTextures, AreMovedTurnedAndScaled) {
     }
 }
 
-// A scene is never refused for its pictures, and nobody has to guess why it is gray.
+// A scene is never rejected because of its textures, and a warning explains why a mesh is gray.
 TEST(SceneTextures, ThatCannotBeReadAreALineOfWarningAndGray) {
     struct Case {
         const char* what;
@@ -127,8 +127,8 @@ TEST(SceneTextures, ThatCannotBeReadAreALineOfWarningAndGray) {
     }
 }
 
-// A mesh whose lower half is carried by one body and whose upper half by another, between them by both. The bones are
-// nodes below those bodies, turned and scaled, and bound somewhere else.
+// A skinned mesh: one body carries its lower half, another its upper half, and both carry the middle. The bones are
+// nodes below these bodies, rotated and scaled, with a different bind pose.
 struct BentParts : MeshParts {
     std::vector<std::uint8_t> joints;
     std::vector<float> shares, bindings;
@@ -174,7 +174,7 @@ struct BentParts : MeshParts {
     }
 };
 
-// Where the vertices are, by the bones of the visual.
+// The positions of the vertices according to the bones of the visual.
 std::vector<glm::dvec3> vertices_now(const scene::Scene& scene, const scene::VisualMesh& visual) {
     std::vector<glm::dvec3> places;
     for (std::size_t i = 0; i < visual.surface->vertices.size(); ++i) {
@@ -209,7 +209,8 @@ TEST(SceneSkins, CarryVerticesAsTheFormatSays) {
         EXPECT_TRUE(scene.visuals[0].body.is_null());
         ASSERT_EQ(scene.visuals[0].bones.size(), 3u);
         EXPECT_TRUE(scene.visuals[0].bones[2].body.is_null());
-        // From the file's own numbers, by 4 x 4 matrices (glTF 2.0, section 3.7.3.3); a body is put elsewhere.
+        // Computed from the file's numbers with 4 x 4 matrices (glTF 2.0, section 3.7.3.3), after a body has been
+        // moved.
         const glm::dvec3 unit(1.0), none(0.0);
         const glm::dquat still(1, 0, 0, 0), elsewhere = glm::normalize(glm::dquat(0.3, -0.5, 0.2, 0.7));
         Body moved = scene.world.body(scene.visuals[0].bones[0].body);
@@ -271,7 +272,8 @@ TEST(SceneSkins, AndTexturesAreTheSameAfterBeingSaved) {
     EXPECT_EQ(bent, 1u);
     EXPECT_EQ(with_texture, 2u);
     EXPECT_EQ(Json::parse(saved)["images"].size(), 1u);
-    scene.world.destroy_body(scene.visuals[0].bones[0].body); // what it carries, and what it carries a part of
+    // Removes the visuals that this body carries, wholly or in part.
+    scene.world.destroy_body(scene.visuals[0].bones[0].body);
     EXPECT_EQ(load_text(scene::save_to_string(scene)).visuals.size(), 1u);
 }
 
@@ -304,7 +306,7 @@ TEST(SceneSkins, AreInAnimatedFiles) {
     EXPECT_EQ(again.visuals.size(), 2u);
 }
 
-// Whatever is changed in a file, it is refused with an error, or its bones and coordinates fit.
+// However a file is damaged, it is rejected with an error, or its bones and texture coordinates are consistent.
 TEST(SceneSkins, AndTexturesOfDamagedFilesFitOrAreRefused) {
     BentParts parts(2);
     scene::Scene scene = load_text(parts.text());
@@ -363,7 +365,7 @@ TEST(SceneSkins, ThatMakeNoSenseAreRefusedByName) {
     parts.skin_nodes = "2,4,77";
     EXPECT_NE(message(parts.text()).find("skins[0].joints[2]"), std::string::npos);
     parts = BentParts(1);
-    parts.roots = "0,1,3"; // a bone that is nowhere
+    parts.roots = "0,1,3"; // a bone that is not in the scene
     EXPECT_NE(message(parts.text()).find("must be a node that the scene shows"), std::string::npos);
     parts = BentParts(1);
     parts.shares.resize(12);

@@ -1,4 +1,4 @@
-// OBJ and STL files: every form that they come in, and one line for what is wrong.
+// OBJ and STL files: every variant of the formats, and a one-line message for every error.
 #include "mesh_text.h"
 
 #include "scene/decimal.h"
@@ -153,7 +153,7 @@ TEST(MeshImport, AHullIsADynamicBody) {
     const Body body = scene.world.body(scene.world.bodies().at(0));
     EXPECT_EQ(body.type(), BodyType::dynamic);
     EXPECT_EQ(body.name(), "cube");
-    EXPECT_NEAR(body.mass(), 500.0f, 1e-2f); // the vertex that no face has is no part of it
+    EXPECT_NEAR(body.mass(), 500.0f, 1e-2f); // a vertex without a face does not count
     EXPECT_TRUE(std::holds_alternative<Hull>(scene.world.shape(body.shapes().at(0))));
 }
 

@@ -23,7 +23,7 @@ const Shape& only_shape(const Scene& scene) {
     return scene.world.shape(shapes.at(0));
 }
 
-// Corners in an order that does not depend on how a shape stores them.
+// Vertices in an order that does not depend on how a shape stores them.
 std::multiset<std::array<float, 3>> corners(std::span<const Vec3> vertices) {
     std::multiset<std::array<float, 3>> result;
     for (const Vec3& v : vertices) result.insert({v.x, v.y, v.z});
@@ -32,7 +32,7 @@ std::multiset<std::array<float, 3>> corners(std::span<const Vec3> vertices) {
 using Corners = std::multiset<std::array<float, 3>>;
 const Corners tetrahedron_set{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
 
-// Signed volume that the triangles enclose: positive if they face outward.
+// The signed volume enclosed by the triangles: positive if they face outward.
 double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices().size(); i += 3) {
@@ -82,7 +82,7 @@ TEST(SceneMeshes, ScaleOfTheColliderIsBakedInAndMirrorsKeepTheOutsideOutside) {
 
 TEST(SceneMeshes, TransformOfTheMeshNodeItselfCountsOnlyBelowIt) {
     MeshParts parts = tetrahedron(hull_of_node_1);
-    // The mesh hangs on a child of node 1, which is moved, turned by 90 degrees about z and scaled.
+    // The mesh is on a child of node 1, which is translated, rotated by 90 degrees about z, and scaled.
     parts.nodes = node("", hull_of_node_1) + R"(,{"translation":[9,9,9],"children":[2]},)" +
                   R"({"mesh":0,"translation":[10,0,0],"rotation":[0,0,0.70710678118,0.70710678118],"scale":[2,1,1]})";
     const Hull hull = std::get<Hull>(only_shape(load_text(parts.text())));
@@ -120,7 +120,7 @@ TEST(SceneMeshes, EqualGeometryIsShared) {
     EXPECT_NE(data[0], data[2]);
 }
 
-// Two triangles of a square, said in every way that the format has.
+// Two triangles of a square, in every representation that the format has.
 MeshParts square_parts(const std::string& members, int type, const std::string& indices, std::size_t count) {
     MeshParts parts;
     const int positions = parts.positions({0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, -1});
@@ -238,7 +238,7 @@ TEST(SceneMeshes, HeightFieldsAreScaled) {
     EXPECT_EQ(field.heights()[5], 15.0f);
 }
 
-// Kept when it is saved; a place that is not in the grid is refused, and so is a field of holes alone.
+// Holes are kept by saving; an index outside the grid is rejected, and so is a field that consists of holes.
 TEST(SceneMeshes, HeightFieldsHaveHoles) {
     const auto with_holes = [](const std::string& places) {
         MeshParts parts = height_field();
@@ -260,7 +260,7 @@ TEST(SceneMeshes, HeightFieldsHaveHoles) {
         EXPECT_THROW(with_holes(wrong), Error) << wrong;
 }
 
-// Of two primitives, with materials for the triangles of the one and a single one for the other.
+// A mesh of two primitives: one has materials per triangle, the other a single material.
 TEST(SceneMeshes, TrianglesHaveMaterials) {
     const auto with_materials = [](const std::string& first, const std::string& second) {
         MeshParts parts;
@@ -282,7 +282,7 @@ TEST(SceneMeshes, TrianglesHaveMaterials) {
         text.insert(text.find("\"collisionFilters\""), materials);
         return load_text(text);
     };
-    // By the place of a triangle: its restitution, and how often.
+    // The restitution of each triangle, by its position, and how often it occurs.
     const auto materials_of = [](const Scene& scene) {
         const Mesh mesh = std::get<Mesh>(only_shape(scene));
         std::map<float, int> result;
@@ -306,8 +306,7 @@ TEST(SceneMeshes, TrianglesHaveMaterials) {
     EXPECT_EQ(with_materials(R"("material":[0],"materials":[2,0],"numbers":)", "").warnings.size(), 1u);
     for (const char* wrong : {R"("materials":[1],"numbers":)", R"("materials":[3,0],"numbers":)", R"("numbers":)"})
         EXPECT_THROW(with_materials(wrong, ""), Error) << wrong;
-    // The same list on body after body, each of another size: 7 x 65,535 numbers each time, of 2^26 that a file may
-    // have.
+    // The same list on many bodies, each with another scale: 7 x 65,535 numbers each time, while a file may have 2^26.
     std::string many = "0";
     for (int i = 1; i < 65535; ++i) many += ",0";
     MeshParts parts;
@@ -368,7 +367,7 @@ class SceneFolder : public testing::Test {
     void write(const std::string& name, const std::string& bytes) const {
         std::ofstream(folder_ / name, std::ios::binary) << bytes;
     }
-    // Loads the scene with its buffer in the file of that URI.
+    // Loads the scene with its buffer in the file at that URI.
     Scene load(const std::string& uri) const {
         write("scenes/test.gltf", tetrahedron(hull_of_node_1).text("\"" + uri + "\""));
         return scene::load(folder_ / "scenes" / "test.gltf");
@@ -388,7 +387,7 @@ class SceneFolder : public testing::Test {
 TEST_F(SceneFolder, BuffersInFilesBesideTheScene) {
     EXPECT_EQ(corners(std::get<Hull>(only_shape(load("data/mesh%201.bin"))).vertices()), tetrahedron_set);
     EXPECT_EQ(corners(std::get<Hull>(only_shape(load("./data/mesh 1.bin"))).vertices()), tetrahedron_set);
-    fs::create_directory_symlink(folder_ / "scenes", folder_ / "link"); // the folder itself may be a link
+    fs::create_directory_symlink(folder_ / "scenes", folder_ / "link"); // the folder itself may be a symbolic link
     EXPECT_EQ(scene::load(folder_ / "link" / "test.gltf").world.bodies().size(), 1u);
 }
 
@@ -408,7 +407,8 @@ TEST_F(SceneFolder, FilesOutsideOfItAreOutOfReach) {
     expect_refused("data", "must name a file, not a folder or a device");
     expect_refused("missing.bin", "missing.bin: cannot be read: No such file");
     expect_refused("a%2", "must have two hexadecimal digits after each %");
-    fs::create_symlink("data/mesh 1.bin", folder_ / "scenes" / "inside.bin"); // a link that stays inside is none
+    // A link to a file inside the folder is accepted.
+    fs::create_symlink("data/mesh 1.bin", folder_ / "scenes" / "inside.bin");
     EXPECT_EQ(load("inside.bin").world.bodies().size(), 1u);
 }
 

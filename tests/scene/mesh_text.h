@@ -1,4 +1,4 @@
-// Scene files with meshes, put together number by number.
+// Builds scene files with meshes, with all their buffers and accessors.
 #pragma once
 
 #include "scene_text.h"
@@ -30,12 +30,12 @@ template <class T> std::string packed(const std::vector<T>& values) {
     return bytes;
 }
 
-// A document with meshes. Members of the arrays are added as text; the buffer is filled by `view`.
+// A document with meshes. Members of its arrays are added as text; `view` fills the buffer.
 struct MeshParts {
     std::string nodes, roots = "0", meshes, accessors, views, shapes, filters, joints, buffer, more;
     int view_count = 0, accessor_count = 0;
 
-    // Each returns the index of what it adds.
+    // Each of these functions returns the index of the element that it adds.
     int view(const std::string& bytes, const std::string& members = "") {
         buffer.resize((buffer.size() + 3) / 4 * 4);
         views += (views.empty() ? "" : ",") + std::string(R"({"buffer":0,"byteOffset":)") +
@@ -83,11 +83,11 @@ struct MeshParts {
     }
 };
 
-// Corners and triangles of a tetrahedron whose corner is at the origin, with legs of 1, 2 and 3 m along the axes.
+// Vertices and triangles of a tetrahedron with one vertex at the origin and legs of 1, 2 and 3 m along the axes.
 inline const std::vector<float> tetrahedron_corners{0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3};
 inline const std::vector<std::uint16_t> tetrahedron_triangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
-// A static body with that tetrahedron; node 1, which the scene does not show, has the mesh.
+// A static body with that tetrahedron; node 1, which is not in the scene, has the mesh.
 inline MeshParts tetrahedron(const std::string& physics, const std::string& members = "") {
     MeshParts parts;
     const int positions = parts.positions(tetrahedron_corners);
@@ -99,11 +99,11 @@ inline MeshParts tetrahedron(const std::string& physics, const std::string& memb
 inline const std::string hull_of_node_1 = R"("collider":{"geometry":{"node":1,"convexHull":true}})";
 inline const std::string mesh_of_node_1 = R"("collider":{"geometry":{"node":1}})";
 
-// A height field of 3 columns and 2 rows, spacing 1 and 2 m, heights 0 to 5 m: shape 0.
+// A height field with 3 columns and 2 rows, spacing 1 and 2 m, heights 0 to 5 m: shape 0.
 inline MeshParts height_field() {
     MeshParts parts;
     const int heights = parts.accessor(parts.view(packed(std::vector<float>{0, 1, 2, 3, 4, 5})), 5126, 6, "SCALAR");
-    parts.mesh(heights, -1); // no node has it: it only makes the array of meshes a valid one
+    parts.mesh(heights, -1); // no node uses it: it only makes the array of meshes valid
     parts.shapes = R"({"type":"CAIRN_height_field","extensions":{"CAIRN_height_field":{"columns":3,"rows":2,)"
                    R"("spacing":[1,2],"heights":)" +
                    std::to_string(heights) + "}}}";

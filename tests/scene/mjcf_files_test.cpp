@@ -1,4 +1,4 @@
-// MJCF models that name other files, and models that are refused or read with a warning.
+// MJCF models that refer to other files, and models that are rejected or loaded with a warning.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST_F(MjcfFiles, NothingOutsideOfTheFolderIsRead) {
     expect_refused("<compiler meshdir=\"..\"/><asset><mesh name=\"m\" file=\"secret.obj\"/></asset><worldbody>"
                    "<body><freejoint/><geom type=\"mesh\" mesh=\"m\"/></body></worldbody>",
                    ErrorCode::io, "in the model's folder or below it");
-    // What has its mass without it, or is only looked at, goes without it.
+    // A geom is omitted if its body has its mass without it, or if it is only a visual.
     const Scene scene = load("<asset><mesh name=\"m\" file=\"../secret.obj\"/></asset><worldbody>" + ball_body +
                              "<geom type=\"mesh\" mesh=\"m\"/></worldbody>");
     EXPECT_EQ(scene.world.bodies().size(), 1u);
@@ -106,7 +106,8 @@ TEST_F(MjcfFiles, MissingMeshesAreLeftOutWhereTheBodyHasItsMass) {
               std::string::npos)
         << scene.warnings[0];
     expect_refused(mesh + "<worldbody><body><freejoint/>" + geoms, ErrorCode::io, "there is no such file");
-    // Its looks need no mass where the format says that they have none, nor does what stands still. Both were refused.
+    // Visuals need no mass if the format says that they have none, nor do static bodies. Without the fix both were
+    // rejected.
     const std::string look = "<geom type=\"mesh\" mesh=\"gone\" ";
     EXPECT_EQ(load(mesh + "<worldbody><body><freejoint/><geom size=\".1\"/>" + look + "mass=\"0\"/>" + look +
                    "density=\"0\"/></body>" + look + "/></worldbody>")
@@ -114,7 +115,7 @@ TEST_F(MjcfFiles, MissingMeshesAreLeftOutWhereTheBodyHasItsMass) {
               3u);
 }
 
-// A torn file that is only looked at refused the model; one that touches still does.
+// Without the fix a damaged mesh file of a visual made the whole model invalid; that of a collider still does.
 TEST_F(MjcfFiles, AGeomWithATornMeshIsLeftOutIfItIsOnlyLookedAt) {
     write("parts/torn.stl", "solid torn\nfacet\n");
     const auto model = [](const std::string& attributes) {

@@ -37,12 +37,12 @@ class MjcfLooks : public testing::Test {
     fs::path above_, folder_;
 };
 
-// As MuJoCo lays it: the middle of the picture is at the origin, and texrepeat pictures lie across the geom, or across
-// 2 m.
+// As in MuJoCo: the center of the image is at the origin, and the image is repeated texrepeat times over the geom, or
+// over 2 m.
 TEST_F(MjcfLooks, TexturesLieOnPlanesAndPrimitivesAsInMuJoCo) {
     struct Case {
         const char *material, *geom;
-        glm::dvec2 repeats; // a meter
+        glm::dvec2 repeats; // per meter
     };
     const Case cases[] = {
         {R"(texrepeat="3 5")", R"(<geom type="plane" size="4 2 1" material="m"/>)", {3 / 8.0, 5 / 4.0}},
@@ -74,7 +74,7 @@ TEST_F(MjcfLooks, TexturesLieOnPlanesAndPrimitivesAsInMuJoCo) {
     EXPECT_EQ(plane.visuals.at(0).color, Vec3(1.0f)) << "a material is white unless it says another color";
 }
 
-// MuJoCo takes a color of a geom for its own unless it is the default one, and else that of the material.
+// As in MuJoCo, the color of a geom counts unless it is the default one; otherwise the material's color counts.
 TEST_F(MjcfLooks, ColorsAreThoseOfTheGeomOrOfTheMaterial) {
     const auto color = [&](const std::string& material, const std::string& geom) {
         return load("<material name=\"m\" " + material + "/>", "<geom size=\".5\" material=\"m\" " + geom + "/>")
@@ -87,7 +87,7 @@ TEST_F(MjcfLooks, ColorsAreThoseOfTheGeomOrOfTheMaterial) {
     EXPECT_EQ(color("", ""), Vec3(1, 1, 1));
 }
 
-// As the robots of Gym have them: a cube around a geom, all in one color, which multiplies that of the geom.
+// Used by the robots of Gym: a cube texture around a geom in a single color, which multiplies the geom's color.
 TEST_F(MjcfLooks, FlatCubesTintAndLayersHoldTextures) {
     const Scene tinted = load(R"(<texture name="t" builtin="flat" mark="cross" width="8" height="48" rgb1="1 .5 0"
         rgb2="1 .5 0" random=".01"/><material name="m" texture="t"/>)",

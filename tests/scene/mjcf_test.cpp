@@ -35,7 +35,7 @@ TEST(Mjcf, GeomsHaveTheMassAndTheBoundsThatTheirSizesSay) {
     struct Case {
         const char* geom;
         double mass;
-        glm::dvec3 half; // of the bounds, in the file's axes
+        glm::dvec3 half; // half extents of the bounds, in the file's axes
     };
     for (const Case& c : {
              Case{R"(<geom size=".3"/>)", 4.0 / 3.0 * pi * 27.0, {.3, .3, .3}},
@@ -56,25 +56,26 @@ TEST(Mjcf, GeomsHaveTheMassAndTheBoundsThatTheirSizesSay) {
         const Bounds bounds = scene.world.shape_bounds(body(scene, "b").shapes().at(0));
         const glm::dvec3 half = seen(c.half);
         for (int i = 0; i < 3; ++i) {
-            EXPECT_NEAR(bounds.max[i], std::fabs(half[i]), 0.002) << i; // ellipsoids have corners
+            EXPECT_NEAR(bounds.max[i], std::fabs(half[i]), 0.002) << i; // ellipsoids are approximated by hulls
             EXPECT_NEAR(bounds.min[i], -std::fabs(half[i]), 0.002) << i;
         }
     }
 }
 
 TEST(Mjcf, AMeshWeighsWhatItsTrianglesEncloseAndTouchesAsItsHull) {
-    // A unit cube of which one corner is cut off: seven eighths and some, less than its hull would with a dent.
+    // A unit cube in which one face is replaced by a dent to the center: the mass is that of the concave mesh, the
+    // shape is its hull.
     const std::string corners = "0 0 0  1 0 0  1 1 0  0 1 0  0 0 1  1 0 1  1 1 1  0 1 1  .5 .5 .5";
     const std::string faces =
         "0 3 2 0 2 1  0 1 5 0 5 4  1 2 6 1 6 5  2 3 7 2 7 6  3 0 4 3 4 7  4 5 8 5 6 8 6 7 8 7 4 8";
     Scene scene = load_model("<asset><mesh name=\"m\" scale=\"2 1 1\" vertex=\"" + corners + "\" face=\"" + faces +
                              "\"/></asset><worldbody><body name=\"b\"><freejoint/><geom type=\"mesh\" mesh=\"m\" "
                              "density=\"60\"/></body></worldbody>");
-    EXPECT_NEAR(body(scene, "b").mass(), 60.0 * 2.0 * (1.0 - 1.0 / 6.0), 1e-3); // a pyramid of 1/6 is missing
+    EXPECT_NEAR(body(scene, "b").mass(), 60.0 * 2.0 * (1.0 - 1.0 / 6.0), 1e-3); // minus a pyramid of 1/6
     EXPECT_NEAR(std::get<Hull>(scene.world.shape(body(scene, "b").shapes().at(0))).volume(), 2.0, 1e-5);
 }
 
-// Bodies with one or two joints each, at random, with references, and a key frame that bends them all.
+// Random bodies with one or two joints each, with reference positions, and a key frame that moves all of them.
 TEST(Mjcf, JointsStandWhereTheKeyFrameSays) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -119,7 +120,7 @@ TEST(Mjcf, JointsStandWhereTheKeyFrameSays) {
 }
 
 TEST(Mjcf, RatesOfTheKeyFrameAreThoseOfTheBodies) {
-    // A hinge at the origin carries an arm, and that one a slide along it.
+    // A hinge at the origin carries an arm, which carries a slider along it.
     Scene scene = load_model(R"(<compiler angle="radian"/><option gravity="0 0 0"/><worldbody>
         <body name="arm"><joint name="h" axis="0 0 1"/><geom size=".1" pos="1 0 0" contype="0"/>
           <body name="sled" pos="2 0 0"><joint name="s" type="slide" axis="1 0 0"/><geom size=".1" contype="0"/></body>
@@ -134,7 +135,7 @@ TEST(Mjcf, RatesOfTheKeyFrameAreThoseOfTheBodies) {
 }
 
 TEST(Mjcf, ServosSpringsAndMotorsDoWhatTheirNumbersSay) {
-    // Without gravity, each with its own closed form.
+    // Without gravity, each joint follows its own closed form.
     Scene scene = load_model(R"(<compiler angle="radian"/><option gravity="0 0 0" timestep="0.001"/><worldbody>
         <body name="servo"><joint name="servo" axis="0 0 1" damping="1"/><geom size=".1" contype="0"/></body>
         <body name="spring" pos="5 0 0"><joint name="spring" type="slide" axis="1 0 0" stiffness="400" springref="0.1"/>
@@ -143,18 +144,18 @@ TEST(Mjcf, ServosSpringsAndMotorsDoWhatTheirNumbersSay) {
           <geom size=".1" mass="2" contype="0"/></body>
         </worldbody><actuator><position joint="servo" kp="50" kv="2" ctrlrange="-1 1" gear="2"/>
         <motor joint="motor" gear="3"/></actuator><keyframe><key ctrl="5 0.5"/></keyframe>)");
-    run(scene, 0.5 * pi / 10.0); // half a swing of sqrt(400 / 4) = 10 rad/s
+    run(scene, 0.5 * pi / 10.0); // half a period at sqrt(400 / 4) = 10 rad/s is pi / 10
     EXPECT_NEAR(joint_state(scene, "spring").positions[0], 0.1f, 0.002f);
     run(scene, 0.5 * pi / 10.0);
     EXPECT_NEAR(joint_state(scene, "spring").positions[0], 0.2f, 0.002f);
     EXPECT_NEAR(joint_state(scene, "motor").positions[0], 0.5 * 1.5 / 2.0 * std::pow(pi / 10.0, 2.0), 0.001);
     run(scene, 5.0);
     EXPECT_NEAR(joint_state(scene, "servo").positions[0], 0.5f,
-                0.001f); // the control is cut to 1, and the gear halves it
+                0.001f); // the control is clamped to 1, and the gear halves it
 }
 
 TEST(Mjcf, AnArmatureSlowsAHingeAsARotorWould) {
-    // A motor of 1 N m against the body's 0.4 m r^2 and the armature.
+    // A motor of 1 N m accelerates the body's 0.4 m r^2 plus the armature.
     for (const double armature : {0.0, 0.02, 1.0}) {
         Scene scene =
             load_model("<option gravity=\"0 0 0\"/><worldbody><body name=\"b\"><joint name=\"j\" axis=\"0 0 1\" "
@@ -168,7 +169,7 @@ TEST(Mjcf, AnArmatureSlowsAHingeAsARotorWould) {
     }
 }
 
-// An ankle of 30 to 100 degrees, drawn at 0, flew off with 17 kJ.
+// Without the fix an ankle with a range of 30 to 100 degrees that was drawn at 0 flew off with 17 kJ.
 TEST(Mjcf, WhatBeginsOutsideOfItsRangeBeginsAtItsEnd) {
     Scene scene = load_model(R"(<worldbody><body name="b"><joint name="j" axis="0 1 0" range="30 100" armature="1"/>
         <geom type="capsule" fromto="0 0 0 .5 0 0" size=".05" contype="0"/></body></worldbody>)");
@@ -179,7 +180,8 @@ TEST(Mjcf, WhatBeginsOutsideOfItsRangeBeginsAtItsEnd) {
     EXPECT_LT(scene.world.kinetic_energy(), 1.0);
 }
 
-// Three hinges, all of them bent to their ends: bounds of the rotation vector were not where the angles are.
+// Three hinges, all bent to their limits. Without the fix the limits applied to the rotation vector, which differs from
+// the angles.
 TEST(Mjcf, ThreeHingesThatBeginAtTheirEndsStayThere) {
     for (const char* ends : {"-1.9 -0.5 -0.9", "0.1 0.6 0.3", "0.1 -0.5 0.3", "-1.9 0.6 -0.9"}) {
         Scene scene = load_model(R"(<compiler angle="radian"/><option gravity="0 0 0"/><worldbody><body name="b">
@@ -194,7 +196,7 @@ TEST(Mjcf, ThreeHingesThatBeginAtTheirEndsStayThere) {
 }
 
 TEST(Mjcf, GeomsMeetByTheirBits) {
-    // Two balls that overlap: they part if they meet.
+    // Two overlapping balls, which separate if they collide.
     struct Case {
         const char* first;
         const char* second;
@@ -233,12 +235,12 @@ TEST(Mjcf, PairsMeetAndExcludedBodiesDoNot) {
     EXPECT_TRUE(parted(never, R"(<pair geom1="g" geom2="h"/>)"));
 }
 
-// The light body between them took away what kept them from colliding: they flew apart.
+// Without the fix the light intermediate body hid that the two bodies are jointed: they collided and flew apart.
 TEST(Mjcf, BodiesOfSeveralJointsDoNotTouchTheirParents) {
     Scene scene = load_model(R"(<option gravity="0 0 0"/><worldbody><body name="a"><freejoint/><geom size=".2"/>
         <body name="b" pos="0.1 0 0"><joint axis="0 1 0"/><joint axis="1 0 0"/><joint axis="0 0 1"/><geom size=".2"/>
         </body></body></worldbody>)");
-    ASSERT_EQ(scene.world.bodies().size(), 3u); // one of them between joints
+    ASSERT_EQ(scene.world.bodies().size(), 3u); // including one between the joints
     EXPECT_NEAR(body(scene, "a").mass() + body(scene, "b").mass() + body(scene, "b between joints").mass(),
                 2.0 * 4000.0 / 3.0 * pi * 0.008, 0.1);
     run(scene, 1.0);
@@ -255,10 +257,10 @@ TEST(Mjcf, WeldsAndConnectsHold) {
     run(scene, 2.0);
     const glm::dvec3 between = body(scene, "b").position() - body(scene, "a").position();
     EXPECT_NEAR(glm::length(between), 1.0, 1e-3);
-    EXPECT_GT(body(scene, "a").position().y, 2.0);                            // hangs a meter below 0 0 4
-    EXPECT_NEAR(body(scene, "c").position().y, 3.0 - 0.5 * 9.81 * 4.0, 0.05); // falls
+    EXPECT_GT(body(scene, "a").position().y, 2.0);                            // hangs 1 m below 0 0 4
+    EXPECT_NEAR(body(scene, "c").position().y, 3.0 - 0.5 * 9.81 * 4.0, 0.05); // falls freely
     scene.world.set_joint_enabled(scene.world.find_joint("later").value(), true);
-    run(scene, 10.0); // and is brought back to where it was
+    run(scene, 10.0); // it is moved back to its initial position
     EXPECT_NEAR(body(scene, "c").position().y, 3.0, 1e-3);
 }
 

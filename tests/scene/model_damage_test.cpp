@@ -1,5 +1,5 @@
-// MJCF, SDF and USD files with flipped bits, cuts, doubled parts and huge numbers: each is refused in one line, or
-// loads as something that runs and can be saved.
+// MJCF, SDF and USD files with flipped bits, truncations, duplicated parts and huge numbers: each is rejected with a
+// one-line message, or loads as a scene that runs and can be saved.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::string corpus(const std::string& beginning, const std::string& name) {
     return std::string(beginning).append(std::istreambuf_iterator<char>(file), {});
 }
 
-// One to three changes, of any kind.
+// Applies one to three random changes of any kind.
 std::string damaged(std::string text, std::mt19937& random) {
     const auto below = [&](std::size_t most) { return most == 0 ? 0 : random() % most; };
     const int changes = 1 + static_cast<int>(below(3));
@@ -41,12 +41,12 @@ std::string damaged(std::string text, std::mt19937& random) {
         case 3:
             text.insert(at, text.substr(at, length));
             break;
-        case 4: { // a whole element, or as much as looks like one
+        case 4: { // duplicates an element, or text that looks like one
             const std::size_t begin = text.find('<', at), end = text.find('>', std::min(begin, text.size()));
             if (end != std::string::npos) text.insert(begin, text.substr(begin, end + 1 - begin));
             break;
         }
-        default: { // a number becomes another
+        default: { // replaces a number
             const std::size_t begin = text.find_first_of("0123456789", at);
             if (begin == std::string::npos) break;
             static const char* const numbers[] = {"1e300", "-1e38",  "nan",         "inf", "0",

@@ -1,4 +1,4 @@
-// Materials and textures of models in URDF, SDF and USD, and of the .obj files that they name.
+// Materials and textures of models in URDF, SDF and USD, and of the .obj files they refer to.
 #include "scene_text.h"
 
 #include "scene/mesh_store.h"
@@ -21,7 +21,7 @@ using scene::Scene;
 namespace fs = std::filesystem;
 
 const std::string png = "\x89PNG\r\n\x1A\n and so on", other_png = "\x89PNG\r\n\x1A\n something else";
-// A square of two triangles, one of them of each material.
+// A square of two triangles, each with its own material.
 const std::string two_materials = "mtllib paint.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                                   "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 2\nvn 1 0 0\n"
                                   "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl wood\nf 1/1/1 3/3/1 4/4/1\n";
@@ -48,7 +48,7 @@ class ModelLooks : public testing::Test {
         write(name, text);
         return scene::load(folder_ / name);
     }
-    // `material`: within the visual. The shape that touches is another one.
+    // `material`: XML inside the visual. The collision shape is a different one.
     Scene urdf(const std::string& material, const std::string& mesh = "meshes/part.obj") const {
         return load("robot.urdf", "<robot name=\"r\"><link name=\"a\"><collision><geometry><sphere radius=\"1\"/>"
                                   "</geometry></collision><visual><geometry><mesh filename=\"" +
@@ -176,7 +176,7 @@ TEST_F(ModelLooks, OfAnObjFileAloneAreThoseOfItsMaterials) {
     EXPECT_TRUE(plain.visuals.empty()) << "it is shown as what touches";
 }
 
-// A mesh that only touches has no looks to warn of.
+// A mesh that is only a collider causes no warnings about its materials.
 TEST_F(ModelLooks, AreNotLookedForWhereNothingIsSeen) {
     fs::remove(folder_ / "meshes/paint.mtl");
     const Scene scene =
@@ -187,7 +187,7 @@ TEST_F(ModelLooks, AreNotLookedForWhereNothingIsSeen) {
     for (const std::string& line : scene.warnings) EXPECT_EQ(line.find("mtllib"), line.npos) << line;
 }
 
-// What a stranger's file has for looks never keeps it from being touched.
+// Invalid texture coordinates or normals in an .obj file never keep it from being used as a collider.
 TEST_F(ModelLooks, OfObjFilesThatMakeNoSenseChangeNoTriangles) {
     const std::string start = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (const char* rest : {"vt\nvn x y\nf 1/1/1 2/1/1 3/1/1\n", "vt 1 2\nf 1/7/9 2/-5/ 3/x\n", "f 1/1 2/2 3/3\n",
@@ -236,7 +236,7 @@ TEST_F(ModelLooks, OfUsdAreThoseOfPreviewSurfaces) {
             float3 outputs:rgb })",
                    square_prim + places + "}");
     };
-    // Of the corners of the face, of its points, and by indices.
+    // One per vertex of the face, one per point of the mesh, and by indices.
     for (const char* places : {"texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 0.75)]",
                                "texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 0.75), (9, 9)]",
                                "texCoord2f[] primvars:st = [(0, 0.75), (1, 1), (1, 0), (0, 0)]\n"
@@ -274,7 +274,7 @@ TEST_F(ModelLooks, OfUsdAreThoseOfPreviewSurfaces) {
     }
 }
 
-// A body that touches shows its texture, too, and touches as before.
+// A USD body with a collider is shown with its texture, and collides as before.
 TEST_F(ModelLooks, OfUsdBodiesAreShownInPlaceOfTheirShapes) {
     std::string body = square_prim;
     body.replace(body.find("\"MaterialBindingAPI\""), 20, "\"PhysicsCollisionAPI\"");

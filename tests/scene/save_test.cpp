@@ -1,4 +1,4 @@
-// Scenes survive being saved and loaded, and the second file is the first one, byte for byte.
+// Scenes survive saving and loading, and the second file equals the first byte for byte.
 #include "mesh_text.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ template <class V> void expect_alike(const V& a, const V& b, int size, const cha
     }
 }
 
-// Equal but for the rounding of rotations to float.
+// Equal except for rounding rotations to float.
 void expect_same_world(const World& a, const World& b) {
     ASSERT_EQ(a.bodies().size(), b.bodies().size());
     for (std::size_t i = 0; i < a.bodies().size(); ++i) {
@@ -49,7 +49,6 @@ void expect_same_world(const World& a, const World& b) {
     }
 }
 
-// The first line in which two texts differ.
 std::string first_difference(const std::string& a, const std::string& b) {
     std::istringstream first(a), second(b);
     std::string x, y;
@@ -57,7 +56,7 @@ std::string first_difference(const std::string& a, const std::string& b) {
     return x + "\n" + y;
 }
 
-// Loading what was saved and saving it again gives the same bytes, and nothing is lost.
+// Loading a saved scene and saving it again gives the same bytes, and nothing is lost.
 void expect_stable(const Scene& scene) {
     const std::string first = scene::save_to_string(scene);
     const Scene again = load_text(first);
@@ -69,7 +68,7 @@ void expect_stable(const Scene& scene) {
     EXPECT_EQ(again.appearances.size(), scene.appearances.size());
 }
 
-// Without a look into the files: that takes a third of a second in each test, which is a process of its own.
+// The names only: reading the files would take a third of a second in each test, which is a process of its own.
 std::vector<std::string> shipped_scenes() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(CAIRN_TEST_SCENES))
@@ -155,7 +154,7 @@ TEST(SceneSave, EverythingAFileCanSay) {
     expect_stable(load_text(document(parts)));
 }
 
-// Of bodies of any type; a body that was removed leaves its group, which ends where it leaves one alone.
+// Bodies of any type may be in a group; removing a body removes it from its group, and a group of one is dissolved.
 TEST(SceneSave, Characters) {
     Scene scene{World(), {}, {}, {}, {}};
     BodyDef def;
@@ -181,7 +180,7 @@ TEST(SceneSave, Characters) {
     EXPECT_EQ(read.skin, mine.skin);
     EXPECT_TRUE(read.flies);
     EXPECT_EQ(again.world.body(all[1]).walk_velocity(), Vec3(1, 2, 3));
-    // What no character can have is refused where it stands.
+    // Values that no character can have are rejected with their location.
     for (const auto& [from, to] : {std::pair("\"skin\":0.01", "\"skin\":-1"), std::pair("\"skin\":0.01", "\"skin\":7"),
                                    std::pair("\"flies\":true", "\"flies\":3")}) {
         std::string wrong = text;
@@ -230,7 +229,7 @@ TEST(SceneSave, PlanesThatFaceElsewhere) {
     const std::string text = scene::save_to_string(scene);
     const Scene again = load_text(text);
     EXPECT_EQ(scene::save_to_string(again), text);
-    // The rectangle reaches 2 m along y and 3 m along x; the ray would miss it with the sides exchanged.
+    // The rectangle extends 2 m along y and 3 m along x; the ray would miss it if the sides were exchanged.
     const auto hit = again.world.cast_ray({2.9, 1.9, 1}, {0, 0, -1}, 1.5);
     ASSERT_TRUE(hit.has_value());
     EXPECT_NEAR(hit->normal.z, 1.0f, 1e-6);
@@ -238,7 +237,7 @@ TEST(SceneSave, PlanesThatFaceElsewhere) {
                  std::fabs(again.world.cast_ray({1.9, 2.9, 1}, {0, 0, -1}, 1.5)->normal.z - 1.0f) < 1e-6);
 }
 
-// A scene with all that needs a buffer, or a list of its own.
+// A scene with every element that needs a buffer or a list of its own.
 Scene rich_scene() {
     MeshParts parts = tetrahedron("");
     const int heights = parts.accessor(parts.view(packed(std::vector<float>{0, 0.1f, 2, 3, 4, 5})), 5126, 6, "SCALAR");
@@ -321,7 +320,7 @@ TEST(SceneSave, MeshesFiltersTriggersAndJoints) {
     const std::string second = scene::save_to_string(again);
     EXPECT_TRUE(second == first) << first_difference(first, second);
     expect_same_world(scene.world, again.world);
-    EXPECT_EQ(again.collision_systems, (std::vector<std::string>{"a", "b"})); // nothing is in system c
+    EXPECT_EQ(again.collision_systems, (std::vector<std::string>{"a", "b"})); // no shape is in system c
     ASSERT_EQ(again.world.joints().size(), 1u);
     const JointDef& joint = again.world.joint_def(again.world.joints()[0]);
     EXPECT_EQ(joint.name, "pin");
@@ -357,7 +356,7 @@ TEST(SceneSave, HullsThatShareDataAreWrittenOnce) {
     for (std::size_t at = text.find("\"POSITION\""); at != std::string::npos; at = text.find("\"POSITION\"", at + 1)) {
         ++meshes;
     }
-    EXPECT_EQ(meshes, 4u); // a hull of two colliders, a triangle mesh, and two that are looked at
+    EXPECT_EQ(meshes, 4u); // a hull of two colliders, a triangle mesh, and two visuals
 }
 
 TEST(SceneSave, BinaryFilesHoldTheSame) {
@@ -392,7 +391,7 @@ TEST(SceneSave, FiltersSetByHandKeepTheirMeaning) {
         shape.filter = filter;
         scene.world.add_shape(scene.world.create_body(def), Sphere{}, shape);
     }
-    scene.collision_systems = {"layer_3"}; // of bit 1; the made-up name of bit 3 must be another
+    scene.collision_systems = {"layer_3"}; // of bit 1; the generated name for bit 3 must differ
     const std::string text = scene::save_to_string(scene);
     const Scene again = load_text(text);
     EXPECT_EQ(scene::save_to_string(again), text);
@@ -407,7 +406,7 @@ TEST(SceneSave, FiltersSetByHandKeepTheirMeaning) {
     }
 }
 
-// Regression: adding shape after shape moved the origin of a body a little every time that it was loaded.
+// Without the fix each load moved the origin of a body a little, as it was computed anew with every added shape.
 TEST(SceneSave, BodiesOfManyPartsStayInTheirPlace) {
     std::ostringstream nodes, children;
     for (int i = 1; i <= 14; ++i) {
@@ -464,7 +463,7 @@ TEST(SceneSave, WritesAFileAndLeavesNothingBeside) {
     std::filesystem::create_directories(folder);
     const Scene scene = load_nodes(node(R"("name":"ball",)", R"("motion":{},)" + sphere));
     scene::save(scene, folder / "ball.gltf");
-    scene::save(scene, folder / "ball.gltf"); // over the old one
+    scene::save(scene, folder / "ball.gltf"); // overwrites the first file
     const std::vector<scene::SceneEntry> entries = scene::list_scenes(folder);
     ASSERT_EQ(entries.size(), 1u);
     EXPECT_EQ(entries[0].bodies, 1u);

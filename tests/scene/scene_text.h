@@ -1,4 +1,4 @@
-// Scene files for tests, put together from their parts.
+// Builds scene files for tests from their parts.
 #pragma once
 
 #include "scene/scene.h"
@@ -17,7 +17,7 @@ inline scene::Scene load_text(const std::string& text, const std::string& name =
     return scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), name);
 }
 
-// Parts of a document, each the text inside its brackets.
+// Parts of a document; each is the text inside its brackets.
 struct Parts {
     std::string nodes = "{}";
     std::string roots = "0";
@@ -42,7 +42,7 @@ inline std::string node(const std::string& members, const std::string& physics) 
     return "{" + members + R"("extensions":{"KHR_physics_rigid_bodies":{)" + physics + "}}}";
 }
 
-// Of a scene that was loaded from a model.
+// The body of that name in a scene that was loaded from a model.
 inline Body body(const scene::Scene& scene, const char* name) {
     return scene.world.body(scene.world.find_body(name).value());
 }
@@ -53,7 +53,7 @@ inline void run(scene::Scene& scene, double seconds) {
     const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(scene.info.time_step)));
     for (int i = 0; i < steps; ++i) scene.world.step(scene.info.time_step);
 }
-// From the file, where z is up.
+// A vector of the file, where z is up, in the axes of the world, where y is up.
 inline glm::dvec3 seen(const glm::dvec3& v) { return {v.x, v.z, -v.y}; }
 inline void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-5) {
     EXPECT_LT(glm::length(a - b), tolerance)
@@ -64,7 +64,7 @@ inline const std::string sphere = R"("collider":{"geometry":{"shape":0}})";
 inline const std::string box = R"("collider":{"geometry":{"shape":1}})";
 inline const std::string plane = R"("collider":{"geometry":{"shape":2}})";
 
-// An OBJ file.
+// The text of an OBJ file.
 inline const std::string tetrahedron_file = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 inline scene::Scene load_nodes(const std::string& nodes, const std::string& roots = "0") {

@@ -39,10 +39,10 @@ TEST(Sdf, PosesAreRelativeToWhatTheyName) {
         </model>
         <model name="n" placement_frame="tip"><pose>5 5 5 0 0 0</pose><link name="base"/>
           <frame name="tip"><pose>0 0 2 0 0 0</pose></frame></model>)");
-    // The frame turns x to y: the model stands at 0 1 10, and its y is -x of the world.
+    // The frame maps x to y: the model is at 0 1 10, and its y axis is the world's -x axis.
     expect_near(body(scene, "m::a").position(), seen({-2, 1, 10}));
     expect_near(body(scene, "m::b").position(), seen({-2, 2, 10}));
-    expect_near(body(scene, "m::c").position(), seen({-2, 1, 10})); // y of b is -y of the world
+    expect_near(body(scene, "m::c").position(), seen({-2, 1, 10})); // b's y axis is the world's -y axis
     expect_near(body(scene, "m::inner::d").position(), seen({0, 1, 13}));
     expect_near(body(scene, "m::e").position(), seen({0, 1, 14}));
     expect_near(body(scene, "n::base").position(), seen({5, 5, 3}));
@@ -58,7 +58,7 @@ TEST(Sdf, LinksHaveTheMassThatTheFileSays) {
     const MassProperties given = body(scene, "m::given").mass_properties();
     EXPECT_FLOAT_EQ(given.mass, 3.0f);
     EXPECT_NEAR(given.center_of_mass.z, 1.0f, 1e-6f);
-    EXPECT_FLOAT_EQ(body(scene, "m::none").mass(), 1.0f); // as the format says
+    EXPECT_FLOAT_EQ(body(scene, "m::none").mass(), 1.0f); // the default of the format
     const MassProperties automatic = body(scene, "m::auto").mass_properties();
     EXPECT_NEAR(automatic.mass, 3000.0f, 0.01f);
     EXPECT_NEAR(automatic.inertia_diagonal.x, 3000.0f / 12.0f * 13.0f, 0.1f);
@@ -84,7 +84,7 @@ TEST(Sdf, JointsTurnAboutTheirAxesFromTheAnchorOfTheChild) {
     ASSERT_EQ(scene.speed_limits.size(), 1u);
     EXPECT_FLOAT_EQ(scene.speed_limits[0].speed, 3.0f);
     Body b = body(scene, "m::b");
-    b.set_angular_velocity({0.0f, 5.0f, 0.0f}); // up, and so the way of the axis
+    b.set_angular_velocity({0.0f, 5.0f, 0.0f}); // upwards, along the joint's axis
     b.set_linear_velocity(Vec3(seen({0.0, 5.0, 0.0})));
     for (int i = 0; i < 20; ++i) scene.world.step(0.005f);
     const double angle = static_cast<double>(scene.world.joint_state(id).positions[0]);
@@ -102,7 +102,7 @@ TEST(Sdf, UniversalJointsHaveBothAxes) {
     EXPECT_NEAR(scene.world.joint_state(scene.world.find_joint("m::s").value()).positions[0], -0.5f, 1e-3f);
     expect_near(body(scene, "m::a").position(), glm::dvec3(0.0), 1e-3);
     Body b = body(scene, "m::b");
-    b.set_linear_velocity({1.0f, 0.0f, 1.0f}); // swings both ways
+    b.set_linear_velocity({1.0f, 0.0f, 1.0f}); // moves about both axes
     run(scene, 0.3);
     const JointState state = scene.world.joint_state(scene.world.find_joint("m::j").value());
     EXPECT_GT(std::fabs(state.positions[0]), 0.05f);
@@ -130,7 +130,8 @@ TEST(Sdf, FixedLinksAreOneBodyAndModelsDoNotTouchThemselves) {
     };
     EXPECT_GT(gap("self::a", "self::b"), 0.19);
     EXPECT_LT(gap("plain::a", "other::b") + gap("other::a", "other::b"), 10.0);
-    EXPECT_GT(glm::length(body(scene, "other::a").position() - before), 0.005); // others do touch it
+    // The other model still collides with it.
+    EXPECT_GT(glm::length(body(scene, "other::a").position() - before), 0.005);
 }
 
 TEST(Sdf, FrictionAndBouncesAreThoseOfTheSurface) {
@@ -148,7 +149,7 @@ TEST(Sdf, FrictionAndBouncesAreThoseOfTheSurface) {
                    surface("0.9") + "<geometry><box><size>1 1 1</size></box></geometry></collision></link></model>");
     body(scene, "box::l").set_linear_velocity({2.0f, 0.0f, 0.0f});
     run(scene, 2.0);
-    EXPECT_NEAR(body(scene, "box::l").position().x, 4.0 / (2.0 * 0.4 * 10.0), 0.02); // the smaller of both
+    EXPECT_NEAR(body(scene, "box::l").position().x, 4.0 / (2.0 * 0.4 * 10.0), 0.02); // the smaller of both frictions
 }
 
 TEST(Sdf, PhysicsSetsTheStepAndGravityIsTurned) {
@@ -229,7 +230,7 @@ TEST_F(SdfFiles, NothingOutsideOfTheFolderIsRead) {
     }
 }
 
-// A mesh outside of the folder refused the world, and so did a torn one that is only looked at.
+// Without the fix a mesh outside the folder, or a damaged mesh of a visual, made the whole world invalid.
 TEST_F(SdfFiles, MeshesThatMayNotOrCannotBeReadAreLeftOut) {
     std::ofstream(above_ / "secret.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     write("torn.stl", "solid torn\nfacet\n");

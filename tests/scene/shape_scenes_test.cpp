@@ -1,4 +1,4 @@
-// What each of the scenes with shapes is there to show, and that nothing gets lost on the way.
+// Each scene with shapes does what it is meant to show, and no body is lost meanwhile.
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -38,10 +38,11 @@ class ShapeScene : public testing::Test {
             if (scene_.world.body(id).type() == BodyType::dynamic) bodies.push_back(id);
         return bodies;
     }
-    // The y axis of the body, in the world.
+    // The y axis of the body, in world axes.
     static Vec3 axis(const Body& body) { return body.rotation() * Vec3(0, 1, 0); }
 
-    // All bodies are near the origin and above `floor`; none of those at the end is deeper in another than `depth`.
+    // Checks that all bodies are near the origin and above `floor`, and that none overlaps another by more than `depth`
+    // at the end.
     void expect_sane(double reach, double floor, double depth) {
         for (const BodyId id : dynamic_bodies()) {
             const Body body = world().body(id);
@@ -63,7 +64,7 @@ class ShapeScene : public testing::Test {
             greatest = std::max(greatest, glm::length(world().body(id).linear_velocity()));
         return greatest;
     }
-    double farthest() { // from the axis through the origin
+    double farthest() { // distance from the vertical axis through the origin
         double farthest = 0;
         for (const BodyId id : dynamic_bodies()) {
             const Position p = world().body(id).center_of_mass();
@@ -90,8 +91,8 @@ TEST_F(ShapeScene, MarblesFindTheBowl) {
     EXPECT_GE(in_bowl, 130) << "of " << dynamic_bodies().size();
 }
 
-// They crept at 0.01 to 0.02 m/s, for 10 s or for ever. Of 120 starts that differ by 1e-4 m/s in one body, 13 to 16
-// have one that still does after 10 s.
+// Without the fix the hulls crept at 0.01 to 0.02 m/s, for 10 s or for ever. Of 120 starts that differ by 1e-4 m/s in
+// one body, 13 to 16 have one hull that still moves after 10 s.
 TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
     int at_rest = 0, outside = 0;
     constexpr int starts = 8;
@@ -103,8 +104,8 @@ TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
         run(600);
         EXPECT_LT(energy(), before);
         at_rest += greatest_speed() < 0.002f;
-        // The rim is at 3.55. From 1,000 such starts, the hull farthest out came to rest at 2.6 on average, beyond 2.8
-        // in a fifth of them, and outside in 1 to 2 %.
+        // The rim is at 3.55. In 1,000 such starts, the outermost hull came to rest at 2.6 on average, beyond 2.8 in a
+        // fifth of them, and outside in 1 to 2 %.
         if (farthest() > 3.4)
             ++outside;
         else
@@ -130,10 +131,10 @@ TEST_F(ShapeScene, TheCastleStandsUntilTheBallComes) {
     };
     run(35);
     EXPECT_EQ(moved(0.005, -9, 9), 0);
-    run(685); // of 16 starts that differ by 1e-4 m/s in one body, one had pieces that fell after 10 s, none after 12
-    EXPECT_GE(moved(0.5, -1.9, 1.9), 30); // of the wall
-    EXPECT_GE(moved(0.5, -9, -1.9), 60);  // of the left tower
-    EXPECT_EQ(moved(0.5, 2.0, 9), 0);     // of the right one
+    run(685); // in one of 16 starts that differ by 1e-4 m/s in one body pieces fell after 10 s, in none after 12 s
+    EXPECT_GE(moved(0.5, -1.9, 1.9), 30); // in the wall
+    EXPECT_GE(moved(0.5, -9, -1.9), 60);  // in the left tower
+    EXPECT_EQ(moved(0.5, 2.0, 9), 0);     // in the right tower
     expect_slower_than(0.05f);
     expect_sane(20, 0.05, 0.01);
 }
@@ -162,8 +163,8 @@ TEST_F(ShapeScene, PinsStandAndFall) {
     expect_sane(14, -0.7, 0.004);
 }
 
-// W^2 = 4 g / (a sin(lean)) for a thin disk whose middle is at rest: the lower, the faster. Rolling and torsional
-// friction take from the two parts of its spin in a ratio of their own, so that it lags behind.
+// W^2 = 4 g / (a sin(lean)) for a thin disk whose center is at rest: the lower the disk, the faster it precesses.
+// Rolling and torsional friction reduce the two components of its spin in a different ratio, so that it lags behind.
 TEST_F(ShapeScene, EulersDiskRunsAroundFasterAsItSinks) {
     load("19_eulers_disk");
     const Body disk = named("disk");
@@ -183,7 +184,7 @@ TEST_F(ShapeScene, EulersDiskRunsAroundFasterAsItSinks) {
             before = now;
         }
         const double rate = std::fabs(turned);
-        if (lean > 0.5) continue; // it still gains the speed that it lags behind by
+        if (lean > 0.5) continue; // it has not yet reached its steady precession
         if (lean < 0.1) break;
         EXPECT_NEAR(rate / std::sqrt(4 * gravity / (radius * std::sin(lean))), 0.85, 0.2) << "lean " << lean;
         EXPECT_GT(rate, last) << "after " << second << " s";
@@ -210,11 +211,11 @@ TEST_F(ShapeScene, TippeTopsTurnOverIfTheyAreFastAndLow) {
             least = std::min(least, axis(world().body(id)).y);
         }
     }
-    EXPECT_LT(lowest.at(name("130", "0.25")), -0.9f); // stands on its stem
+    EXPECT_LT(lowest.at(name("130", "0.25")), -0.9f); // the top stands on its stem
     EXPECT_LT(lowest.at(name("130", "0.12")), -0.9f);
-    EXPECT_EQ(lowest.at(name("15", "0.25")), 0.0f); // the slow ones stay as they are
+    EXPECT_EQ(lowest.at(name("15", "0.25")), 0.0f); // the slow tops stay as they are
     EXPECT_EQ(lowest.at(name("15", "0.12")), 0.0f);
-    EXPECT_GT(lowest.at(name("130", "0.0")), -0.5f); // nothing to lift
+    EXPECT_GT(lowest.at(name("130", "0.0")), -0.5f); // its center of mass is not low: nothing turns it over
     expect_sane(12, 0.1, 0.003);
 }
 
@@ -236,11 +237,11 @@ TEST_F(ShapeScene, GearsTurnByTheirTeeth) {
         const Body gear = world().body(id);
         if (gear.name().substr(0, 8) != "gear of ") continue;
         const int teeth = std::stoi(std::string(gear.name().substr(8)));
-        // In teeth that have passed; a gear may lag by a quarter of one, as there is play between them.
+        // In teeth that have passed; a gear may lag by a quarter of a tooth, because of the backlash.
         const double passed = std::fabs(angle) * teeth / (2 * pi);
         EXPECT_NEAR(passed, 12 * 1.2 * steps * double(time_step()) / (2 * pi), 0.25) << gear.name();
         EXPECT_GT(axis(gear).y, 0.999f) << gear.name();
-        EXPECT_LT(glm::distance(gear.position(), start.at(id)), 0.06) << gear.name(); // the play of the bearings
+        EXPECT_LT(glm::distance(gear.position(), start.at(id)), 0.06) << gear.name(); // the clearance of the bearings
         ++count;
     }
     EXPECT_EQ(count, 6);
@@ -279,10 +280,10 @@ TEST_F(ShapeScene, BeltsCarryEverythingAroundForEver) {
     expect_sane(4.7, 0.75, 0.004);
 }
 
-// a = g sin(angle) / (1 + k), with the moment of inertia k m r^2; neither size nor mass is in it.
+// a = g sin(angle) / (1 + k), with the moment of inertia k m r^2; independent of size and mass.
 TEST_F(ShapeScene, TheRaceIsWonByShape) {
     load("24_rolling_race");
-    // A capsule with balls of radius 1 and a cylinder of length 2 between them.
+    // A capsule with radius 1 whose cylinder has length 2.
     const double tube = 2 * pi, balls = 4 * pi / 3;
     const double k_capsule = (0.5 * tube + 0.4 * balls) / (tube + balls);
     const std::vector<std::pair<std::string, double>> racers = {
@@ -314,7 +315,7 @@ TEST_F(ShapeScene, TheRaceIsWonByShape) {
         }
         latest_before = latest;
     }
-    EXPECT_LT(glm::distance(named("box 1").position(), still), 0.01); // friction above tan(angle)
+    EXPECT_LT(glm::distance(named("box 1").position(), still), 0.01); // the friction coefficient exceeds tan(angle)
     run(360);
     expect_sane(20, 0.1, 0.006);
 }

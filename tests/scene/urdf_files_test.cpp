@@ -1,4 +1,4 @@
-// Files that robots of URDF name: where they are looked for, and what is refused.
+// Files that URDF robots refer to: how they are searched, and what is rejected.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using namespace cairn;
 using scene::Scene;
 namespace fs = std::filesystem;
 
-// A robot of one link with these elements. It weighs what its shapes do, so that none may be missing.
+// A robot of one link with these elements. Its mass is computed from its shapes, so that none of them may be omitted.
 std::string robot(const std::string& elements) {
     return "<robot name=\"r\"><link name=\"a\">" + elements + "</link></robot>";
 }
@@ -60,7 +60,8 @@ TEST(UrdfFiles, MeshesAreFoundInTheirPackage) {
     fs::remove_all(package.parent_path());
 }
 
-// "package:///etc" and "package://NAME" with the name of any folder above the robot made that folder its package.
+// Without the fix "package:///etc", and "package://NAME" with the name of any folder above the robot, made that folder
+// the package.
 TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) {
     const fs::path above = fs::canonical(testing::TempDir()) / "cairn_urdf_escape";
     const fs::path robots = above / "robots";
@@ -102,7 +103,7 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
                 EXPECT_EQ(error.code(), ErrorCode::io) << error.what();
             }
         }
-        // The name of a folder above is no key to it.
+        // The name of a parent folder does not give access to it.
         EXPECT_THROW(load("package://" + above.filename().string() + "/secret.obj"), Error);
         EXPECT_THROW(load("package://way_out/secret.obj"), Error);
         const std::vector<std::string> inside{"meshes/own.obj",
@@ -113,7 +114,8 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
                                               "./meshes/../meshes/own.obj",
                                               "file://" + (robots / "meshes" / "own.obj").string()};
         for (const std::string& name : inside) {
-            if (is_package && name == "package://meshes/own.obj") continue; // of the package, there is none
+            // The name "meshes" would be that of another package.
+            if (is_package && name == "package://meshes/own.obj") continue;
             EXPECT_EQ(load(name), 1u) << name;
         }
     }
@@ -145,7 +147,7 @@ class UrdfPackage : public testing::Test {
         "izz=\"1\"/></inertial>";
 };
 
-// As talos_full_v2 writes its packages. The whole robot was refused.
+// talos_full_v2 writes its packages like this. Without the fix the whole robot was rejected.
 TEST_F(UrdfPackage, ThreeSlashesBeforeItsNameAreTakenAsTwoAndOneWarningSaysSo) {
     const std::string part = mesh("package:///own/meshes/part.obj");
     const Scene scene = load("<collision>" + part + "</collision><visual>" + part + "</visual>" + inertial_);
@@ -160,7 +162,7 @@ TEST_F(UrdfPackage, ThreeSlashesBeforeItsNameAreTakenAsTwoAndOneWarningSaysSo) {
     EXPECT_THROW(load("<collision>" + mesh("package:///") + "</collision>"), Error);
 }
 
-// As romeo_laas_small names the folder of an installation. The whole robot was refused.
+// romeo_laas_small uses an absolute path of an installation. Without the fix the whole robot was rejected.
 TEST_F(UrdfPackage, MeshesOutsideOfItAreLeftOutAndNotRead) {
     const std::string outside = mesh("file://" + (above_ / "secret.obj").string());
     const Scene scene = load("<collision>" + outside + "</collision><collision>" + mesh("meshes/part.obj") +
@@ -171,10 +173,10 @@ TEST_F(UrdfPackage, MeshesOutsideOfItAreLeftOutAndNotRead) {
     EXPECT_NE(scene.warnings[0].find("or below it, also where links lead"), std::string::npos) << scene.warnings[0];
     EXPECT_NE(scene.warnings[0].find("(the shape is left out)"), std::string::npos) << scene.warnings[0];
     EXPECT_NE(scene.warnings[1].find("(it is not shown)"), std::string::npos) << scene.warnings[1];
-    EXPECT_THROW(load("<collision>" + outside + "</collision>"), Error); // what would it weigh?
+    EXPECT_THROW(load("<collision>" + outside + "</collision>"), Error); // the mass would be unknown
 }
 
-// A torn file that is only looked at refused the robot; one that touches still does.
+// Without the fix a damaged mesh of a visual made the robot invalid; that of a collider still does.
 TEST_F(UrdfPackage, AVisualWithATornMeshIsNotShown) {
     const std::string torn = mesh("meshes/torn.stl");
     const Scene scene = load("<visual>" + torn + "</visual>" + inertial_);

@@ -1,4 +1,4 @@
-// What the URDF files of public robots have that no body has, and what is made of it.
+// Physically impossible or unusual data in the URDF files of public robots, and how it is interpreted.
 #include "urdf_text.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,10 @@ namespace {
 using namespace cairn;
 using namespace cairn::scene_test;
 using scene::Scene;
-using scene_test::link; // not that of POSIX
+using scene_test::link; // not POSIX link
 
-// As the dummy base links of public robots have it: all nine entries alike, of which one principal moment is left.
+// The dummy base links of public robots have this inertia: all nine entries are equal, so that only one principal
+// moment is nonzero.
 TEST(PublicRobots, AnInertiaOfRankOneIsTakenAsTheNearestOfABody) {
     const Scene scene = load_robot(
         link("a", R"(<inertial><mass value="1e-6"/>)"
@@ -26,7 +27,8 @@ TEST(PublicRobots, AnInertiaOfRankOneIsTakenAsTheNearestOfABody) {
     EXPECT_NEAR(moments.x + moments.y + moments.z, 4e-6f, 1e-11f);
 }
 
-// A tenth of all links of public robots stand for frames, with an inertia that no body has, on one that has.
+// A tenth of all links of public robots only represent frames, and are fixed to a real link; their inertia is
+// physically impossible.
 TEST(PublicRobots, OnlyTheInertiaOfAllLinksOfABodyTogetherMustBeThatOfABody) {
     const std::string frame = R"(<inertial><mass value="1e-6"/>)"
                               R"(<inertia ixx="1e-9" ixy="2e-9" ixz="0" iyy="1e-9" iyz="0" izz="1e-9"/></inertial>)";
@@ -35,7 +37,7 @@ TEST(PublicRobots, OnlyTheInertiaOfAllLinksOfABodyTogetherMustBeThatOfABody) {
     EXPECT_NEAR(scene.world.body(scene.world.bodies()[0]).mass_properties().mass, 2.0f, 1e-5f);
 }
 
-// What is written as 1e-20 for 2 kg is no inertia.
+// An inertia of about 1e-20 for 2 kg means that none is given.
 TEST(PublicRobots, AnInertiaThatIsNextToNothingIsTakenAsNone) {
     const Scene scene =
         load_robot(link("a", R"(<inertial><mass value="2"/>)"
@@ -44,7 +46,8 @@ TEST(PublicRobots, AnInertiaThatIsNextToNothingIsTakenAsNone) {
     EXPECT_NE(scene.warnings[0].find("that of a ball of 0.1 m radius is taken"), std::string::npos);
 }
 
-// The contact point of a leg: 10 g without any inertia, 0.16 m below a shank. It was taken as a ball of 0.1 m radius.
+// The contact point of a leg: 10 g without inertia, 0.16 m below a shank. Without the fix it was taken as a ball of 0.1
+// m radius.
 TEST(PublicRobots, ALinkWithoutInertiaThatIsFixedToOneWithSomeIsAPoint) {
     const Scene scene = load_robot(
         link("a", inertial("2")) +
@@ -54,10 +57,10 @@ TEST(PublicRobots, ALinkWithoutInertiaThatIsFixedToOneWithSomeIsAPoint) {
     EXPECT_TRUE(scene.warnings.empty());
     const auto of = [](const Scene& robot) { return robot.world.body(robot.world.bodies()[0]).mass_properties(); };
     const float alone = of(load_robot(link("a", inertial("2")))).inertia_diagonal.x;
-    EXPECT_NEAR(of(scene).inertia_diagonal.x - alone, 1.0f, 1e-5f); // two of 2 kg, 1 m apart
+    EXPECT_NEAR(of(scene).inertia_diagonal.x - alone, 1.0f, 1e-5f); // two masses of 2 kg, 1 m apart
 }
 
-// Hulls of hollow links overlap others of the robot: three links in a row of which the first and the last do.
+// Hulls of hollow links overlap other links of the robot: here the first and the last of three links in a row.
 TEST(PublicRobots, LinksThatOverlapAsTheRobotIsDrawnDoNotPushEachOtherAway) {
     const auto ball = [](const std::string& radius) {
         return inertial() + "<collision><geometry><sphere radius=\"" + radius + "\"/></geometry></collision>";
@@ -72,9 +75,9 @@ TEST(PublicRobots, LinksThatOverlapAsTheRobotIsDrawnDoNotPushEachOtherAway) {
     EXPECT_EQ(scene.warnings[0], "test.urdf: links that overlap as the robot is drawn do not collide: \"a\" and \"c\"");
     for (int i = 0; i < 60; ++i) scene.world.step(1.0f / 60.0f);
     for (const BodyId id : scene.world.bodies()) {
-        EXPECT_LT(glm::length(scene.world.body(id).angular_velocity()), 1e-3f); // it falls as it is drawn
+        EXPECT_LT(glm::length(scene.world.body(id).angular_velocity()), 1e-3f); // it falls in its initial configuration
     }
-    // They meet all else.
+    // The links collide with everything else.
     BodyDef ground;
     ground.type = BodyType::static_;
     ground.position = body(scene, "c").position() - Position(0, 1, 0);
@@ -83,8 +86,8 @@ TEST(PublicRobots, LinksThatOverlapAsTheRobotIsDrawnDoNotPushEachOtherAway) {
     EXPECT_NEAR(body(scene, "c").position().y, ground.position.y + 0.5, 0.01);
 }
 
-// As in tiago_dual, of which 68 pairs of links overlap: both links of a pair had a layer of their own, and there
-// are 63.
+// In tiago_dual 68 pairs of links overlap. Without the fix both links of each pair had a layer of their own, and there
+// are only 63.
 TEST(PublicRobots, EightyLinksThatOverlapInPairsAndOneThatOverlapsAllDoNotPushEachOtherAway) {
     const auto ball = [](const std::string& radius) {
         return inertial() + "<collision><geometry><sphere radius=\"" + radius + "\"/></geometry></collision>";
@@ -111,7 +114,7 @@ TEST(PublicRobots, EightyLinksThatOverlapInPairsAndOneThatOverlapsAllDoNotPushEa
     EXPECT_TRUE(again.world.contacts().empty());
 }
 
-// As it stands in the file, the floor is no link of the robot that stands in it.
+// The floor (link "world") does not count as a link of the robot: a link that overlaps it initially still collides.
 TEST(PublicRobots, WhatStandsTooDeepInTheLinkWorldIsHeldByItAllTheSame) {
     Scene scene =
         load_robot(link("world", R"(<collision><geometry><box size="9 9 1"/></geometry></collision>)") +

@@ -16,7 +16,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::scene_test;
 using scene::Scene;
-using scene_test::link; // not that of POSIX
+using scene_test::link; // not POSIX link
 namespace fs = std::filesystem;
 
 const std::string bounds = R"(<limit lower="-1" upper="0.5" effort="20" velocity="2"/>)";
@@ -32,7 +32,7 @@ void run_pushed(Scene& scene, double seconds, const std::function<void()>& befor
 }
 
 TEST(Urdf, StandsUprightInTheWorld) {
-    // z of the file is up: y of the world; y of the file is -z.
+    // The file's z axis is up, which is the world's y axis; the file's y axis is the world's -z axis.
     Scene scene = load_robot(link("a") + link("b") +
                              joint("j", "floating", "a", "b", R"(<origin xyz="1 2 3" rpy="0 0 1.5707963"/>)"));
     EXPECT_EQ(scene.info.title, "test");
@@ -41,11 +41,11 @@ TEST(Urdf, StandsUprightInTheWorld) {
     EXPECT_NEAR(b.x, 1.0, 1e-6);
     EXPECT_NEAR(b.y, 3.0, 1e-6);
     EXPECT_NEAR(b.z, -2.0, 1e-6);
-    const Vec3 x = body(scene, "b").rotation() * Vec3(1.0f, 0.0f, 0.0f); // y of the file
+    const Vec3 x = body(scene, "b").rotation() * Vec3(1.0f, 0.0f, 0.0f); // the file's y axis
     EXPECT_NEAR(x.z, -1.0f, 1e-6f);
     EXPECT_EQ(scene.world.settings().gravity, WorldDef{}.gravity);
     run(scene, 0.5);
-    EXPECT_NEAR(body(scene, "a").linear_velocity().y, -9.81f * 0.5f, 1e-3f); // free
+    EXPECT_NEAR(body(scene, "a").linear_velocity().y, -9.81f * 0.5f, 1e-3f); // the base is free
 }
 
 TEST(Urdf, TheWorldLinkDoesNotMove) {
@@ -70,7 +70,7 @@ TEST(Urdf, TheWorldLinkDoesNotMove) {
 }
 
 TEST(Urdf, FixedLinksAreOneBody) {
-    // Two points of 1 and 3 kg, 2 m apart along z, the second turned.
+    // Two point masses of 1 and 3 kg, 2 m apart along z, the second one rotated.
     const Scene scene =
         load_robot(link("a", inertial("1")) + link("b", inertial("3")) + link("tip", "") +
                    joint("f", "fixed", "a", "b", R"(<origin xyz="0 0 2" rpy="1.5707963267948966 0 0"/>)") +
@@ -87,7 +87,7 @@ TEST(Urdf, FixedLinksAreOneBody) {
 }
 
 TEST(Urdf, InertiaTensorsAreTurnedToTheirAxes) {
-    // Principal moments 1, 2 and 3, turned by 30 degrees about z and then by 40 degrees about x.
+    // Principal moments 1, 2 and 3, rotated by 30 degrees about z and then by 40 degrees about x.
     const glm::dmat3 turn =
         glm::mat3_cast(glm::angleAxis(0.6981317, glm::dvec3(1, 0, 0)) * glm::angleAxis(0.5235988, glm::dvec3(0, 0, 1)));
     const glm::dmat3 diagonal(glm::dvec3(1, 0, 0), glm::dvec3(0, 2, 0), glm::dvec3(0, 0, 3));
@@ -126,7 +126,7 @@ TEST(Urdf, ShapesStandAsTheFileSays) {
         }
     };
     expect_bounds(shapes[0], {-0.5, 3.5, -1.0}, {0.5, 6.5, 1.0});
-    expect_bounds(shapes[1], {9.5, -2.0, -0.5}, {10.5, 2.0, 0.5}); // a cylinder stands along z
+    expect_bounds(shapes[1], {9.5, -2.0, -0.5}, {10.5, 2.0, 0.5}); // the cylinder's axis is z
     expect_bounds(shapes[2], {-10.75, -0.75, -0.75}, {-9.25, 0.75, 0.75});
     ASSERT_EQ(scene.visuals.size(), 1u);
     EXPECT_EQ(scene.visuals[0].color, Vec3(1.0f, 0.5f, 0.0f));
@@ -166,14 +166,14 @@ TEST(Urdf, JointsBecomeTheirTypes) {
 }
 
 TEST(Urdf, PositiveIsTheWayOfTheAxis) {
-    // An axis of the file's -y is the world's +z.
+    // The file's -y axis is the world's +z axis.
     Scene turns =
         load_robot(link("world", "") + link("a") + joint("j", "continuous", "world", "a", R"(<axis xyz="0 -1 0"/>)"));
     body(turns, "a").set_angular_velocity({0.0f, 0.0f, 0.5f});
     run(turns, 1.0);
     EXPECT_NEAR(body(turns, "a").angular_velocity().z, 0.5f, 1e-3f);
     EXPECT_NEAR(joint_state(turns, "j").positions[0], 0.5f, 1e-3f);
-    // Any axis, under a turned origin.
+    // An arbitrary axis in a rotated origin.
     Scene slides = load_robot(link("world", "") + link("a") +
                               joint("j", "prismatic", "world", "a",
                                     R"(<origin rpy="0.3 -0.7 1.1"/><axis xyz="1 2 -2"/>)"
@@ -214,7 +214,7 @@ TEST(Urdf, LimitsFrictionAndDampingAct) {
             joint("j", "revolute", "world", "a",
                   R"(<axis xyz="0 1 0"/><limit lower="-2" upper="0.5" effort="0" velocity="0"/>)" + dynamics));
     };
-    // It swings down about the file's y axis, by a positive angle, to its bound.
+    // It swings down about the file's y axis, by a positive angle, to its limit.
     Scene free = pendulum("");
     run(free, 2.0);
     EXPECT_NEAR(joint_state(free, "j").positions[0], 0.5f, 5e-3f);
@@ -223,7 +223,7 @@ TEST(Urdf, LimitsFrictionAndDampingAct) {
     EXPECT_NEAR(joint_state(rubs, "j").positions[0], 0.0f, 1e-3f);
     Scene damped = pendulum(R"(<dynamics damping="98.1"/>)");
     run(damped, 2.0);
-    EXPECT_NEAR(joint_state(damped, "j").positions[0], 0.2f, 0.02f); // creeps with 0.1 rad/s
+    EXPECT_NEAR(joint_state(damped, "j").positions[0], 0.2f, 0.02f); // creeps at 0.1 rad/s
 }
 
 TEST(Urdf, MimicJointsAreGearsWhereTheyCanBe) {
@@ -243,7 +243,8 @@ TEST(Urdf, MimicJointsAreGearsWhereTheyCanBe) {
     EXPECT_GT(std::fabs(one), 1.0f);
     EXPECT_NEAR(joint_state(scene, "two").positions[0], 0.25f - 0.5f * one, 5e-3f);
 
-    // Two fingers of a hand that turns: at equal rates, it drops out; at others, nothing is done.
+    // Two fingers of a rotating hand: at equal rates the hand's rotation cancels; for other ratios the mimic joint is
+    // ignored.
     const std::string hand = world + link("hand") + link("a") + link("b") + turning("wrist", "world", "hand", "0") +
                              turning("one", "hand", "a", "1");
     Scene equal = load_robot(hand + turning("two", "hand", "b", "2", R"(<mimic joint="one"/>)"));
@@ -323,7 +324,7 @@ TEST(Urdf, MistakesAreNamed) {
     for (int i = 0; i < 100; ++i) deep += "<a>";
     expect_refused(deep, "test.urdf: must have at most 64 elements inside each other");
     expect_refused("\n<link name=>", "test.urdf:2: is not valid XML: Error reading end tag.");
-    // What the parser says, with the file before it.
+    // The parser's own message, prefixed with the file name.
     for (
         const std::string& broken :
         {link(
@@ -357,7 +358,7 @@ TEST(Urdf, IsSavedAsAScene) {
     EXPECT_EQ(lift.angle.limits->lower, -3.1f);
 }
 
-// Six servos carry the arm from upright to a pose with the arm stretched out, against up to 40 N m of weight.
+// Six servos move the arm from upright to a stretched-out pose, against gravity torques of up to 40 N m.
 TEST(Urdf, AnArmHoldsAPoseAgainstItsWeight) {
     Scene arm = scene::load(fs::path(CAIRN_TEST_DATA) / "arm.urdf");
     const std::array<const char*, 6> names{"turn", "lift", "elbow", "wrist_bend", "wrist_turn", "wrist_roll"};
@@ -387,7 +388,7 @@ TEST(Urdf, AnArmHoldsAPoseAgainstItsWeight) {
     }
     std::printf("gaps %.2e m, torques up to %.1f N m\n", gap, max_torque);
     EXPECT_LT(gap, 2e-4);
-    EXPECT_GT(max_torque, 20.0); // it is not weightless
+    EXPECT_GT(max_torque, 20.0); // gravity does act
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Worlds in text layers of USD.
+// Worlds in USD text layers.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Usd, TransformsAndUnitsAreTakenInTheirOrder) {
                            "metersPerUnit = 0.01\n upAxis = \"Z\"");
     expect_near(body(scene, "box").position(), seen({1, 0, 0.1}));
     const Bounds box = scene.world.shape_bounds(body(scene, "box").shapes().at(0));
-    expect_near(box.max - box.min, glm::abs(seen({1.0, 0.5, 1.5})), 1e-4); // turned: its y is along x
+    expect_near(box.max - box.min, glm::abs(seen({1.0, 0.5, 1.5})), 1e-4); // rotated: its y axis is along x
     EXPECT_NEAR(body(scene, "box").mass(), 1000.0f * 0.75f, 0.1f);
     expect_near(body(scene, "reset").position(), seen({3, 0, 0}));
     const Bounds ball = scene.world.shape_bounds(body(scene, "reset").shapes().at(0));
@@ -104,7 +104,7 @@ TEST(Usd, JointsHaveTheirFramesLimitsAndDrives) {
     EXPECT_NEAR(hinge.angle.motor->spring->stiffness, 1e6f / degree, 100.0f);
     run(scene, 4.0);
     EXPECT_NEAR(scene.world.joint_state(id).positions[0], 30.0f * degree, 0.01f);
-    // Turned by 30 degrees about y, and so leaning to x.
+    // Rotated by 30 degrees about y, and therefore leaning towards x.
     expect_near(body(scene, "b").position(), seen({2.0 * std::sin(0.5236), 0.0, 1.0 + 2.0 * std::cos(0.5236)}), 0.03);
 }
 
@@ -120,10 +120,10 @@ TEST(Usd, MeshesAreTrianglesWhereTheyStandAndHullsWhereTheyMove) {
                            "[\"PhysicsCollisionAPI\"])" +
                            dent + "def Mesh \"looks\" " + dent);
     EXPECT_TRUE(std::holds_alternative<Hull>(scene.world.shape(body(scene, "moves").shapes().at(0))));
-    EXPECT_NEAR(body(scene, "moves").mass(), 1000.0 * 5.0 / 6.0, 0.1); // what it encloses, not its hull
+    EXPECT_NEAR(body(scene, "moves").mass(), 1000.0 * 5.0 / 6.0, 0.1); // the enclosed volume, not that of the hull
     EXPECT_TRUE(std::holds_alternative<Mesh>(scene.world.shape(body(scene, "stands").shapes().at(0))));
     EXPECT_EQ(scene.world.bodies().size(), 2u);
-    EXPECT_EQ(scene.visuals.size(), 1u); // scenery
+    EXPECT_EQ(scene.visuals.size(), 1u); // a visual without a body
 }
 
 TEST(Usd, GroupsAndPairsThatAreFilteredDoNotTouch) {

@@ -31,7 +31,7 @@ TEST(SceneView, TheCameraOfAFileIsTheFirstView) {
 }
 
 TEST(SceneView, TurnedAndScaledNodesTurnTheView) {
-    // Half a turn about y: it looks along +z, away from the ball, at what is a meter before it.
+    // Half a turn about y: the camera looks along +z, away from the ball, at a point 1 m in front of it.
     const Scene scene =
         load_view(R"({"translation":[4,2,10],"rotation":[0,1,0,0],"scale":[3,3,3],"camera":0})", perspective, "");
     EXPECT_LT(glm::length(scene.info.camera->target - Position(4, 2, 11)), 1e-6);
@@ -62,7 +62,7 @@ TEST(SceneView, TheSunOfTheFileShines) {
         load_view(R"({"rotation":[-0.70710678,0,0,0.70710678],"extensions":{"KHR_lights_punctual":{"light":0}}})",
                   R"(,"KHR_lights_punctual":{"lights":[{"type":"directional"}]}})", "");
     ASSERT_EQ(scene.info.lights.size(), 1u);
-    EXPECT_LT(glm::length(scene.info.lights[0].towards - Vec3(0, 1, 0)), 1e-5f); // shines down
+    EXPECT_LT(glm::length(scene.info.lights[0].towards - Vec3(0, 1, 0)), 1e-5f); // shines downwards
     EXPECT_EQ(scene.info.lights[0].intensity, 1.0f);
     EXPECT_TRUE(load_view("{}", "}", "").info.lights.empty());
 }

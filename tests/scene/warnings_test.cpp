@@ -1,4 +1,4 @@
-// What files ask for in vain, or what only one thing can have been meant by, is taken with a word on what was done.
+// Unsupported requests, and errors with only one plausible meaning: the file is loaded, and a warning says how.
 #include "scene_text.h"
 
 #include <gtest/gtest.h>
@@ -122,11 +122,12 @@ TEST(SceneWarnings, AnInertiaOfARobotToo) {
     const Scene scene = load_text(robot, "r.urdf");
     EXPECT_TRUE(warns(scene, "the nearest possible ones are taken")) << all(scene);
     const Mat3 inertia = scene.world.body(scene.world.bodies().at(0)).world_inertia();
-    const Vec3 found(inertia[0][0], inertia[1][1], inertia[2][2]); // z of the robot is y of the world
+    const Vec3 found(inertia[0][0], inertia[1][1], inertia[2][2]); // the robot's z axis is the world's y axis
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], Vec3(2, 3, 5)[i], 1e-5f);
 }
 
-// 0 the ball, with 1 the frame on it; 2 scaled unevenly, with 3, which is turned below it, the frame in the world.
+// Node 0 is the ball, with the frame in node 1; node 2 has a non-uniform scale, and its rotated child, node 3, is the
+// frame in the world.
 std::string skewed_joint(const std::string& scale) {
     return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,2],"extensions":{"CAIRN_world":{}}}],"nodes":[)" +
            node(R"("name":"ball","translation":[0,6,0],"children":[1],)", "\"motion\":{}," + sphere) +
@@ -147,7 +148,7 @@ TEST(SceneWarnings, AJointsFrameUnderAnUnevenScaleHasNoShapeToBend) {
     const Vec3 x = frame.rotation * Vec3(1, 0, 0);
     EXPECT_NEAR(x.x, 1 / std::sqrt(10.0), 1e-6);
     EXPECT_NEAR(x.y, 3 / std::sqrt(10.0), 1e-6);
-    EXPECT_THROW(load_text(skewed_joint("[1,0,1]")), Error); // flattened, so that its axes are one
+    EXPECT_THROW(load_text(skewed_joint("[1,0,1]")), Error); // flattened, so that two of its axes coincide
 }
 
 TEST(SceneWarnings, SuchAFrameMayStandOnABodyThatIsTurned) {
@@ -162,7 +163,8 @@ TEST(SceneWarnings, SuchAFrameMayStandOnABodyThatIsTurned) {
         R"("physicsJoints":[{"limits":[{"linearAxes":[0,1,2],"max":9}]}]}}})";
     const Scene scene = load_text(text);
     ASSERT_EQ(scene.world.joints().size(), 1u) << all(scene);
-    const Transform frame = scene.world.joint_def(scene.world.joints()[0]).frame_a; // in the body: not turned with it
+    // In body coordinates: not rotated with the body.
+    const Transform frame = scene.world.joint_def(scene.world.joints()[0]).frame_a;
     EXPECT_NEAR(frame.position.x, 2, 1e-6);
     EXPECT_NEAR(frame.position.y, 1, 1e-6);
     const Vec3 x = frame.rotation * Vec3(1, 0, 0);

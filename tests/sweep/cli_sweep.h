@@ -1,4 +1,4 @@
-// The program in a folder with a plan of the test's own.
+// The program in a temporary folder with a plan for a sweep.
 #pragma once
 
 #include "../scene/cli_program.h"
@@ -7,7 +7,7 @@ namespace cairn::test {
 
 class CliSweep : public Cli {
   protected:
-    // Boxes and balls on slopes, by friction and gravity.
+    // Boxes and balls on slopes, with varying friction and gravity.
     void write_plan(int rows, double seconds = 0.5) const {
         std::ofstream(folder_ / "plan.json") << R"({"scene": "slopes",
             "parameters": [{"name": "mu", "from": 0.1, "to": 0.9}, {"name": "g", "from": 2, "to": 20}],

@@ -1,4 +1,4 @@
-// `cairn sweep` and `cairn fit` as their users meet them.
+// `cairn sweep` and `cairn fit` as users run them.
 #include "cli_sweep.h"
 
 #include <nlohmann/json.hpp>
@@ -90,7 +90,8 @@ TEST_F(CliSweep, APlanReadsNothingOutsideOfItsFolder) {
         expect_one_line(check(scene, ""), 1, "scene: must not lead out of the plan's folder");
     }
     expect_one_line(check((folder_ / "scene.gltf").string(), ""), 1, "scene: must not lead out of the plan's folder");
-    expect_one_line(check("scene.gltf", ""), 1, "there is no such file"); // there is one where the program was called
+    // The file is in the current directory instead.
+    expect_one_line(check("scene.gltf", ""), 1, "there is no such file");
     for (const char* table : {"../rows.csv", "link.csv", "/etc/passwd"}) {
         expect_one_line(check("t_handles", table), 1, "sample.table: must not lead out of the plan's folder");
     }
@@ -147,7 +148,7 @@ TEST_F(CliSweep, AFolderThatCannotBeWrittenIsToldBeforeAnythingRuns) {
     write_plan(10);
     std::ofstream(folder_ / "file") << "";
     expect_one_line(cairn("sweep plan.json --out file/results"), 1, "file/results/shards: cannot be made");
-    if (geteuid() == 0) return; // who may write everywhere
+    if (geteuid() == 0) return; // root may write everywhere
     fs::create_directories(folder_ / "locked");
     fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
     expect_one_line(cairn("sweep plan.json --out locked/results"), 1, "locked/results/shards: cannot be made");

@@ -1,4 +1,4 @@
-// Which values parameters take: functions of the row alone, as evenly spread as they promise.
+// Designs: the values of parameters are functions of the row number alone, and are evenly distributed.
 #include "sweep/design.h"
 #include "sweep/numbers.h"
 
@@ -74,7 +74,8 @@ TEST(SweepDesign, ASobolSequenceFillsEveryInterval) {
             const std::vector<double> values = row_of(design, row);
             for (std::size_t i = 0; i < 7; ++i) ++counts[i][static_cast<std::size_t>(values[i] * 64.0)];
         }
-        // 16 each, but for the first point of the sequence, which is left out, and the one that follows 1024.
+        // Each interval has 16 points, except for the first point of the sequence, which is omitted, and the one that
+        // follows 1024.
         for (const std::vector<int>& of_parameter : counts) {
             for (const int count : of_parameter) EXPECT_NEAR(count, 16, 1);
         }
@@ -103,7 +104,7 @@ TEST(SweepDesign, SensitivityRowsDifferFromTheirPointInOneParameter) {
     const std::size_t d = 4;
     std::vector<Parameter> parameters;
     for (std::size_t i = 0; i < d; ++i) parameters.push_back(uniform(fmt::format("p{}", i), 0.0, 1.0));
-    // The first points of a sequence that is not shifted have many coordinates in common.
+    // The first points of an unshifted sequence have many coordinates in common.
     const Design design(Sampling::sensitivity, parameters, 50, 9);
     ASSERT_EQ(design.rows(), 50 * (d + 2));
     for (std::uint64_t point = 0; point < 50; ++point) {

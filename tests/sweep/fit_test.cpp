@@ -1,4 +1,4 @@
-// Fits find the parameters that measurements were made with.
+// Fits recover the parameters with which measurements were generated.
 #include "plan_folder.h"
 
 #include "sweep/fit.h"
@@ -13,9 +13,9 @@ namespace {
 
 class SweepFit : public PlanFolder {
   protected:
-    static constexpr int moments = 15; // of each throw
+    static constexpr int moments = 15; // measured times of each throw
 
-    // A ball that is thrown flat over the floor: it bounces, and is slowed down where it touches.
+    // A ball that is thrown horizontally over a floor: it bounces, and friction slows it down at each contact.
     static std::string throws(const std::string& parameters) {
         return parameters + R"json("seconds": 1.5, "set": {"ball.velocity.x": "vx", "ball.velocity.y": "vy",
             "ball.friction": "mu", "floor.friction": "mu", "ball.restitution": "e", "floor.restitution": "e"},
@@ -25,13 +25,13 @@ class SweepFit : public PlanFolder {
             "at": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.4, 1.5], "deviation": 0.01}])json";
     }
 
-    // So many throws with those parameters, with 1 % of noise on all that was measured.
+    // Measurements of that many throws with the given parameters, with a noise of 1 % on every measured value.
     std::string recorded(double mu, double e, int count, unsigned seed) const {
         std::mt19937 random(seed);
         const auto between = [&](double low, double high) {
             return std::uniform_real_distribution<double>(low, high)(random);
         };
-        std::normal_distribution<double> noise(0.0, 0.01); // of some 6 m in x, 1 m in y
+        std::normal_distribution<double> noise(0.0, 0.01); // of about 6 m in x, 1 m in y
         std::string table = "vx,vy";
         for (const char axis : {'x', 'y'}) {
             for (int i = 0; i < moments; ++i) table += fmt::format(",{}_{}", axis, i);
@@ -77,7 +77,7 @@ TEST_F(SweepFit, FrictionAndRestitutionOfTwentyThrowsWithNoiseAreFoundWithinThre
             EXPECT_NEAR(fit.parameters[0].value, mu, 0.03 * mu);
             EXPECT_NEAR(fit.parameters[1].value, e, 0.03 * e);
             EXPECT_EQ(fit.numbers, std::size_t{20 * 2 * moments});
-            // The errors tell how far off it may be.
+            // The true values are within the estimated errors.
             EXPECT_LT(std::fabs(fit.parameters[0].value - mu), 4.0 * fit.parameters[0].error);
             EXPECT_LT(fit.parameters[0].error, 0.05 * mu);
             found.push_back(fit.parameters[0].value);

@@ -1,4 +1,4 @@
-// Plans and scenes in a folder of the test's own.
+// Plans and scenes in a temporary folder of the test.
 #pragma once
 
 #include "sweep/plan.h"
@@ -19,7 +19,7 @@ namespace cairn::test {
 
 namespace fs = std::filesystem;
 
-// One row by the names of its columns.
+// The values of one row, by the names of its columns.
 using Row = std::map<std::string, double>;
 
 class PlanFolder : public testing::Test {
@@ -37,7 +37,7 @@ class PlanFolder : public testing::Test {
         return folder_ / name;
     }
 
-    // A ball above a floor; also a crate on it, and a door on a hinge.
+    // A ball above a floor; optionally also a crate on it, and a door on a hinge.
     void write_scene(float restitution = 0.0f, double height = 2.0, bool has_more = true) const {
         scene::Scene scene;
         World& world = scene.world;

@@ -1,4 +1,4 @@
-// What can be set and measured, by its path.
+// Properties that can be set and measured, by their paths.
 #include "plan_folder.h"
 
 #include "sweep/address.h"
@@ -13,7 +13,7 @@ namespace {
 
 class SweepProperties : public PlanFolder {
   protected:
-    // The message of what is refused.
+    // The error message for an invalid plan.
     std::string refusal(const std::string& members) const {
         try {
             const sweep::Plan read = plan(members);
@@ -33,7 +33,7 @@ class SweepProperties : public PlanFolder {
 
 TEST_F(SweepProperties, WhatIsSetIsMeasuredAsItWasSet) {
     write_scene();
-    // Values that floats hold exactly.
+    // Values that are exact in float.
     const std::vector<std::pair<std::string, double>> values{{"world.gravity.x", 0.5},
                                                              {"world.gravity.y", -3.25},
                                                              {"world.substeps", 9},

@@ -14,7 +14,7 @@ class Ranks : public CliSweep {
         if (cairn_test::is_sanitized) GTEST_SKIP() << "Open MPI itself leaks memory and races";
     }
 
-    // Open MPI may be started by root, and with more processes than there are cores, only if it is told so.
+    // Open MPI runs as root, and with more processes than there are cores, only with these options.
     static constexpr const char* mpirun =
         "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_base_warn_component_unused=0\n"
         "run() { timeout -k 5 120 mpirun --oversubscribe -n \"$@\"; }\n";
@@ -37,7 +37,7 @@ TEST_F(Ranks, AnyNumberOfThemGivesTheSameBytes) {
 
 TEST_F(Ranks, WhenOneIsKilledTheRunEndsAndResumesToTheSameBytes) {
     write_plan(1500, 1.0);
-    // The process to be killed is found by what it was started with.
+    // The process to be killed is identified by a file that it writes at its start.
     const Result killed =
         shell(std::string(mpirun) +
               "run 3 bash -c 'echo $$ >pid.$OMPI_COMM_WORLD_RANK; exec \"$CAIRN\" sweep plan.json --out "
@@ -64,7 +64,7 @@ TEST_F(Ranks, AnErrorInOneEndsAll) {
 
 TEST_F(CliSweep, WithoutMpiTheMessageSaysWhatToInstall) {
     write_plan(10);
-    // As if it had been built without: what it opens is not beside the program.
+    // Simulates a program that was built without MPI: the library it would load is not beside it.
     const Result result = shell("cp \"$CAIRN\" ./alone; OMPI_COMM_WORLD_SIZE=2 ./alone sweep plan.json --out out");
     expect_one_line(result, 1, "install libopenmpi-dev and openmpi-bin and build again, or use --shard I/N");
 }

@@ -1,4 +1,4 @@
-// Rows say what closed forms say, and do not depend on who runs them.
+// Rows agree with closed forms, and do not depend on how they are distributed.
 #include "plan_folder.h"
 
 #include "sweep/run.h"
@@ -19,7 +19,7 @@ class SweepRows : public PlanFolder {
         "stop": "ball.position.x > 0.8",
         "measure": [{"name": "y", "of": "ball.position.y"}, {"name": "top", "of": "ball.speed", "take": "max"}])json";
 
-    // All bits of all rows that are in the folder.
+    // All rows in the folder, exact to the bit.
     static std::vector<double> stored(const sweep::Store& store) {
         std::vector<double> all;
         store.read([&](std::uint64_t row, std::span<const double> numbers) {
@@ -98,7 +98,7 @@ TEST_F(SweepRows, AnyNumberOfThreadsAndAnyOrderGiveTheSameBytes) {
         if (expected.empty()) expected = rows;
         EXPECT_TRUE(are_same(rows, expected)) << threads;
     }
-    // One by one, backwards.
+    // One row at a time, backwards.
     sweep::Runner runner(read, start);
     const std::size_t width = read.numbers() + 1;
     const std::atomic<bool> never{false};
@@ -135,7 +135,7 @@ TEST_F(SweepRows, WhateverIsCutOffOrDamagedIsRunAgain) {
         std::ofstream(shard, std::ios::binary) << damaged;
         sweep::Store again(folder_ / "out", read, start);
         EXPECT_FALSE(again.missing().empty());
-        // What stood before the damage is kept.
+        // Rows before the damage are kept.
         EXPECT_GE((again.chunks().count - again.missing().size() + 2) * (16 + 8 * read.numbers()) + 40, place);
         run_all(read, start, again, 2);
         EXPECT_TRUE(again.missing().empty());

@@ -1,4 +1,4 @@
-// One world under mpirun: any number of processes gives the bits of one.
+// One world under mpirun: any number of processes gives the same bits as one process.
 #include "cli_sweep.h"
 
 #include "../sanitized.h"
@@ -15,7 +15,7 @@ class SharedWorld : public CliSweep {
         if (!CAIRN_TEST_HAS_RANKS) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev openmpi-bin)";
         if (cairn_test::is_sanitized) GTEST_SKIP() << "Open MPI itself leaks memory and races";
     }
-    // Open MPI may be started by root, and with more processes than there are cores, only if it is told so.
+    // Open MPI runs as root, and with more processes than there are cores, only with these options.
     Result mpirun(const std::string& arguments) const {
         return shell("export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                      "OMPI_MCA_btl_base_warn_component_unused=0\n"
@@ -24,8 +24,8 @@ class SharedWorld : public CliSweep {
     }
 };
 
-// A pile of 1,000, which is cut among the ranks as soon as it has landed; ragdolls, which are not; and bullets, whose
-// impacts ask the owners of contacts for their normals.
+// A pile of 1,000 bodies, which is divided among the ranks once it has landed; ragdolls, which are not; and bullets,
+// whose impacts request normals from the ranks that own the contacts.
 TEST_F(SharedWorld, AnyNumberOfRanksGivesTheSameStateAndTheSameFile) {
     for (const std::string scene : {"13_pile --frames 75", "25_ragdolls --frames 15", "33_bullets --frames 40"}) {
         const Result alone = cairn("run " + scene + " --every 10 --json --csv alone.csv");
@@ -34,7 +34,7 @@ TEST_F(SharedWorld, AnyNumberOfRanksGivesTheSameStateAndTheSameFile) {
         for (const std::string ranks : {"2", "3"}) {
             const Result result = mpirun("-n " + ranks + " \"$CAIRN\" run " + scene + " --every 10 --json --csv r.csv");
             ASSERT_EQ(result.code, 0) << result.out << result.err;
-            const auto summary = nlohmann::json::parse(result.out); // one, of rank 0
+            const auto summary = nlohmann::json::parse(result.out); // a single one, from rank 0
             EXPECT_EQ(summary["hash"], hash) << scene << ", " << ranks << " ranks";
             ASSERT_EQ(summary["ranks"].size(), std::size_t(std::stoi(ranks)));
             EXPECT_GT(summary["ranks"][1]["messages"], 0);

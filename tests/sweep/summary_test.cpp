@@ -1,4 +1,4 @@
-// Statistics and indices of sensitivity, against those that are known.
+// Statistics and sensitivity indices, compared with known ones.
 #include "plan_folder.h"
 
 #include "sweep/summary.h"
@@ -10,7 +10,7 @@ namespace {
 
 class SweepSummary : public PlanFolder {
   protected:
-    // Ishigami's function of three angles; its indices are known in closed form.
+    // Ishigami's function of three angles, whose sensitivity indices are known in closed form.
     sweep::Summary ishigami(const std::string& sample) {
         write_scene();
         plan_ = plan("\"sample\": " + sample + R"json(, "seconds": 0.0042,

@@ -21,7 +21,8 @@ void fail_allocation_after(std::size_t successes) { failing = count + successes;
 bool stop_failing() { return failing.exchange(never) == never; }
 } // namespace cairn
 
-// All forms: a sanitizer brings its own of those that are missing, and its memory must not be freed by these.
+// All forms of operator new and delete are replaced: a sanitizer would bring its own version of a missing one, and
+// memory from it must not be freed by these.
 void* operator new(std::size_t size) {
     count_allocation();
     if (void* p = std::malloc(size ? size : 1)) return p;

@@ -1,5 +1,5 @@
-// How often this program has allocated memory, and memory that runs out. Link
-// allocation_count.cpp, which replaces the global operator new.
+// Counts the allocations of this program, and simulates memory exhaustion. Link allocation_count.cpp, which replaces
+// the global operator new.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@ namespace cairn {
 
 std::size_t allocation_count();
 
-// From now on `count` allocations succeed and the one after them throws std::bad_alloc; then all succeed again.
+// From now on `count` allocations succeed and the next one throws std::bad_alloc; then all succeed again.
 void fail_allocation_after(std::size_t count);
-// Takes that back; whether an allocation has failed since.
+// Cancels the pending failure; returns whether an allocation has failed since fail_allocation_after.
 bool stop_failing();
 
 } // namespace cairn

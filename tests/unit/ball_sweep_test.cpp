@@ -1,5 +1,5 @@
-// Sweeps and overlaps of balls with shapes whose nearest point a formula tells, and of boxes and capsules, and balls
-// within shapes, against distances by GJK and depths by EPA.
+// Sweeps and overlaps of balls with shapes that have a closed form for the nearest point, of boxes and capsules, and of
+// balls inside shapes, compared with distances by GJK and depths by EPA.
 #include "cast_test_support.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Cast any_cast_of_capsule(Random& random, int k) {
     const double size = random.below(3) == 0 ? random.uniform(2, 8) : random.uniform(0.2, 1);
     const auto u = [&] { return size * random.uniform(0.05, 1); };
     const Solid sharp = box(u(), u(), u());
-    const bool in_line = random.below(4) == 0; // so that whole edges and faces meet at once
+    const bool in_line = random.below(4) == 0; // aligned, so that whole edges and faces meet at once
     Cast c{random.below(3) == 0 ? rounded(sharp, 0.2 * size) : sharp,
            capsule(u(), u()),
            {},
@@ -53,7 +53,7 @@ struct Counts {
 void expect_that_of_advancement(const Cast& cast, int k, Counts& counts) {
     const auto expected = advance(cast), hit = cast_convex(cast.a(), cast.way, cast.b());
     const double near = 4 * cast.tolerance(), length = convex_test::length(cast.way);
-    if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
+    if (hit.has_value() != expected.has_value()) { // only where they pass each other within this distance
         const auto least = closest_points(cast.a(hit ? hit->fraction : expected->fraction), cast.b());
         EXPECT_LT(std::fabs(dot(least.normal, cast.way)), 3e-3 * length) << k;
         EXPECT_LT(std::fabs(least.distance), near) << k;
@@ -70,13 +70,13 @@ void expect_that_of_advancement(const Cast& cast, int k, Counts& counts) {
     EXPECT_GT(steep, 0) << k;
     EXPECT_NEAR(hit->fraction * steep, expected->fraction * steep, near) << k;
     EXPECT_NEAR(convex_test::length(hit->normal), 1, 1e-9) << k;
-    // They touch there, and the plane through the point parts them.
+    // The shapes touch at the reported fraction, and the plane through the reported point separates them.
     const Convex met = cast.a(hit->fraction);
     EXPECT_NEAR(closest_points(met, cast.b()).distance, 0, near) << k;
     EXPECT_NEAR(dot(support(cast.b(), hit->normal) - hit->point, hit->normal), 0, near) << k;
     EXPECT_NEAR(dot(support(met, -hit->normal) - hit->point, hit->normal), 0, near) << k;
     EXPECT_FALSE(cast_convex(cast.a(), cast.way, cast.b(), 0.999 * hit->fraction)) << k;
-    // The same from a fraction before which they do not meet.
+    // The result is the same when the search begins at a fraction before which they do not meet.
     const auto later = cast_convex(cast.a(), cast.way, cast.b(), 1, {{}, 0.7 * hit->fraction});
     ASSERT_TRUE(later) << k;
     EXPECT_NEAR(later->fraction * steep, hit->fraction * steep, near) << k;
@@ -112,8 +112,8 @@ TEST(BallSweeps, OverlapsFromTheStartTellTheLeastWayApart) {
         if (hit->normal == DVec3{}) hit = overlap_hit(cast.a(), cast.b());
         const double lowest = dot(support(cast.a(), -hit->normal), hit->normal),
                      highest = dot(support(cast.b(), hit->normal), hit->normal);
-        // Any normal parts them by some way, and EPA's is within a part in 10,000 of the least, or more with 64
-        // corners.
+        // Moving apart along any normal takes at least the penetration depth; EPA's normal is within one part in 10,000
+        // of the minimum, or less exact with 64 vertices.
         EXPECT_GT(lowest - highest, least.distance - 1e-4 * std::fabs(least.distance)) << k;
         EXPECT_NEAR(dot(hit->point, hit->normal), highest, 2e-4 * std::fabs(least.distance)) << k;
         EXPECT_TRUE(contains(cast.b(), hit->point + 1e-9 * (cast.b().center - hit->point))) << k;

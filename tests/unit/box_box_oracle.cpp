@@ -86,7 +86,7 @@ std::array<double, 2> across(const Vec& normal, const Vec& p) {
 
 namespace {
 
-// The corners of the face of a box that looks most along a direction, in order.
+// The vertices of the box face whose normal is closest to the given direction, in order.
 std::vector<Vec> face_along(const Frame& box, const Vec& direction) {
     std::size_t k = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -103,7 +103,7 @@ std::vector<Vec> face_along(const Frame& box, const Vec& direction) {
     return corners;
 }
 
-// Sutherland and Hodgman: the part of a polygon where n . p <= limit.
+// Sutherland-Hodgman clipping: the part of a polygon where n . p <= limit.
 std::vector<Vec> cut(const std::vector<Vec>& polygon, const Vec& n, double limit) {
     std::vector<Vec> r;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,4 +1,4 @@
-// The least way apart of boxes and other shapes, against EPA and against any directions.
+// Penetration depth between boxes and other shapes, compared with EPA and with random directions.
 #include "cast_test_support.h"
 #include "shapes/box_depth.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using namespace convex_test;
 
-// Any shape in the origin; keeps what it shares.
+// A random shape at the origin; owns the data that the shape refers to.
 struct Other {
     explicit Other(Random& random) : solid(any_solid(random, 1)), convex(solid.at({}, random.rotation())) {
         const auto corner = [&] { return random.uniform(0.3, 1.5) * random.direction(); };
@@ -22,7 +22,7 @@ Convex any_box(Random& random, DVec3 at) {
     const Solid sharp = box(u(), u(), u());
     return (random.below(4) == 0 ? rounded(sharp, random.uniform(0.02, 0.3)) : sharp).at(at, random.rotation());
 }
-// How far a shape must move along a unit vector to be beyond another.
+// The distance by which a shape must move along a unit vector until it is separated from another.
 double way_out(const Convex& moving, const Convex& still, DVec3 normal) {
     return dot(support(still, normal) - support(moving, -normal), normal);
 }
@@ -36,7 +36,7 @@ TEST(BoxDepth, IsThatOfEpaAndNoDirectionHasLess) {
         const cairn::ClosestPoints truth = closest_points(box, other);
         const double radii = outer_radius(box) + outer_radius(other);
         const auto depth = box_depth(box, other);
-        if (truth.distance + radii > 1e-9) { // of the cores
+        if (truth.distance + radii > 1e-9) { // the cores are separated
             if (!depth) continue;
             ++apart;
             ASSERT_EQ(other.kind, Convex::Kind::capsule) << k;
@@ -56,7 +56,7 @@ TEST(BoxDepth, IsThatOfEpaAndNoDirectionHasLess) {
         rough += depth->depth > (1 + 1.1e-6) * least + 1e-9;
         for (int i = 0; i < 20; ++i)
             EXPECT_GT(way_out(other, box, random.direction()), (1 - 1.1e-6) * whole - 1e-9) << k;
-        // Those points of the cores come together.
+        // The witness points of the cores coincide after the separating translation.
         EXPECT_LT(length(depth->on_other + depth->depth * depth->normal - depth->on_box), 2e-3) << k;
         const double near = 1e-3;
         EXPECT_TRUE(nearest_point(box, depth->on_box, near)) << k;
@@ -65,10 +65,10 @@ TEST(BoxDepth, IsThatOfEpaAndNoDirectionHasLess) {
     EXPECT_GT(asked, 10000);
     EXPECT_GT(found, asked * 7 / 10);
     EXPECT_GT(apart, 500);
-    EXPECT_LE(rough, 4); // after 64 corners
+    EXPECT_LE(rough, 4); // EPA results after 64 vertices are less exact
 }
 
-// Whichever of them moves.
+// Either of the two shapes is the moving one.
 TEST(BoxDepth, TellsWhereWhatStartsWithinMeets) {
     Random random(2);
     int met = 0;
@@ -83,7 +83,7 @@ TEST(BoxDepth, TellsWhereWhatStartsWithinMeets) {
         EXPECT_EQ(hit.fraction, 0);
         const double way = way_out(moving, still, hit.normal);
         EXPECT_LT(way, -least * (1 + 1.1e-4) + 1e-9) << k;
-        if (!box_depth(box, other)) continue; // left to EPA, of which the points are less exact
+        if (!box_depth(box, other)) continue; // solved by EPA, whose witness points are less exact
         EXPECT_NEAR(dot(hit.point - support(still, hit.normal), hit.normal), 0, 2e-4 * way + 1e-9) << k;
         EXPECT_TRUE(nearest_point(still, hit.point, 1e-3)) << k;
         EXPECT_TRUE(nearest_point(moved(moving, way * hit.normal), hit.point, 1e-3)) << k;
@@ -91,7 +91,7 @@ TEST(BoxDepth, TellsWhereWhatStartsWithinMeets) {
     EXPECT_GT(met, 10000);
 }
 
-// More than one point is deepest of these: the way apart is the least all the same.
+// These pairs have more than one deepest point: the separating translation is minimal all the same.
 TEST(BoxDepth, ShapesInLineAreMovedApartByTheLeastWay) {
     Random random(3);
     const Convex box = convex_test::box(0.5, 0.6, 0.7).at({});

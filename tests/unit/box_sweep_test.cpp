@@ -1,4 +1,4 @@
-// Sweeps and overlaps of boxes, against the same boxes as hulls, which are left to GJK and EPA.
+// Sweeps and overlaps of boxes, compared with the same boxes as hulls, which are tested by GJK and EPA.
 #include "convex_test_support.h"
 #include "shapes/box_sweep.h"
 #include "shapes/convex_query.h"
@@ -12,7 +12,7 @@ using namespace convex_test;
 using cairn::BoxSweep;
 using cairn::ConvexHit;
 
-constexpr double tolerance = 1e-6; // of sweeps, as part of the smaller box
+constexpr double tolerance = 1e-6; // of sweeps, relative to the smaller box
 
 struct TwoBoxes {
     DVec3 size_a, size_b, from, way;
@@ -26,7 +26,7 @@ struct TwoBoxes {
     double smallest() const { return std::min({size_a.x, size_a.y, size_a.z, size_b.x, size_b.y, size_b.z}); }
 };
 
-// As floats have them, so that the hulls are no larger or smaller.
+// Sizes rounded to float, so that the hulls have exactly the same size.
 DVec3 any_size(Random& random) {
     const auto u = [&] {
         return double(float(random.below(4) == 0 ? random.uniform(2, 8) : random.uniform(0.1, 0.6)));
@@ -51,7 +51,7 @@ TEST(BoxSweeps, AreThoseOfTheSameBoxesAsHulls) {
         const auto hit = cast_convex(t.a(), t.way, t.b());
         const BoxSweep alone = sweep_boxes(t.a(), t.way, t.b(), 1, tolerance * t.smallest());
         if (k % 3 == 0) settled += alone.state != BoxSweep::State::unsettled;
-        if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
+        if (hit.has_value() != expected.has_value()) { // only where they pass each other within this distance
             const ConvexHit& met = hit ? *hit : *expected;
             EXPECT_LT(met.fraction > 0 ? std::fabs(dot(met.normal, t.way)) : 1, 1e-3 * length(t.way)) << k;
             continue;
@@ -61,7 +61,7 @@ TEST(BoxSweeps, AreThoseOfTheSameBoxesAsHulls) {
             continue;
         }
         ++hits;
-        // How far the fraction may be off depends on how steeply they meet.
+        // The error of the fraction depends on how steeply the boxes meet.
         const double steep = std::min(-dot(hit->normal, t.way), -dot(expected->normal, t.way));
         EXPECT_NEAR(hit->fraction * steep, expected->fraction * steep, near) << k;
         EXPECT_NEAR(length(hit->normal), 1, 1e-9) << k;
@@ -69,7 +69,7 @@ TEST(BoxSweeps, AreThoseOfTheSameBoxesAsHulls) {
         const Convex met = t.a(hit->fraction * t.way);
         EXPECT_TRUE(nearest_point(t.b(), hit->point, near)) << k;
         EXPECT_TRUE(nearest_point(met, hit->point, near)) << k;
-        // The plane through the point parts them.
+        // The plane through the point separates the boxes.
         EXPECT_LT(dot(support(t.b(), hit->normal) - hit->point, hit->normal), near) << k;
         EXPECT_GT(dot(support(met, -hit->normal) - hit->point, hit->normal), -near) << k;
     }
@@ -105,7 +105,7 @@ TEST(BoxSweeps, OverlapsAreThoseOfTheSameBoxesAsHulls) {
         if (truth.distance > 0) continue;
         const BoxSweep met = sweep_boxes(t.a(), t.way, t.b(), 1, tolerance * t.smallest());
         if (met.state != BoxSweep::State::overlapping || met.normal == DVec3{}) continue;
-        // The least way apart, and no way less than it, within the tolerance of EPA.
+        // The depth is the minimal translation, within EPA's tolerance.
         const double depth = dot(support(t.b(), met.normal) - support(t.a(), -met.normal), met.normal);
         EXPECT_NEAR(depth, -truth.distance, 2e-4 * depth + 1e-6 * t.smallest()) << k;
         EXPECT_LT(dot(support(t.b(), met.normal) - met.point, met.normal), 1e-9) << k;
@@ -116,8 +116,8 @@ TEST(BoxSweeps, OverlapsAreThoseOfTheSameBoxesAsHulls) {
     EXPECT_GT(apart, 5000);
 }
 
-// Of a sixth of the cylinders that a box met, rounding kept GJK from coming nearer than it was, which was near enough;
-// the sweep was then done over again.
+// For a sixth of the cylinders hit by a box, rounding kept GJK from getting any closer, although it was already close
+// enough; without the fix such sweeps were reported as unsettled and were repeated by another method.
 TEST(GjkCast, SettlesWhereRoundingKeepsItFromComingNearer) {
     Random random(4);
     int met = 0, unsettled = 0;

@@ -1,4 +1,4 @@
-// A sharp box against a triangle by the short way, beside what the way of all convex shapes says.
+// A sharp box against a triangle: the specialized test, compared with the test for all convex shapes.
 #include "collision/box_triangle.h"
 #include "collision/contact_points.h"
 #include "collision/convex_contact.h"
@@ -20,12 +20,12 @@ using Verdict = BoxOnTriangles::Verdict;
 struct Trial {
     Convex box;
     cairn::Triangle triangle;
-    DVec3 center; // of the triangle's frame
+    DVec3 center; // origin of the triangle's frame
     DMat3 axes;
     double margin;
 };
 
-// A box that touches or nearly touches a triangle, most often lying almost flat on it.
+// A box that touches or nearly touches a triangle, usually almost flat on it.
 Trial any_trial(Random& random) {
     Trial t;
     const double size = random.below(4) == 0 ? 0.05 : 1;
@@ -45,7 +45,7 @@ Trial any_trial(Random& random) {
     const auto placed = [&](cairn::math::Vec3 v) { return t.axes * cairn::math::to_double(v); };
     const DVec3 p = placed(t.triangle.a), q = placed(t.triangle.b), r = placed(t.triangle.c);
     const DVec3 normal = normalized(cross(q - p, r - p));
-    // Turned so that its y axis is the normal or the longest side's direction, then a little or by any angle.
+    // Rotated so that the box's y axis is the normal or along an edge, then perturbed by a small or arbitrary angle.
     DQuat rotation = random.rotation();
     if (random.below(4) != 0) {
         const DVec3 y = random.below(4) == 0 ? normalized(q - p) : normal;
@@ -66,7 +66,7 @@ Trial any_trial(Random& random) {
     return t;
 }
 
-// Of the triangle of the trial alone.
+// The verdict for the trial's single triangle.
 Verdict verdict_of(BoxOnTriangles& box, const Trial& t, BoxHit& hit) {
     box.add(0);
     box.look([&](std::uint32_t) { return t.triangle; });
@@ -116,7 +116,8 @@ TEST(BoxOnTriangle, SaysWhatTheTestOfAllConvexShapesSays) {
         const bool is_on_face = f.contact.part == SurfaceContact::Part::face;
         ++(is_on_face ? on_face : on_edge);
         ASSERT_EQ(hit.on_face, is_on_face) << k;
-        // Those that the long way has chosen are among them, and none is deeper.
+        // The contact points that the general test selects are among those of the specialized test, and none of these
+        // is deeper.
         const double far = 1e-6 * (1 + length(t.center));
         double deepest = 1e300;
         for (int i = 0; i < m.count; ++i) {
@@ -124,7 +125,7 @@ TEST(BoxOnTriangle, SaysWhatTheTestOfAllConvexShapesSays) {
             ASSERT_LT(distance_to(hit, t.box.axes, p), far) << k << " point " << i;
             deepest = std::min(deepest, double(m.points[i][3]));
         }
-        ASSERT_NEAR(hit.separation, deepest, 1e-6 + 1e-4 * t.box.extent) << k; // equal depths within that
+        ASSERT_NEAR(hit.separation, deepest, 1e-6 + 1e-4 * t.box.extent) << k; // points of equal depth, up to that
         double least = 1e300;
         for (int i = 0; i < hit.count; ++i) {
             EXPECT_LE(hit.points[i].separation, t.margin);
@@ -132,7 +133,7 @@ TEST(BoxOnTriangle, SaysWhatTheTestOfAllConvexShapesSays) {
         }
         ASSERT_EQ(least, hit.separation) << k;
     }
-    // The trials are about what matters: all verdicts come up, and both kinds of contact.
+    // The trials cover the relevant cases: every verdict occurs often, and so do both kinds of contact.
     for (int v : verdicts) EXPECT_GT(v, 1000);
     EXPECT_GT(on_face, 5000);
     EXPECT_GT(on_edge, 1000);
@@ -163,7 +164,7 @@ TEST(BoxOnTriangle, WhatIsBeyondItsFacesIsFoundWithoutThem) {
     EXPECT_GT(touching, 2000);
 }
 
-// What is farther apart may be left alone for some steps.
+// The lower bound of the distance, by which separated pairs may be skipped for some steps.
 TEST(BoxOnTriangle, TellsHowFarApartAtLeast) {
     Random random(3);
     int apart = 0;

@@ -1,4 +1,4 @@
-// Queries of the broad phase against brute force.
+// Queries of the broad phase, compared with brute force.
 #include "broad_phase_scene.h"
 
 namespace cairn {
@@ -12,7 +12,7 @@ TEST(BroadPhase, QueriesFindWhatBruteForceFinds) {
         std::size_t hits = 0, visits = 0;
         for (int step = 0; step < 40; ++step) {
             stir(scene, step, asleep);
-            if (step % 2) scene.update(); // also in between, when changes wait for their update
+            if (step % 2) scene.update(); // also query while changes are waiting for their update
             Random& random = scene.random;
             const DVec3 a = scene.random_point(), b = scene.random_point();
             const double length = math::length(b - a);
@@ -45,11 +45,11 @@ TEST(BroadPhase, QueriesFindWhatBruteForceFinds) {
             }
         }
         EXPECT_GT(hits, 40u);
-        EXPECT_LT(visits, 3 * hits); // candidates are few
+        EXPECT_LT(visits, 3 * hits); // there are few false candidates
     }
 }
 
-// Boxes that move, and what is near a point; farther than what counts nothing need be visited.
+// Box sweeps and nearest-box queries; boxes beyond the search distance need not be visited.
 TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
     for (const DVec3 offset : {DVec3{}, DVec3{-4e6, 2e6, 1e7}}) {
         Scene scene(53, 7, offset);
@@ -108,7 +108,7 @@ TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
         EXPECT_GT(near, 40u);
         EXPECT_GT(planes_met, 4u);
         EXPECT_GT(planes_passed, 10u);
-        EXPECT_LT(visits, 3 * (swept + near)); // candidates are few
+        EXPECT_LT(visits, 3 * (swept + near)); // there are few false candidates
     }
 }
 
@@ -132,7 +132,7 @@ TEST(BroadPhase, RaysFromFarAwayHit) {
     }
     EXPECT_LT(visits, 20000u);
 
-    const DVec3 lonely = {3e7 + 0.7, 1e7 + 0.3, -2e7}; // floats are meters apart there
+    const DVec3 lonely = {3e7 + 0.7, 1e7 + 0.3, -2e7}; // floats have a spacing of meters there
     scene.broad.add(400, {lonely - DVec3{0.1, 0.1, 0.1}, lonely + DVec3{0.1, 0.1, 0.1}}, Mobility::awake);
     for (int i = 0; i < 300; ++i) {
         const double x = scene.random.between(-5, 5), y = scene.random.between(-5, 5), z = scene.random.between(-5, 5);

@@ -1,4 +1,4 @@
-// A world of random boxes for tests of the broad phase, which knows by brute force what pairs there must be.
+// A world of random boxes for tests of the broad phase, with a brute-force list of the pairs that must be found.
 #pragma once
 
 #include "collision/broad_phase.h"
@@ -22,7 +22,7 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 inline Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
 
-// The same numbers on every machine.
+// Generates the same numbers on every machine.
 struct Random {
     std::uint64_t state;
     std::uint32_t next() {
@@ -33,11 +33,11 @@ struct Random {
     std::uint32_t below(std::uint32_t count) { return next() % count; }
 };
 
-// Checks what it is told against what it knows, and writes it down.
+// Checks the reported pairs against the known ones, and logs them.
 struct Recorder final : PairSink {
     std::map<Pair, std::uint32_t> live;
-    std::set<Pair> lost_now;        // in this update
-    std::vector<std::uint32_t> log; // 1 or 2, a, b, contact
+    std::set<Pair> lost_now;        // pairs that were lost in this update
+    std::vector<std::uint32_t> log; // groups of four numbers: 1 (found) or 2 (lost), a, b, contact
     std::uint32_t next_contact = 0;
     bool lost_after_found = false, in_found = false;
     bool refuse_some = false, refilters = false;
@@ -77,14 +77,14 @@ inline bool overlap(const DBounds& a, const DBounds& b, double slack) {
     return true;
 }
 
-// A world of boxes with a broad phase and a plain list of what should be in it.
+// A world of boxes with a broad phase and a plain list of its expected contents.
 struct Scene {
     enum class Kind { none, fixed, plane, awake, asleep };
     struct Shape {
         Kind kind = Kind::none;
         bool kinematic = false, trigger = false;
         DVec3 center, half;
-        Vec3 velocity; // per step
+        Vec3 velocity; // m per step
         std::uint32_t island = 0;
         DVec3 point, normal;
         bool is_sheet = false;
@@ -94,7 +94,7 @@ struct Scene {
     BroadPhase broad;
     Recorder sink;
     ThreadPool* thread_pool = nullptr;
-    bool moves_together = false; // with all threads of the pool
+    bool moves_together = false; // whether to move shapes in parallel, on all threads of the pool
     std::vector<Shape> shapes;
     DVec3 offset;
     double extent, slack = 1e-3;
@@ -154,7 +154,7 @@ struct Scene {
         shapes[index].kind = Kind::none;
         pending_free.push_back(index);
     }
-    // Moves a share of the awake shapes, sometimes very fast, and keeps them in.
+    // Moves a share of the awake shapes, sometimes very fast, and keeps them within the bounds of the scene.
     void move(double share, double speed) {
         std::vector<NewBounds> moved;
         for (std::uint32_t i = 0; i < shapes.size(); ++i) {
@@ -265,7 +265,7 @@ inline void fill(Scene& scene) {
     scene.add_plane(scene.offset - DVec3{0, 6, 0}, {0, 1, 0});
 }
 
-// Everything at once: motion, churn, sleep, wake, removal, statics that move.
+// Everything at once: motion, adding and removing shapes, sleep, wake, and statics that move.
 inline void stir(Scene& scene, int step, std::map<std::uint32_t, std::vector<std::uint32_t>>& asleep) {
     Random& random = scene.random;
     scene.move(step % 10 < 4 ? 0.03 : 0.8, 0.1);

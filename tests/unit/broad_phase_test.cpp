@@ -1,5 +1,5 @@
-// The broad phase against brute force: no pair is missed, none is reported twice, and every way to the same boxes
-// gives the same pairs in the same order.
+// The broad phase compared with brute force: no pair is missed, none is reported twice, and every code path that leads
+// to the same boxes gives the same pairs in the same order.
 #include "allocation_count.h"
 #include "broad_phase_scene.h"
 
@@ -42,8 +42,8 @@ TEST(BroadPhase, FindsEveryPairUnderChurnSleepAndTeleports) {
     }
 }
 
-// What moves by many times its size a step is spread over all places before it is sorted anew; what sleeps there are
-// islands of one shape and of several, some with a dead one.
+// Shapes that move by many times their size per step scatter over the whole scene before the tree is sorted again. The
+// sleeping islands have one shape or several, some of which have been removed.
 TEST(BroadPhase, WhatHasFlownApartFindsAllThatSleeps) {
     Scene scene(14, 20);
     for (int i = 0; i < 40; ++i) scene.add(Kind::fixed, 0.3, 1);
@@ -74,12 +74,12 @@ TEST(BroadPhase, WorksTenMillionMetersOut) {
     for (int step = 0; step < 60; ++step) {
         stir(scene, step, asleep);
         scene.update();
-        scene.check(); // with a millimeter of slack: the boxes are not coarse
+        scene.check(); // with a slack of 1 mm: the boxes are not coarse
         ASSERT_FALSE(HasFailure()) << step;
     }
 }
 
-// What a run told its sink, and the pairs at its end in the order walked.
+// The log of the sink in a run, followed by the pairs at its end in the order in which they are walked.
 std::vector<std::uint32_t> run_log(std::uint64_t seed, const char* isa, bool search_all, int threads = 1,
                                    bool moves_together = false) {
     Scene scene(seed, 7, {}, isa);
@@ -125,7 +125,7 @@ TEST(BroadPhase, InstructionSetsAreEqual) {
         EXPECT_TRUE(!kernels_named(isa) || reference == run_log(33, isa, false)) << isa;
 }
 
-// An archive that writes into, or reads from, a list of bytes.
+// An archive that writes to a list of bytes, or reads from it.
 struct Archive {
     std::vector<unsigned char> bytes;
     std::size_t at = 0;
@@ -154,12 +154,12 @@ TEST(BroadPhase, RestoredCopyContinuesEqually) {
     for (const int saved_at : {3, 37, 71}) {
         Scene scene(41, 7), copy(41, 7, {}, "scalar");
         fill(scene);
-        fill(copy); // something else to be overwritten
+        fill(copy); // different contents, to be overwritten
         std::map<std::uint32_t, std::vector<std::uint32_t>> asleep, copy_asleep;
         for (int step = 0; step < 110; ++step) {
             stir(scene, step, asleep);
             if (step > saved_at) stir(copy, step, copy_asleep);
-            if (step == saved_at) { // between the calls and the update that they lead to
+            if (step == saved_at) { // between the calls and the update that processes them
                 Archive archive;
                 scene.broad.serialize(archive);
                 archive.loads = true;
@@ -187,7 +187,7 @@ TEST(BroadPhase, SleepKeepsContactsUntilAShapeWakes) {
     broad.add(0, {{-50, -1, -50}, {50, 0, 50}}, Mobility::fixed);
     for (std::uint32_t i = 1; i <= 4; ++i) broad.add(i, cube(i), Mobility::awake);
     broad.update(sink);
-    const std::map<Pair, std::uint32_t> before = sink.live; // 4 with the ground, 3 with each other
+    const std::map<Pair, std::uint32_t> before = sink.live; // 4 pairs with the ground, 3 of the others with each other
     EXPECT_EQ(before.size(), 7u);
     broad.put_to_sleep(5, std::vector<std::uint32_t>{1, 2});
     broad.update(sink);
@@ -198,12 +198,12 @@ TEST(BroadPhase, SleepKeepsContactsUntilAShapeWakes) {
     for (const std::uint32_t key : {5u, 6u})
         broad.for_each_sleeping_pair(key, [&](std::uint32_t, std::uint32_t, std::uint32_t) { ++kept; });
     EXPECT_EQ(walked, 0u);
-    EXPECT_EQ(kept, 6u); // all but the one between the islands
+    EXPECT_EQ(kept, 6u); // all pairs except the one between the islands
     broad.wake(6);
     broad.set_bounds(4, cube(9));
     broad.update(sink);
     broad.for_each_pair([&](std::uint32_t, std::uint32_t, std::uint32_t) { ++walked; });
-    EXPECT_EQ(walked, 3u); // 3 and 4 on the ground, 3 beside the sleeping 2
+    EXPECT_EQ(walked, 3u); // 3 and 4 with the ground, 3 with the sleeping 2
     broad.remove(0);
     broad.wake(5);
     broad.update(sink);
@@ -246,7 +246,7 @@ TEST(BroadPhase, ShapeThatMovesSleepsWakesAndMovesBetweenUpdatesIsFound) {
     EXPECT_TRUE(sink.live.count({4, 15}));
 }
 
-// Too few to be sorted, which is when the origin may move.
+// With so few shapes the tree is never sorted, and the sort is when the origin of the floats may move.
 TEST(BroadPhase, FewShapesFarOutHaveBoxesThatAreNotCoarse) {
     BroadPhase broad(kernels().broad);
     Recorder sink;
@@ -258,7 +258,7 @@ TEST(BroadPhase, FewShapesFarOutHaveBoxesThatAreNotCoarse) {
     EXPECT_TRUE(sink.live.empty());
 }
 
-// One body may be far from all others: its box is coarse, but no pair of it is missed.
+// A body may be far from all others: its box is coarse, but none of its pairs is missed.
 TEST(BroadPhase, LonelyPairFarFromTheOriginIsFound) {
     Scene scene(25, 6);
     fill(scene);
@@ -276,7 +276,7 @@ TEST(BroadPhase, RefilterAsksAgain) {
     broad.add(3, {{0, 0, 0}, {1, 1, 1}}, Mobility::awake);
     broad.add(4, {{0, 1, 0}, {1, 2, 1}}, Mobility::awake);
     for (int i = 0; i < 3; ++i) broad.update(sink);
-    EXPECT_EQ(sink.log.size(), 4u); // asked once
+    EXPECT_EQ(sink.log.size(), 4u); // one log entry: the pair was filtered once in three updates
     sink.refuse_some = false;
     broad.refilter(4);
     broad.update(sink);
@@ -305,7 +305,7 @@ TEST(BroadPhase, BoundsThatAreNoNumbersAreBoundless) {
     EXPECT_GT(sink.lost, 50u);
 }
 
-// Awake shapes that fall far from where they began take the origin of the trees along.
+// Awake shapes that fall far from their start move the origin of the trees along.
 TEST(BroadPhase, OriginFollows) {
     Scene scene(71, 6);
     fill(scene);
@@ -314,7 +314,7 @@ TEST(BroadPhase, OriginFollows) {
         if (s.kind == Kind::awake) s.center += DVec3{3e6, -2e6, 5e6};
     scene.offset = {3e6, -2e6, 5e6};
     for (int step = 0; step < 40; ++step) {
-        scene.slack = step < 20 ? 2.0 : 1e-3; // floats are coarse until the next sort
+        scene.slack = step < 20 ? 2.0 : 1e-3; // float bounds are coarse until the next sort
         scene.move(1, 0.05);
         scene.update();
         scene.check();
@@ -329,7 +329,7 @@ TEST(BroadPhase, SteadyStateAllocatesNothing) {
     std::vector<std::uint32_t> island;
     for (std::uint32_t i = 0; i < 40; ++i) island.push_back(i);
     const std::vector<Scene::Shape> home = scene.shapes;
-    // To and fro, so that what happens now has happened before.
+    // The motion goes back and forth, so that all buffers have reached their final size.
     const auto cycle = [&](int steps) {
         for (int step = 0; step < steps; ++step) {
             const int phase = step % 32 < 16 ? step % 32 : 32 - step % 32;
@@ -354,7 +354,7 @@ TEST(BroadPhase, SteadyStateAllocatesNothing) {
     EXPECT_GT(sink.lost, 1000u);
 }
 
-// Numbers to look at, on whatever machine this is; only the counts are checked.
+// Timings for information, on any machine; only the counts are checked.
 TEST(BroadPhase, TwentyThousandItems) {
     using Clock = std::chrono::steady_clock;
     const auto ms = [](Clock::time_point since) {
@@ -396,7 +396,7 @@ TEST(BroadPhase, TwentyThousandItems) {
     EXPECT_EQ(scene.broad.counts().awake, 20000u);
     std::printf("%.1f MB\n", double(scene.broad.bytes()) / 1e6);
 
-    // A hundred thousand sleepers below cost a step nothing.
+    // A hundred thousand sleeping shapes below cost a step nothing.
     std::uint32_t next = 20000;
     start = Clock::now();
     for (std::uint32_t island = 0; island < 10000; ++island) {

@@ -1,4 +1,4 @@
-// A shape that moves past another, and when they meet by conservative advancement, for tests of sweeps.
+// A shape that moves past another, with its time of impact by conservative advancement, for tests of sweeps.
 #pragma once
 
 #include "convex_test_support.h"
@@ -9,7 +9,7 @@
 
 namespace convex_test {
 
-inline constexpr double sweep_tolerance = 1e-6; // as part of the smaller shape
+inline constexpr double sweep_tolerance = 1e-6; // relative to the smaller shape
 
 struct Cast {
     Solid moving, still;
@@ -20,7 +20,7 @@ struct Cast {
     double tolerance() const { return sweep_tolerance * std::min(a().extent, b().extent); }
 };
 
-// Newton's method on the distance, which is a convex function of the fraction.
+// Conservative advancement: Newton's method on the distance, which is a convex function of the fraction.
 inline std::optional<cairn::ConvexHit> advance(const Cast& cast) {
     double fraction = 0;
     for (int round = 0; round < 1000; ++round) {

@@ -1,4 +1,4 @@
-// All instruction sets give the same bits, for every narrow-phase kernel.
+// All instruction sets give the same bits in every narrow-phase kernel.
 #include "collide_test_support.h"
 
 #include "collision/wide_pairs.h"
@@ -12,8 +12,8 @@ namespace {
 
 enum class Kind { sphere, box, plane, rectangle, capsule };
 
-// Random or exactly aligned: positions on a grid of eighths, quarter turns, sizes of a half or a quarter, so that
-// shapes touch exactly, share edges and corners, or lie in each other.
+// Random or exactly aligned shapes. Aligned ones have positions on a grid of eighths, quarter turns, and sizes that are
+// multiples of a quarter, so that they touch exactly, share edges and corners, or contain each other.
 ShapePose any_shape(Random& random, Kind kind, const Vec& around, bool aligned) {
     const auto size = [&] { return aligned ? 0.25 * (1 + random.below(3)) : random.uniform(0.05, 1.0); };
     Vec position = around;
@@ -83,7 +83,7 @@ void expect_equal_bits(cairn::CollideKernel cairn::KernelTable::*kernel, Kind fi
     expect_equal_bits(kernel, any_pairs(first, second, 77));
 }
 
-// What is said of a pair: what lies beyond its points is nobody's business.
+// Compares the contact points of a pair; entries beyond `count` are unspecified.
 void expect_same(const Manifold& one, const Manifold& other, const std::string& who) {
     ASSERT_EQ(one.count, other.count) << who;
     if (one.count == 0) {
@@ -96,7 +96,7 @@ void expect_same(const Manifold& one, const Manifold& other, const std::string& 
     ASSERT_EQ(std::memcmp(one.features, other.features, count * sizeof one.features[0]), 0) << who;
 }
 
-// Each pair among others of all kinds, and in a block of its own.
+// Tests each pair together with pairs of all kinds, and in a block of its own.
 void expect_blind_lanes(cairn::CollideKernel cairn::KernelTable::*kernel, Kind first, Kind second) {
     const Pairs pairs = any_pairs(first, second, 79);
     for (const cairn::KernelTable* table : backends()) {
@@ -113,7 +113,7 @@ void expect_blind_lanes(cairn::CollideKernel cairn::KernelTable::*kernel, Kind f
 
 } // namespace
 
-// Ranks share out the pairs: who is tested beside whom is up to their number.
+// Ranks divide the pairs among themselves: which pairs share a block depends on the number of ranks.
 TEST(CollideBackends, APairDoesNotSeeTheOthersOfItsBlock){
 #define CAIRN_EXPECT_BLIND(first, second)                                                                              \
     {                                                                                                                  \
@@ -137,7 +137,7 @@ TEST(CollideBackends, SphereCapsule) {
 }
 TEST(CollideBackends, BoxBox) { expect_equal_bits(&cairn::KernelTable::box_box, Kind::box, Kind::box); }
 TEST(CollideBackends, BoxBoxWithTheChoiceOfTheLastStep) {
-    // A little moved: some choices go on, others do not.
+    // The pairs move a little: some of the cached features remain valid, others do not.
     const Pairs pairs = any_pairs(Kind::box, Kind::box, 77);
     std::vector<std::uint32_t> kept;
     for (const Manifold& m : run(backends()[0]->box_box, pairs)) kept.push_back(kept_features(m));

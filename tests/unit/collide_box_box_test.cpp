@@ -1,4 +1,4 @@
-// The box-box kernel of every backend against the double-precision oracle.
+// The box-box kernel of every backend, compared with the double-precision reference.
 #include "box_box_oracle.h"
 
 #include <algorithm>
@@ -34,9 +34,9 @@ double sum_of_halves(const Frame& a, const Frame& b) {
     return r;
 }
 
-// Half of the pairs anywhere near each other, half moved along their axis of greatest separation until they
-// just touch, overlap a little or are a little apart, as in a simulation. `tilt` > 0 keeps the rotations
-// within that angle of each other (nearly parallel edges and faces).
+// Half of the pairs are at random distances, half are moved along their axis of greatest separation until they just
+// touch, overlap a little or are a little apart, as in a simulation. `tilt` > 0 limits the relative rotation to that
+// angle (nearly parallel edges and faces).
 Pairs random_pairs(const SizeClass& size, int count, std::uint32_t seed, double tilt = 0) {
     Random random(seed);
     Pairs pairs;
@@ -66,8 +66,8 @@ Pairs random_pairs(const SizeClass& size, int count, std::uint32_t seed, double 
     return pairs;
 }
 
-// The kernel prefers a face to an edge that is less deep by up to 5 % of the smallest half extent, and takes
-// nearly parallel edges only when it can tell their axis, which is uncertain by rounding / sine.
+// The kernel prefers a face to an edge that is less deep by up to 5 % of the smallest half extent, and uses nearly
+// parallel edges only if their cross product is well defined; the error of that axis is rounding / sine.
 struct Tolerance {
     double rounding, choice;
 };
@@ -81,7 +81,7 @@ bool is_face_of(const Frame& box, const Vec& n) {
                        [&](const Vec& axis) { return std::fabs(dot(axis, n)) > 1 - 1e-6; });
 }
 
-// What the manifold must say, given the true axis. Empty when it does.
+// Describes how the manifold contradicts the true axis; empty if it does not.
 std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const SeparatingAxis truth = greatest_separation(a, b);
@@ -104,7 +104,7 @@ std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, doub
         const Vec p = a.center + point_of(m, k);
         const double half_gap = separation_of(m, k) / 2;
         const double on_a = distance_to_box(a, p - half_gap * n), on_b = distance_to_box(b, p + half_gap * n);
-        // Edges that are apart may also miss each other sideways, within the margin in all.
+        // Separated edges may also miss each other sideways, by a total distance within the margin.
         const double sideways = by_edges && half_gap > 0 ? std::sqrt(margin * margin / 4 - half_gap * half_gap) : 0.0;
         const double allowed = tolerance.choice + sideways + 2e-4 * std::max(length(a.half), length(b.half));
         if (std::fabs(on_a) > allowed || std::fabs(on_b) > allowed)
@@ -172,7 +172,7 @@ TEST(CollideBoxBox, FacePointsSpanTheTruePolygon) {
                     for (const auto& q : face.polygon)
                         across_squared =
                             std::max(across_squared, (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]));
-                if (area < 0.01 * across_squared) continue; // a sliver: two points say as much
+                if (area < 0.01 * across_squared) continue; // a sliver, which two points describe well enough
                 Polygon points;
                 for (int k = 0; k < m.count; ++k) points.push_back(across(normal, a.center + point_of(m, k)));
                 const double share = area_of(convex_hull(points)) / area;
@@ -258,7 +258,8 @@ TEST(CollideBoxBox, FarFromTheOriginNothingChanges) {
     Random random(11);
     for (const cairn::KernelTable* table : backends())
         for (int i = 0; i < 500; ++i) {
-            // Offsets that a double far away can hold exactly, so that the two pairs are the same pair.
+            // Offsets that are exact in double precision far from the origin, so that the near and the far pair are the
+            // same.
             const auto grid = [&](double low, double high) {
                 return std::floor(random.uniform(low, high) * 1048576.0) / 1048576.0;
             };
@@ -327,8 +328,8 @@ TEST(CollideBoxBox, ScalesFromMillimetersToKilometers) {
 
 namespace {
 
-// Two cubes face to face, the upper one turned by 40 degrees, so that eight corners touch, sunk by a millimeter, and
-// tilted by up to `tilt`.
+// Two cubes face to face, overlapping by 1 mm. The upper one is rotated by 40 degrees, so that the clipped face has
+// eight corners, and tilted by up to `tilt`.
 Pairs turned_cubes(Random& random, double tilt) {
     const Vec half = {0.5, 0.5, 0.5};
     const Vec turn = {0, 0.7, 0}, tilted = turn + random.uniform(0, tilt) * random.direction();
@@ -345,7 +346,7 @@ std::array<std::uint32_t, 4> in_any_order(std::uint32_t features) {
     return sorted;
 }
 
-// Twice the area of the points, seen along the normal.
+// Twice the area of the polygon of contact points, projected along the normal.
 double spanned(const Manifold& m) {
     double most = 0;
     for (int i = 0; i < m.count; ++i)
@@ -359,7 +360,8 @@ double spanned(const Manifold& m) {
 
 } // namespace
 
-// Chosen afresh in each step they follow the tremor: 2,850 of 5,000 boxes in a heap went on without end.
+// Contact points that are chosen afresh in each step follow tiny vibrations: 2,850 of 5,000 boxes in a heap never came
+// to rest.
 TEST(CollideBoxBox, PointsAndReferenceFaceStayThroughATremor) {
     for (const cairn::KernelTable* table : backends()) {
         Random random(19);
@@ -387,7 +389,7 @@ TEST(CollideBoxBox, PointsAreChosenAfreshWhereTheOldOnesNoLongerServe) {
             ASSERT_EQ(flaw(kept, usual_margin), "") << table->name << ", trial " << trial;
             ASSERT_LE(deepest_of(kept), deepest_of(fresh) + 0.0051) << table->name << ", trial " << trial;
             changes += in_any_order(kept_features(kept)) != in_any_order(first);
-            // Along another face's normal other points count.
+            // With another face as reference other points are relevant.
             if ((kept.features[0] ^ fresh.features[0]) >> 4) continue;
             ASSERT_GE(spanned(kept), 0.69 * spanned(fresh)) << table->name << ", trial " << trial;
         }

@@ -1,5 +1,6 @@
-// The kernel for boxes and capsules of every backend against the distance that GJK finds in double precision, and where
-// the axis meets the box against the separating axes; how many points there are, against the convex test.
+// The box-capsule kernel of every backend, compared with the distance from GJK in double precision where the capsule's
+// axis is outside the box, and with the separating axes where it intersects the box. The number of points is compared
+// with the convex test.
 #include "box_box_oracle.h"
 #include "collide_convex_support.h"
 #include "shapes/gjk.h"
@@ -13,17 +14,18 @@ using cairn::ShapeType;
 
 namespace {
 
-constexpr double rounding = 1e-6;   // of lengths, as part of the size
-constexpr double preference = 2e-3; // for faces, as part of the smaller half width
-constexpr double meeting = 2e-5; // as part of the size: the direction between the axis and the box is mostly rounding
+constexpr double rounding = 1e-6;   // of lengths, relative to the size
+constexpr double preference = 2e-3; // for faces, relative to the smaller half width
+// Relative to the size: nearer than this, rounding dominates the direction between the axis and the box.
+constexpr double meeting = 2e-5;
 
-// How a box and a capsule lie to each other, from the center of the box.
+// The relative placement of a box and a capsule, relative to the center of the box.
 struct Placed {
     Frame box, capsule;
     double radius = 0, size = 0, extent = 0;
-    double distance = 0;   // of the axis; negative where it meets the box
+    double distance = 0;   // signed distance of the capsule's axis from the box; negative where they intersect
     double separation = 0; // of the surfaces
-    double sine = 1;       // the least between the axis and an edge that it is not parallel to
+    double sine = 1;       // of the least angle between the axis and a box edge that is not parallel to it
 
     Placed(const ShapePose& a, const ShapePose& b) : box(frame_of(a)), capsule(frame_of(b)) {
         const cairn::math::DVec3 offset = offset_between(a, b);
@@ -40,7 +42,7 @@ struct Placed {
         for (const Vec& e : box.axis)
             if (const double l = length(cross(capsule.axis[1], e)); l > 1e-6) sine = std::min(sine, l);
     }
-    // Of the axis and the box, along a unit direction from the box.
+    // The separation of the capsule's axis and the box along a unit direction from the box.
     double along(const Vec& n) const {
         double reach = std::fabs(dot(n, capsule.axis[1])) * capsule.half[1];
         for (std::size_t i = 0; i < 3; ++i) reach += std::fabs(dot(n, box.axis[i])) * box.half[i];
@@ -56,7 +58,7 @@ struct Placed {
             }
         return best;
     }
-    // Of a normal that is the one of a face: which.
+    // The index of the face axis that is parallel to a normal, or -1.
     int face_of(const Vec& n) const {
         for (int i = 0; i < 3; ++i)
             if (length(cross(n, box.axis[std::size_t(i)])) < 2e-6) return i;
@@ -64,11 +66,12 @@ struct Placed {
     }
 };
 
-// A point is midway between the surfaces: on one side of it the capsule's, on the other the box's.
+// A contact point is midway between the surfaces: the surface of the capsule is on one side of it, that of the box on
+// the other.
 std::string point_flaw(const Placed& at, const Manifold& m, int k, double tolerance) {
     const Vec n = normal_of(m), p = point_of(m, k);
     const Vec on_axis = p + (at.radius + 0.5 * separation_of(m, k)) * n, on_box = p - 0.5 * separation_of(m, k) * n;
-    // Along an edge, the axis may cross it at a small angle; the points are on the edge.
+    // The capsule's axis may cross an edge at a small angle; the contact points are on the edge.
     const double oblique = m.count == 2 && at.face_of(n) < 0 ? 1e-2 * (2 * at.capsule.half[1] + at.radius) : 0;
     if (length(on_axis - nearest_on(at.capsule, on_axis)) > tolerance + oblique + preference * at.extent)
         return "point beside the axis";
@@ -78,11 +81,12 @@ std::string point_flaw(const Placed& at, const Manifold& m, int k, double tolera
     return outside < -tolerance - preference * at.extent ? "point in the box" : "";
 }
 
-// What the kernel says that is not so, by more than rounding.
+// Describes an error of the kernel that exceeds rounding; empty if there is none.
 std::string disagreement(const Placed& at, double margin, const Manifold& m) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const double uncertain = std::fabs(at.distance) < meeting * at.size ? meeting * at.size : 0;
-    // Where they meet, a small angle between the axis and an edge makes the direction across both uncertain.
+    // Where the axis intersects the box, a small angle between the axis and an edge makes their cross product
+    // uncertain.
     const double askew = at.distance < meeting * at.size ? rounding * at.size / at.sine : 0;
     const double tolerance = rounding * at.size + uncertain + askew, prefers = preference * at.extent;
     const bool is_near = at.separation <= margin;
@@ -90,7 +94,7 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m) {
     if (m.count == 0) return std::fabs(said_apart(m) - at.separation) <= tolerance ? "" : "distance";
     if (deepest_of(m) < at.separation - tolerance) return "too deep";
     if (deepest_of(m) > at.separation + prefers + tolerance) return "not deep enough";
-    // Where the axis is near the box, rounding turns the direction between them.
+    // Where the axis is near the box, rounding rotates the direction between them.
     const double turned = at.distance > 0 ? 1 + at.size / std::max(at.distance, meeting * at.size) : 1;
     if (at.along(normal_of(m)) < at.distance - prefers - tolerance * turned) return "another direction is better";
     for (int k = 0; k < m.count; ++k)
@@ -98,8 +102,8 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m) {
     return {};
 }
 
-// Where the kernel falls short of the other test. Single points are told by the distance (above); on nearly parallel
-// edges the other has but one.
+// Whether the kernel's manifold is worse than that of the convex test. Single points are verified by the distance
+// (above); on nearly parallel edges the convex test has only one.
 bool falls_short(const Placed& at, const Manifold& m, const Manifold& other) {
     if (length(normal_of(m) - normal_of(other)) > 1e-4) return true;
     if (m.count < other.count) return true;
@@ -133,7 +137,7 @@ enum Lie {
 void add_pair(Random& random, Pairs& pairs, int lie) {
     const double scale = any_scale(random);
     const double other = random.below(4) == 0 ? scale * std::pow(10.0, random.uniform(-2, 2)) : scale;
-    const double flat = random.below(8) == 0 ? 0.02 : 1; // a plate
+    const double flat = random.below(8) == 0 ? 0.02 : 1; // a thin plate
     const Vec h = {other * random.uniform(0.1, 2), flat * other * random.uniform(0.1, 2),
                    other * random.uniform(0.1, 2)};
     const double r = scale * random.uniform(0.1, 1), half = random.below(16) == 0 ? 0 : scale * random.uniform(0.02, 3);
@@ -141,7 +145,7 @@ void add_pair(Random& random, Pairs& pairs, int lie) {
     const Quat q = random.rotation();
     const Frame f = frame_of(box(place, q, h));
 
-    // In the frame of the box: y of the capsule along x, y or z.
+    // In the frame of the box: the capsule's y axis along x, y or z.
     const double s = std::sqrt(0.5);
     const std::array<Quat, 3> turns = {Quat{0, 0, s, s}, no_rotation, Quat{s, 0, 0, s}};
     const std::size_t i = std::size_t(random.below(3)), j = (i + 1) % 3, k = (i + 2) % 3;
@@ -156,7 +160,7 @@ void add_pair(Random& random, Pairs& pairs, int lie) {
     const double gap = r * random.uniform(random.below(2) == 0 ? -0.5 : 0.85, 1.04);
     const double side = random.below(2) == 0 ? -1 : 1;
 
-    Vec p = random.uniform(0, 1) * (length(h) + half + r) * random.direction(); // the middle of the capsule
+    Vec p = random.uniform(0, 1) * (length(h) + half + r) * random.direction(); // the center of the capsule
     const auto beside = [&](std::size_t e) { return random.uniform(-1.05, 1.05) * (h[e] + std::fabs(u[e]) * half); };
     if (lie == over_face || lie == tilted_on_face || lie == standing) {
         const std::size_t out = lie == standing ? i : lie == over_face ? i : j;
@@ -208,7 +212,7 @@ TEST(CollideBoxCapsule, PushesApartByTheTrueDistance) {
     }
 }
 
-// Away from where either test prefers one feature to another.
+// Compared where neither test prefers one feature to another.
 TEST(CollideBoxCapsule, GivesThePointsOfTheConvexTest) {
     Random random(22);
     Pairs pairs;
@@ -227,7 +231,8 @@ TEST(CollideBoxCapsule, GivesThePointsOfTheConvexTest) {
     EXPECT_LT(different, compared / 250);
 }
 
-// Flat on a face, over its border, and all the way around an edge; standing it has one point.
+// A capsule lying flat on a face, across its border, and at every angle around an edge, has two points; a standing one
+// has one.
 TEST(CollideBoxCapsule, LiesOnTwoPoints) {
     const ShapePose b = box({0, 0, 0}, no_rotation, {1, 0.5, 1});
     const double r = 0.1, half = 0.4, sunk = 0.001, s = std::sqrt(0.5);

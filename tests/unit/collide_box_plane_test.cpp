@@ -1,4 +1,4 @@
-// Boxes against infinite planes and one-sided rectangles, every backend, against double-precision oracles.
+// Boxes against infinite planes and one-sided rectangles, in every backend, compared with double-precision references.
 #include "box_box_oracle.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Corner {
     Vec position;
 };
 
-// Corners of a box with their heights above a plane, lowest first.
+// The vertices of a box with their heights above a plane, lowest first.
 std::vector<Corner> corners_over(const Frame& box, const Frame& plane) {
     std::vector<Corner> r;
     for (int i = 0; i < 8; ++i) {
@@ -28,14 +28,15 @@ std::vector<Corner> corners_over(const Frame& box, const Frame& plane) {
     return r;
 }
 
-// A contact with the plane: normal straight down, every point a corner with its height, the deepest among them.
+// A contact with the plane has its normal straight down, and every contact point is a vertex at its height, the deepest
+// vertex among them.
 std::string plane_disagreement(const Frame& a, const Frame& ground, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const std::vector<Corner> corners = corners_over(a, ground);
     const double tolerance = 2e-6 * (1 + length(a.center - ground.center) + length(a.half));
     int within = 0;
     for (const Corner& c : corners) {
-        if (std::fabs(c.height - margin) < tolerance) return {}; // may go either way
+        if (std::fabs(c.height - margin) < tolerance) return {}; // undecided because of rounding
         within += c.height < margin;
     }
     if (within == 0) return m.count == 0 ? "" : "contact out of reach";
@@ -81,7 +82,7 @@ TEST(CollideBoxPlane, FlatBoxRestsOnItsFourFaceCorners) {
         for (int i = 0; i < 500; ++i) {
             const std::size_t down = static_cast<std::size_t>(random.below(3));
             Vec half = {random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
-            if (i % 2 == 0) half[down] = 0.004; // so thin that its upper corners are within the margin too
+            if (i % 2 == 0) half[down] = 0.004; // so thin that the upper vertices are within the margin too
             const Vec axes[] = {{0, 0, 1}, {1, 0, 0}, {1, 0, 0}};
             const double turns[] = {std::acos(0.0), 0.0, std::acos(0.0)};
             Quat q = about(axes[down], turns[down]);
@@ -108,7 +109,7 @@ TEST(CollideBoxRectangle, OverTheMiddleItIsAPlane) {
         const ShapePose floor = rectangle({random.uniform(-5, 5), 2, 1}, random.rotation(), 8, 6);
         const Quat q = random.rotation();
         ShapePose crate = box({0, 0, 0}, q, half);
-        // From touching to half sunk.
+        // Depths from just touching to half below the surface.
         const Frame f = frame_of(floor);
         Frame c = frame_of(crate);
         c.center = f.center;
@@ -129,7 +130,8 @@ TEST(CollideBoxRectangle, OverTheMiddleItIsAPlane) {
             ASSERT_EQ(m.count > 0, lowest < usual_margin) << table->name << ", pair " << i;
             if (m.count == 0) continue;
             ++touching;
-            // A box sunk almost to its center leaves faster along one of its own axes; never otherwise.
+            // A box that penetrates almost to its center has a shorter way out along one of its own axes; otherwise the
+            // normal is vertical.
             if (dot(normal_of(m), b.axis[1]) > -1 + 1e-6) {
                 ++sideways;
                 EXPECT_GT(deepest_of(m), lowest - 1e-5);
@@ -145,8 +147,8 @@ TEST(CollideBoxRectangle, OverTheMiddleItIsAPlane) {
 
 namespace {
 
-// The depth of a box above the plane of a rectangle, as two convex shapes, and whether the shallowest way out
-// leads up or sideways.
+// Checks the penetration depth of a box and a rectangle as two convex shapes, and whether the minimal translation leads
+// up or sideways.
 std::string rectangle_disagreement(const Frame& a, const Frame& b, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const Vec center = b.to_local(a.center);
@@ -155,11 +157,12 @@ std::string rectangle_disagreement(const Frame& a, const Frame& b, const Manifol
     if (m.count > 0 && -dot(normal_of(m), b.axis[1]) < -2e-3) return "pushed down";
     if (center[1] < -1e-5) {
         const double over = std::min(b.half[0] - std::fabs(center[0]), b.half[2] - std::fabs(center[2]));
-        double room = center[1]; // how far it reaches above
+        double room = center[1]; // height of the box's highest point above the rectangle
         for (std::size_t i = 0; i < 3; ++i) room += a.half[i] * std::fabs(dot(a.axis[i], b.axis[1]));
         if (std::fabs(over) < 1e-5 || std::fabs(room) < 1e-5) return {};
         if (over < 0 || room < 0) return m.count == 0 ? "" : "contact below";
-        // Its face may still miss the rectangle while its center does not: then there is nothing to lift.
+        // The box's lower face may miss the rectangle although its center is over it: then there is no contact that
+        // lifts it.
         if (m.count == 0) return corners_over(a, b)[0].height < 0 ? "not lifted" : "";
         return dot(normal_of(m), b.axis[1]) < -1 + 1e-6 ? "" : "not lifted straight";
     }
@@ -168,7 +171,7 @@ std::string rectangle_disagreement(const Frame& a, const Frame& b, const Manifol
     if (truth.separation > margin + 1e-5) return m.count == 0 ? "" : "contact out of reach";
     const double push = -dot(truth.normal, b.axis[1]);
     if (truth.separation > 0 || truth.sine < 0.05) return {};
-    if (push > 0.01) { // the natural case: out by the shortest way, which is up or sideways
+    if (push > 0.01) { // the usual case: the minimal translation is up or sideways
         if (m.count == 0) return truth.separation < -2 * tolerance ? "no contact" : "";
         if (deepest_of(m) < truth.separation - 5e-5) return "deeper than the truth";
         if (deepest_of(m) > truth.separation + tolerance) return "less deep than the truth";
@@ -219,17 +222,17 @@ TEST(CollideBoxRectangle, RestsFlatOnFourPointsAndHangsOverTheRim) {
             run_one(table->box_rectangle, box({0, 0.5 - 1e-4, 0}, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f);
         ASSERT_EQ(inside.count, 4);
         EXPECT_FLOAT_EQ(inside.normal[1], -1.0f);
-        // Half over the rim: the points end where the rectangle ends.
+        // Half beyond the border: the contact points end at the border of the rectangle.
         const Manifold over =
             run_one(table->box_rectangle, box({2, 0.5 - 1e-4, 0}, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f);
         ASSERT_EQ(over.count, 4);
         for (int k = 0; k < 4; ++k) EXPECT_LT(over.points[k][0], 1e-3f);
-        // Larger than the rectangle: its corners carry the box.
+        // The box is larger than the rectangle: the corners of the rectangle carry it.
         const Manifold wide =
             run_one(table->box_rectangle, box({0, 0.5 - 1e-4, 0}, no_rotation, {5, 0.5, 5}), table_top, 0.01f);
         ASSERT_EQ(wide.count, 4);
         for (int k = 0; k < 4; ++k) EXPECT_NEAR(std::fabs(wide.points[k][0] * wide.points[k][2]), 2.0, 1e-3);
-        // Beside it, lower than it, and all of it below.
+        // Beside the rectangle, with the center below it, and entirely below it.
         for (const Vec& at : {Vec{2.6, 0.1, 0}, Vec{2.3, -0.1, 0}, Vec{0, -0.51, 0}})
             EXPECT_EQ(run_one(table->box_rectangle, box(at, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f).count, 0);
     }

@@ -1,5 +1,5 @@
-// The capsule kernels of every backend against the nearest points of the axes, found in double precision; how many
-// points there are, against the convex test.
+// The capsule kernels of every backend, compared with the closest points of the axes in double precision. The number of
+// contact points is compared with the convex test.
 #include "collide_convex_support.h"
 
 #include <algorithm>
@@ -10,25 +10,25 @@ using cairn::ShapeType;
 
 namespace {
 
-// How two capsules (or balls: their half length is 0) lie to each other.
+// The relative placement of two capsules (or balls, whose half length is 0).
 struct Placed {
     Frame a, b;
-    double reach = 0;          // both radii
-    double size = 0;           // of both, and the way between them: errors are parts of it
-    double sine = 0;           // between the axes
-    double start = 0, end = 0; // the part of the first axis beside the second
-    double distance = 0;       // of the axes
-    Vec normal = {};           // from the first to the second where they are nearest
+    double reach = 0;          // sum of the radii
+    double size = 0;           // of both and the offset between them: errors are relative to it
+    double sine = 0;           // of the angle between the axes
+    double start = 0, end = 0; // the interval of the first axis that is beside the second
+    double distance = 0;       // between the axes
+    Vec normal = {};           // from the first to the second, at the closest points
 
     Placed(const Frame& first, const Frame& second) : a(first), b(second) {
         const Vec d = b.center - a.center;
-        a.center = {0, 0, 0}, b.center = d; // so that a double holds more of the distance
+        a.center = {0, 0, 0}, b.center = d; // relative positions, so that a double keeps more digits of the distance
         reach = a.half[0] + b.half[0];
         size = reach + a.half[1] + b.half[1] + length(d);
         sine = length(cross(a.axis[1], b.axis[1]));
         const double along = dot(d, a.axis[1]), cover = b.half[1] * std::fabs(dot(a.axis[1], b.axis[1]));
         start = std::max(-a.half[1], along - cover), end = std::min(a.half[1], along + cover);
-        // The distance to the other segment is convex along each: golden section.
+        // The distance to the other segment is convex along each segment: golden-section search.
         double low = -a.half[1], high = a.half[1], nearest = low;
         const auto offer = [&](double s) { nearest = distance_at(s) < distance_at(nearest) ? s : nearest; };
         offer(high);
@@ -47,15 +47,15 @@ struct Placed {
     }
 };
 
-constexpr double rounding = 1e-6; // of lengths, as part of the size
+constexpr double rounding = 1e-6; // of lengths, relative to the size
 
-// A point is midway between the surfaces where the axes on either side of it are, along the normal.
+// A contact point is midway between the surfaces; along the normal, the axes are at the radii plus half the separation.
 std::string point_flaw(const Placed& at, const Manifold& m, int k, double tolerance) {
     const Vec n = normal_of(m), p = at.a.center + point_of(m, k);
     const Vec on_a = p - (at.a.half[0] + 0.5 * separation_of(m, k)) * n;
     const Vec on_b = p + (at.b.half[0] + 0.5 * separation_of(m, k)) * n;
     if (length(on_b - nearest_on(at.b, on_b)) > tolerance) return "point beside the second axis";
-    // Of capsules side by side, they are under the second axis, which the first may cross at a small angle.
+    // For capsules side by side, the points are at the second axis, which the first may cross at a small angle.
     const double oblique = m.features[k] != 0 ? at.sine * (at.distance + at.end - at.start) : 0;
     if (length(on_a - nearest_on(at.a, on_a)) > tolerance + oblique) return "point beside the first axis";
     if (m.features[k] == 0) return {};
@@ -63,14 +63,14 @@ std::string point_flaw(const Placed& at, const Manifold& m, int k, double tolera
     return std::fabs(s - expected) > 2 * tolerance + oblique ? "not at the end" : "";
 }
 
-// Where axes cross, the push is across both.
+// Where the axes cross, translating along the normal by the depth must separate the capsules.
 std::string crossing_flaw(const Placed& at, const Manifold& m, double tolerance) {
     Frame moved = at.b;
     moved.center = at.b.center - deepest_of(m) * normal_of(m);
     return Placed(at.a, moved).distance < at.reach - 20 * tolerance ? "the push does not part them" : "";
 }
 
-// What the kernel says that is not so, by more than rounding.
+// Describes an error of the kernel that exceeds rounding; empty if there is none.
 std::string disagreement(const Placed& at, double margin, const Manifold& m, const Manifold& other) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const double separation = at.distance - at.reach, tolerance = rounding * at.size;
@@ -84,10 +84,10 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m, con
     for (int k = 0; k < m.count; ++k)
         if (std::string s = point_flaw(at, m, k, 2 * tolerance * (1 + at.reach / at.distance)); !s.empty()) return s;
 
-    // Where lines that are nearly parallel come nearest, the slightest turn decides.
+    // For nearly parallel lines the closest points are ill-conditioned: the slightest rotation decides.
     const double uncertain = at.sine > 0 ? std::min(rounding / at.sine, at.sine * at.size / at.distance) : 0;
     if (length(normal_of(m) - at.normal) > 2 * tolerance / at.distance + 1e-6 + uncertain) return "normal";
-    // The test in double tells how many points there are, where rounding does not.
+    // The double-precision test gives the number of points, except where rounding decides.
     if (other.count == 0) return {};
     const double least = 1e-3 * std::min(at.a.half[0], at.b.half[0]), shift = 1e-2 * at.reach + tolerance;
     if (std::fabs(at.sine - 1e-2) < 1e-5 || std::fabs(at.end - at.start - least) < 2 * least + shift) return {};
@@ -97,7 +97,7 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m, con
     return m.count == other.count ? "" : "count";
 }
 
-// Millimeters, meters, hundred meters; slender and stout; also a second one of another size.
+// Millimeters, meters, hundreds of meters; slender and stout; the second capsule may have another size.
 struct Size {
     double radius, half;
 };
@@ -169,7 +169,7 @@ TEST(CollideCapsule, SpheresTouchWhereTheAxisIsNearest) {
     Pairs capsules, pairs;
     for (int i = 0; i < 40000; ++i) add_pair(random, capsules, i % lies);
     for (int i = 0; i < capsules.count(); ++i) {
-        ShapePose ball = capsules.first(i); // its middle may be on the axis, and just beside it
+        ShapePose ball = capsules.first(i); // the ball's center may be on the axis, or just beside it
         ball.size[1] = 0;
         ball.size[3] = ball.size[0];
         pairs.add(ball, capsules.second(i), capsules.margins[static_cast<std::size_t>(i)]);
@@ -177,7 +177,7 @@ TEST(CollideCapsule, SpheresTouchWhereTheAxisIsNearest) {
     expect_agreement(&cairn::KernelTable::sphere_capsule, pairs, ShapeType::sphere, 15000, 0);
 }
 
-// Also where the axes have no length, or are one and the same.
+// Also where the axes have no length, or coincide.
 TEST(CollideCapsule, WhatLiesInEachOtherIsPushedAcross) {
     const Quat q = about({0.6, 0, 0.8}, 0.7);
     for (const cairn::KernelTable* table : backends())

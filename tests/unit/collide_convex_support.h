@@ -1,4 +1,4 @@
-// What the tests of kernels for capsules share: the test in double that knows all convex shapes, and how shapes lie.
+// Shared by the tests of the capsule kernels: the double-precision test for all convex shapes, and relative placements.
 #pragma once
 
 #include "collide_test_support.h"
@@ -21,7 +21,7 @@ inline cairn::math::DVec3 offset_between(const ShapePose& a, const ShapePose& b)
     return {d[0], d[1], d[2]};
 }
 
-// The second shape is a capsule.
+// The manifold by the double-precision test; the second shape is a capsule.
 inline Manifold scalar_result(const Pairs& pairs, int i, cairn::ShapeType first) {
     const ShapePose &a = pairs.first(i), &b = pairs.second(i);
     const cairn::math::DVec3 offset = offset_between(a, b);
@@ -38,7 +38,7 @@ inline Quat times(const Quat& p, const Quat& q) {
 }
 inline Vec axis_of(const Quat& q) { return frame_of(capsule({}, q, 1, 1)).axis[1]; }
 
-// Of a segment: the place that is nearest to a point.
+// The point of a capsule's axis segment that is closest to a given point.
 inline Vec nearest_on(const Frame& c, const Vec& p) {
     return c.center + std::clamp(dot(c.axis[1], p - c.center), -c.half[1], c.half[1]) * c.axis[1];
 }

@@ -1,4 +1,4 @@
-// The sphere kernels of every backend against scalar formulas in double precision.
+// The sphere kernels of every backend, compared with scalar formulas in double precision.
 #include "collide_test_support.h"
 
 #include <algorithm>
@@ -10,12 +10,12 @@ namespace {
 
 constexpr double margin = 0.02;
 
-// What a sphere's manifold must be: the other surface lies `separation` away along `normal`.
+// The expected manifold of a sphere: the other surface is `separation` away along `normal`.
 struct Expected {
     bool touching;
     double separation;
     Vec normal;
-    bool clear; // no other direction is as good, so the normal can be compared
+    bool clear; // the normal is unique, so that it can be compared
 };
 
 void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKernel kernel, const Pairs& pairs,
@@ -51,7 +51,7 @@ Expected expect_sphere_sphere(const Frame& a, const Frame& b, double limit) {
     return {separation <= limit, separation, (1 / distance) * d, distance > 1e-3};
 }
 
-// The closest point of the box by clamping; inside, the nearest face.
+// The closest point of the box by clamping; for a center inside the box, the nearest face.
 Expected expect_sphere_box(const Frame& a, const Frame& b, double limit) {
     const Vec p = b.to_local(a.center);
     Vec closest = p;
@@ -179,7 +179,7 @@ TEST(CollideSphere, RectangleIsOneSided) {
     struct Case {
         Vec center;
         int count;
-        double up, sideways; // of the push on the sphere
+        double up, sideways; // components of the normal impulse's direction on the sphere
     };
     const Case cases[] = {{{0, 0.4, 0}, 1, 1, 0},       {{0, -0.4, 0}, 1, 1, 0},   {{0, -0.6, 0}, 0, 0, 0},
                           {{2.3, 0.4, 0}, 1, 0.8, 0.6}, {{2.3, -0.1, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 1, 0},

@@ -1,4 +1,4 @@
-// What the tests of the narrow-phase kernels share: poses, random numbers, and running a kernel.
+// Shared by the tests of the narrow-phase kernels: poses, random numbers, and running a kernel.
 #pragma once
 
 #include "kernels/kernels.h"
@@ -27,7 +27,7 @@ inline Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The same numbers with every standard library.
+// Generates the same numbers with every standard library.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -61,8 +61,8 @@ constexpr Quat no_rotation = {0, 0, 0, 1};
 inline ShapePose make_pose(const Vec& position, const Quat& q, const std::array<float, 4>& size) {
     ShapePose p{};
     for (std::size_t i = 0; i < 3; ++i) {
-        // volatile: gcc 12 from -O2 on, where it puts two of these side by side, forgets the rounding to float
-        // and makes every remainder 0.
+        // volatile: when gcc 12 vectorizes two of these at -O2 and above, it omits the rounding to float, which makes
+        // every remainder 0.
         const volatile float high = static_cast<float>(position[i]);
         p.high[i] = high;
         p.low[i] = static_cast<float>(position[i] - static_cast<double>(high));
@@ -89,7 +89,7 @@ inline ShapePose rectangle(const Vec& position, const Quat& q, double hx, double
     return box(position, q, {hx, 0, hz});
 }
 
-// What the kernel sees: position, rotation axes (columns) and size in double precision.
+// A shape in double precision as the kernel sees it: position, rotation axes (columns) and size.
 struct Frame {
     Vec center;
     std::array<Vec, 3> axis;
@@ -120,7 +120,7 @@ inline Frame frame_of(const ShapePose& p) {
     return f;
 }
 
-// Pairs to test; `poses` holds first and second of each in turn.
+// Pairs to test; `poses` holds the first and second shape of each pair in turn.
 struct Pairs {
     std::vector<ShapePose> poses;
     std::vector<float> margins;
@@ -135,7 +135,7 @@ struct Pairs {
     double margin(int i) const { return margins[static_cast<std::size_t>(i)]; }
 };
 
-// `kept`: features of the last step, one for each pair, or none at all.
+// `kept`: the cached features of the last step, one entry per pair, or empty.
 inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs,
                                  std::vector<std::uint32_t> kept = {}) {
     std::vector<std::uint32_t> first, second;
@@ -154,7 +154,7 @@ inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs
     out.resize(static_cast<std::size_t>(pairs.count()));
     return out;
 }
-// What a contact record keeps of a manifold for the next step.
+// The features of a manifold as a contact record keeps them for the next step.
 inline std::uint32_t kept_features(const Manifold& m) {
     std::uint32_t kept = 0;
     for (int k = 0; k < 4; ++k) kept |= (k < m.count ? m.features[k] & 255u : 255u) << (8 * k);
@@ -166,7 +166,7 @@ inline Manifold run_one(cairn::CollideKernel kernel, const ShapePose& a, const S
     return run(kernel, pairs)[0];
 }
 
-// Every kernel table of this build that this machine can run.
+// All kernel tables of this build that the machine supports.
 inline std::vector<const cairn::KernelTable*> backends() {
     std::vector<const cairn::KernelTable*> r;
     for (const char* name : {"scalar", "sse2", "avx2", "avx512", "neon"})
@@ -183,10 +183,10 @@ inline double deepest_of(const Manifold& m) {
     return d;
 }
 
-// How far apart the shapes are at least, by a manifold without points; -1e30 where it does not say.
+// The lower bound of the distance that a manifold without points reports; -1e30 where it reports none.
 inline double said_apart(const Manifold& m) { return m.count == 0 && m.points[0][3] < 1e30f ? m.points[0][3] : -1e30; }
 
-// What holds of every manifold. Returns a text that says what does not, empty when all is well.
+// Conditions that hold for every manifold. Returns a description of the first violation, or an empty string.
 inline std::string flaw(const Manifold& m, double margin) {
     if (m.count < 0 || m.count > 4) return "count " + std::to_string(m.count);
     const double l = length(normal_of(m));

@@ -1,4 +1,4 @@
-// Records of contacts: whole, or those that stay on one of several ranks.
+// Contact records: all of them, or only those kept on one of several ranks.
 #include "state/contact_records.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ using namespace cairn;
 ContactRecords numbered(std::size_t count) {
     ContactRecords records;
     for (std::size_t contact = 0; contact < count; ++contact) {
-        records.open(contact, false); // whose it is does not matter while all are here
+        records.open(contact, false); // the owner does not matter while all records are on this rank
         records[contact].friction = float(contact);
     }
     return records;
@@ -43,7 +43,7 @@ TEST(ContactRecords, PlacesAreGivenOutAgainAndRecordsBeginEmpty) {
     records.keep(8, [](std::size_t contact) { return contact < 4; });
     records.drop(1);
     records.drop(1);
-    records.drop(6); // of another rank
+    records.drop(6); // owned by another rank
     EXPECT_FALSE(records.has(1));
     records.open(9, false);
     EXPECT_FALSE(records.has(9));

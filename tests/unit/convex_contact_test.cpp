@@ -12,7 +12,7 @@ using namespace convex_test;
 using cairn::ContactMemory;
 using cairn::Manifold;
 
-// Without anything known of a last step.
+// Without cached data of a previous step.
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     ContactMemory memory = cairn::nothing_met;
     cairn::collide_convex(a, b, margin, guess, memory, out);
@@ -46,7 +46,7 @@ double greatest_separation(const Convex& a, const Convex& b, DVec3 hint, Random&
     best = top.n;
     return top.s;
 }
-// What holds of every manifold; empty when all is well.
+// Conditions that hold for every manifold; returns the first violation, or an empty string.
 std::string flaw(const Manifold& m, double margin) {
     if (m.count < 0 || m.count > 4) return "count " + std::to_string(m.count);
     const double l = length(normal_of(m));
@@ -65,15 +65,15 @@ std::string flaw(const Manifold& m, double margin) {
     return {};
 }
 
-// How far a point is outside a shape.
+// The distance of a point outside a shape; 0 inside.
 double outside(const Convex& c, DVec3 p) {
     const Convex point = ball(1e-12).at(p);
     const auto r = cairn::gjk_distance({exact_core(point), exact_core(c)}, {}, 1e300);
     if (r.state == cairn::GjkResult::State::overlapping) return 0;
     return std::max(0.0, r.distance - exact_core(c).radius);
 }
-// A manifold's faces may be preferred to a direction that is better by the inset of the cores, or where those are exact
-// by a little.
+// The test may prefer faces to a direction with a smaller overlap by at most the inset of the cores, or by a small
+// tolerance where the cores are exact.
 double preference(const Convex& a, const Convex& b) {
     return a.is_sharp && b.is_sharp ? std::min(a.radius, b.radius) : 2e-3 * std::min(a.extent, b.extent);
 }
@@ -133,7 +133,7 @@ TEST(ConvexContact, NoOtherDirectionPartsTheShapesMuchBetter) {
         const Convex a = p.a(), b = p.b();
         Manifold m;
         collide_convex(a, b, 0.1, {}, m);
-        // Not found to touch: truly apart.
+        // Pairs without a contact must truly be separated.
         DVec3 hint = m.count == 0 ? random.direction() : normal_of(m), best;
         const double truth = greatest_separation(a, b, hint, random, best);
         if (m.count == 0) {
@@ -197,7 +197,7 @@ TEST(ConvexContact, TheNormalOfTheLastStepOnlySavesTime) {
         Pair p = random_pair(random);
         Manifold last, cold, warm;
         collide_convex(p.a(), p.b(), 0.02, {}, last);
-        // A step later, or a wrong guess.
+        // The pair one step later, or with a wrong guess of the normal.
         p.offset += 0.01 * random.direction();
         p.qa = about(random.direction(), 0.02) * p.qa;
         const DVec3 guess = random.below(4) == 0 ? random.direction() : normal_of(last);
@@ -205,7 +205,8 @@ TEST(ConvexContact, TheNormalOfTheLastStepOnlySavesTime) {
         collide_convex(a, b, 0.02, {}, cold);
         collide_convex(a, b, 0.02, guess, warm);
         ASSERT_EQ(flaw(warm, 0.02), "") << k;
-        // Deep within each other the faces may differ; of shallow contacts the separation is the same.
+        // Deeply overlapping shapes may have different reference faces; for shallow contacts the separation is the
+        // same.
         const double tolerance = 2 * preference(a, b) + 1e-5;
         if (deepest(cold) > 0.02 - tolerance || deepest(warm) > 0.02 - tolerance || deepest(cold) < -0.1) continue;
         ++touching;
@@ -224,7 +225,8 @@ TEST(ConvexContact, WhatMetInTheLastStepOnlySavesTime) {
         DVec3 guess;
         for (int step = 0; step < 8; ++step) {
             const Convex a = p.a(), b = p.b();
-            if (random.below(16) == 0) memory = ContactMemory(random.below(1 << 30)); // of other shapes, or none
+            // Cached data of other shapes, or none.
+            if (random.below(16) == 0) memory = ContactMemory(random.below(1 << 30));
             const ContactMemory last = memory;
             Manifold cold, warm;
             collide_convex(a, b, 0.02, {}, cold);
@@ -246,7 +248,7 @@ TEST(ConvexContact, WhatMetInTheLastStepOnlySavesTime) {
     EXPECT_GT(edges, 20);
 }
 
-// A shape on a floor of one kind or another, `gap` above it, leaning by `lean` about z.
+// A shape on a floor of a given kind, `gap` above it, rotated by `q`.
 Manifold on_floor(const Solid& s, const Solid& floor, double half, double gap, DQuat q = {}, DVec3 guess = {}) {
     Manifold m;
     collide_convex(s.at({}, q), floor.at({0.1, -half - gap - 0.5, -0.05}), 0.02, guess, m);
@@ -321,7 +323,7 @@ TEST(ConvexContact, TheFourPointsOfACylinderDoNotTurnWithIt) {
             const Manifold m = on_floor(cylinder(0.5, 0.25), floor, 0.5, 0, about(y_axis, 0.1 * k));
             for (int i = 0; i < 4; ++i) EXPECT_LT(length(point_of(m, i) - point_of(first, i)), 1e-5);
         }
-        // The corners of a square on the rim.
+        // The points are the corners of a square on the rim.
         for (int i = 0; i < 4; ++i) EXPECT_NEAR(std::hypot(first.points[i][0], first.points[i][2]), 0.25, 1e-5);
         EXPECT_NEAR(length(point_of(first, 0) - point_of(first, 1)), 0.5, 1e-5);
         EXPECT_NEAR(length(point_of(first, 2) - point_of(first, 3)), 0.5, 1e-5);
@@ -394,7 +396,7 @@ TEST(ConvexContact, ExtremeSizesAndPlacesGiveSoundManifolds) {
     }
 }
 
-// Where cylinders and capsules cross, no direction parts them sooner than the one across both axes.
+// Where cylinders and capsules cross, the axis of least penetration is the cross product of both axes.
 TEST(ConvexContact, CrossingSidesAreAsFarApartAsGjkAndEpaSay) {
     Random random(9);
     int beside = 0, overlapping = 0;
@@ -414,7 +416,7 @@ TEST(ConvexContact, CrossingSidesAreAsFarApartAsGjkAndEpaSay) {
         const double radii = exact_core(a).radius + exact_core(b).radius;
         const bool is_over = r.state == cairn::GjkResult::State::overlapping;
         const double distance = is_over ? -epa_depth(pair, r.simplex).depth - radii : r.distance - radii;
-        ASSERT_NEAR(double(m.points[0][3]), distance, 2e-3 * (ra + rb)) << k; // EPA's own error, of round shapes
+        ASSERT_NEAR(double(m.points[0][3]), distance, 2e-3 * (ra + rb)) << k; // EPA's own error for round shapes
         if (!is_over) {
             ASSERT_NEAR(double(m.points[0][3]), distance, 1e-6) << k;
         }

@@ -1,4 +1,4 @@
-// What the tests of convex shapes share: shapes posed at will, hulls made by hand, random numbers.
+// Shared by the tests of convex shapes: shapes in arbitrary poses, hulls made by hand, random numbers.
 #pragma once
 
 #include "collision/manifold.h"
@@ -23,7 +23,7 @@ using cairn::math::DVec3;
 using cairn::math::length;
 using cairn::math::normalized;
 
-// The same numbers with every standard library.
+// Generates the same numbers with every standard library.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -53,7 +53,7 @@ inline DQuat about(DVec3 axis, double angle) {
     return {s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)};
 }
 
-// A hull of which three faces meet at every corner, so that the core's corners are where the moved faces meet.
+// A hull with three faces at every vertex, so that each vertex of the core is the intersection of three offset faces.
 inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>& corners,
                                                         const std::vector<std::vector<std::uint32_t>>& faces) {
     auto hull = std::make_shared<cairn::HullData>();
@@ -101,7 +101,7 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
                     hull->faces_at.push_back(static_cast<std::uint32_t>(f));
                     around.push_back(f);
                 }
-        // Cramer's rule.
+        // Cramer's rule for the intersection of the three offset planes.
         const DVec3 n0 = normals[around[0]], n1 = normals[around[1]], n2 = normals[around[2]];
         const DVec3 p = vertex(v);
         const double m = hull->inset;
@@ -124,7 +124,7 @@ inline std::shared_ptr<const cairn::HullData> box_hull(DVec3 h) {
 inline std::shared_ptr<const cairn::HullData> tetrahedron(double s) {
     return make_hull({{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
 }
-// A prism of n sides that stands along y.
+// A prism with n sides whose axis is y.
 inline std::shared_ptr<const cairn::HullData> prism(int n, double radius, double half_height, double top = 1) {
     std::vector<DVec3> c;
     std::vector<std::vector<std::uint32_t>> faces(2);
@@ -139,7 +139,7 @@ inline std::shared_ptr<const cairn::HullData> prism(int n, double radius, double
     }
     return make_hull(c, faces);
 }
-// 20 corners.
+// A dodecahedron, with 20 vertices.
 inline std::shared_ptr<const cairn::HullData> dodecahedron(double s) {
     const double g = 1.6180339887498949, i = 1 / g;
     std::vector<DVec3> c;
@@ -174,7 +174,7 @@ inline std::shared_ptr<const cairn::HullData> dodecahedron(double s) {
     return make_hull(c, faces);
 }
 
-// A shape with what it shares, to be posed.
+// A shape together with the data it refers to; it can be placed in any pose.
 struct Solid {
     cairn::Geometry geometry;
     cairn::ShapeData data;
@@ -200,14 +200,14 @@ inline Solid hull(std::shared_ptr<const cairn::HullData> data) {
     return {g, std::move(data)};
 }
 
-// With a ball added.
+// The shape with rounding: its Minkowski sum with a ball.
 inline Solid rounded(Solid s, double r) {
     s.geometry.rounding = float(r);
     s.geometry.bounding_radius += float(r);
     return s;
 }
 
-// One of every kind, about `s` in size.
+// A random shape of any kind, about `s` in size.
 inline Solid any_solid(Random& random, double s) {
     const auto u = [&] { return s * random.uniform(0.2, 1); };
     const auto r = [&] { return s * (random.below(2) ? random.uniform(0.02, 0.1) : random.uniform(0.1, 0.5)); };
@@ -243,7 +243,7 @@ inline Solid any_solid(Random& random, double s) {
 
 inline const DQuat lying = about({0, 0, 1}, 1.5707963267948966);
 
-// Any; by quarter turns; or by nearly those.
+// A rotation: arbitrary (kind 0), by quarter turns (1), or nearly by quarter turns.
 inline DQuat any_turn(Random& random, int kind) {
     if (kind == 0) return random.rotation();
     const DVec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

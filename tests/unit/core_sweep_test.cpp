@@ -1,4 +1,4 @@
-// When shapes meet along their ways, against looks at many times.
+// Times of impact of shapes on their paths, compared with distances at many sampled times.
 #include "collision/core_sweep.h"
 #include "collision/sweep_course.h"
 
@@ -50,10 +50,11 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
         const double radii = double(a.geometry.bounding_radius) + double(b.geometry.bounding_radius);
         const double moved = length(path_a.translation) + length(path_b.translation) +
                              radii * (length(path_a.turn) + length(path_b.turn));
-        const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // less is not looked at
+        const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // shorter paths are not swept
         if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
-        DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
-        const double time = cairn::core_time_of_impact(swept(a, path_a), swept(b, path_b), false, 0, axis);
+        // The result must not depend on the start of the search.
+        DVec3 axis = random.below(2) ? DVec3{} : random.direction();
+        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false, 0, axis);
         ++(time <= 1 ? met : missed);
         for (int i = 0; i <= looks; ++i) {
             const double t = double(i) / looks;
@@ -66,10 +67,11 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
     EXPECT_GT(missed, 500);
 }
 
-// Touching pairs, some of them pressed into each other: the inner cores (twice as deep as cores) come no nearer before
-// the time of sinking than they are where faces touch, or a little nearer than they were; or, if the solver has the
-// contact, than where cores touch. What goes deeper and comes back within a part of the step may not be seen, but inner
-// cores stay apart, or of two that the solver presses together, what is as deep as it may press them.
+// Touching pairs, some of them pressed into each other. Until the time of sinking the inner cores (twice as deep as
+// cores) must not come nearer than they are where faces touch, or slightly nearer than at the start; if the solver has
+// the contact, not nearer than where cores touch. Shapes that sink deeper and return within a part of the step may be
+// missed, but then the inner cores stay apart; for a contact of the solver, the shapes stay no deeper than the solver
+// may press them.
 TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     Random random(2);
     int sank = 0, stayed = 0, unseen = 0, met = 0;
@@ -98,7 +100,7 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const auto depth_of = [](const Convex& c) { return std::min(2 * core_depth_of(c.extent), c.extent); };
         const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
         if (!(before > 1e-3)) continue;
-        // Wherever the search begins, or along the normal of the contact.
+        // The search begins in any direction, or along the normal of the contact.
         DVec3 axis = is_known ? r.normal : random.below(2) ? DVec3{} : random.direction();
         const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b),
                                                    is_known ? cairn::Held::by_contact : cairn::Held::perhaps, 0, axis);
@@ -110,7 +112,7 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const double floor = is_known ? (before > 0.5 * touch ? 0.5 * touch : 0)
                                       : std::min(touch, before - 0.25 * std::max(touch - before, 0.0)),
                      tolerance = 3 * cairn::sinking_part * core_depth_of(half_width);
-        if (!(floor > tolerance)) continue; // judged by what is deeper
+        if (!(floor > tolerance)) continue; // nothing to check: the allowed depth is already reached
         const bool is_apart = time > 1 && moves_far && cores_at(0) > 0;
         bool went_deeper = false, has_met = false;
         for (int i = 0; i <= looks; ++i) {
@@ -128,7 +130,8 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     EXPECT_LE(met, 1);
 }
 
-// The core of a capsule of two radii was the capsule itself: whatever it touched had met its core, 64 times in a step.
+// Without the fix the core of a capsule with two radii was the capsule itself: whatever touched it was taken to have
+// hit its core, 64 times in a step.
 TEST(CoreSweep, CoresAreAsDeepInsideAsTheyShouldBe) {
     Random random(4);
     for (int k = 0; k < 3000; ++k) {
@@ -142,8 +145,8 @@ TEST(CoreSweep, CoresAreAsDeepInsideAsTheyShouldBe) {
     }
 }
 
-// Of flat hulls the middle of the bounds may be outside: their cores were there as well, met what was beside them, and
-// let through what they were to hold.
+// The center of a flat hull's bounds may be outside the hull. Without the fix the cores were there too: they hit bodies
+// beside the hull, and let bodies pass through the hull.
 TEST(CoreSweep, CoresOfFlatHullsAreInsideOfThem) {
     Random random(5);
     int flat = 0;
@@ -168,8 +171,9 @@ TEST(CoreSweep, CoresOfFlatHullsAreInsideOfThem) {
     EXPECT_GT(flat, 1000);
 }
 
-// What is pressed into something beyond its core, and leaves it turning, was met anew at once wherever in a step it was
-// asked, 64 times, and then stood still for the rest of the step.
+// Without the fix a body that overlapped another beyond its core, and was leaving it while rotating, was reported as
+// hitting it again at every time of the step at which the search began, 64 times, and then stood still for the rest of
+// the step.
 TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
     Random random(3);
     int asked = 0, met = 0;
@@ -197,8 +201,8 @@ TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
     EXPECT_EQ(met, 0);
 }
 
-// A ball that was pressed into a box beyond its core and leaves it over an edge meets nothing anew: neither where the
-// box rests, nor where it turns by micrometers, as it does on its contacts.
+// A ball that overlaps a box beyond its core, and leaves it over an edge, has no new impact: neither when the box is at
+// rest, nor when it rotates by micrometers, as bodies resting on contacts do.
 TEST(CoreSweep, WhatLeavesOverAnEdgeMeetsNothing) {
     const Solid a = ball(0.05), b = box(0.5, 0.5, 0.5);
     const DQuat still{0, 0, 0, 1};

@@ -1,4 +1,4 @@
-// Sweeps of corners and cylinders past each other, against conservative advancement by distances alone.
+// Sweeps of vertices and cylinders past each other, compared with conservative advancement by distances alone.
 #include "cast_test_support.h"
 #include "shapes/gjk.h"
 
@@ -20,7 +20,7 @@ Solid any_polytope(Random& random, double size) {
         return box(size * random.uniform(0.05, 1), size * random.uniform(0.05, 1), size * random.uniform(0.05, 1));
     }
 }
-// Straight, tapered, or a cone.
+// A straight or tapered cylinder, or a cone.
 Solid any_cylinder(Random& random, double size) {
     const double half = size * random.uniform(0.05, 1), radius = size * random.uniform(0.05, 1);
     const int kind = random.below(6);
@@ -46,7 +46,7 @@ TEST(CylinderSweeps, AreThoseOfConservativeAdvancement) {
         const Cast cast = any_cast_of_cylinder(random, k);
         const auto expected = advance(cast), hit = cast_convex(cast.a(), cast.way, cast.b());
         const double near = 4 * cast.tolerance(), length = convex_test::length(cast.way);
-        if (hit.has_value() != expected.has_value()) { // only where they pass each other as near as this
+        if (hit.has_value() != expected.has_value()) { // only where they pass each other within this distance
             const auto least = closest_points(cast.a(hit ? hit->fraction : expected->fraction), cast.b());
             EXPECT_LT(std::fabs(dot(least.normal, cast.way)), 1e-3 * length) << k;
             EXPECT_LT(std::fabs(least.distance), near) << k;
@@ -62,7 +62,7 @@ TEST(CylinderSweeps, AreThoseOfConservativeAdvancement) {
             continue;
         }
         ++hits;
-        // How far the fraction may be off depends on how steeply they meet.
+        // The error of the fraction depends on how steeply the shapes meet.
         const double steep = std::min(-dot(hit->normal, cast.way), -dot(expected->normal, cast.way));
         EXPECT_NEAR(hit->fraction * steep, expected->fraction * steep, near) << k;
         EXPECT_NEAR(convex_test::length(hit->normal), 1, 1e-9) << k;
@@ -70,7 +70,7 @@ TEST(CylinderSweeps, AreThoseOfConservativeAdvancement) {
         const Convex met = cast.a(hit->fraction);
         EXPECT_TRUE(nearest_point(cast.b(), hit->point, near)) << k;
         EXPECT_TRUE(nearest_point(met, hit->point, near)) << k;
-        // The plane through the point parts them.
+        // The plane through the point separates the shapes.
         EXPECT_LT(dot(support(cast.b(), hit->normal) - hit->point, hit->normal), near) << k;
         EXPECT_GT(dot(support(met, -hit->normal) - hit->point, hit->normal), -near) << k;
     }

@@ -1,4 +1,4 @@
-// The order of elimination and the fill of the direct solver of joints, against elimination on a dense matrix of bits.
+// Elimination order and fill of the direct joint solver, compared with elimination on a dense boolean matrix.
 #include "joints/direct_plan.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 std::vector<DirectEnds> random_ends(std::mt19937& random, int nodes, int bodies) {
     std::vector<DirectEnds> ends;
     for (int i = 0; i < nodes; ++i) {
-        const int a = int(random() % unsigned(bodies)) - 1; // -1: what does not move
+        const int a = int(random() % unsigned(bodies)) - 1; // -1: a body that does not move
         int b = int(random() % unsigned(bodies)) - 1;
         if (a == b) b = a < 0 ? 0 : -1;
         ends.push_back({{a, b}});
@@ -80,7 +80,7 @@ TEST(DirectPlan, ChainHasOneBlockForEachJointAndRingsHaveTwo) {
     std::vector<std::uint32_t> order;
     ASSERT_TRUE(make_direct_plan(chain, 100000, 100000, plan, order));
     EXPECT_EQ(plan.block_count(), 99u);
-    chain[0].body[0] = 99; // closed
+    chain[0].body[0] = 99; // a closed chain
     ASSERT_TRUE(make_direct_plan(chain, 100000, 100000, plan, order));
     EXPECT_LT(plan.block_count(), 200u);
 }

@@ -30,7 +30,7 @@ bool is_segment(const Solid& s) {
            (s.geometry.type == cairn::ShapeType::capsule && s.geometry.size.x == s.geometry.size.z);
 }
 
-// No distance is less than what is said; of balls and capsules it is said nearly to the full.
+// The bound never exceeds the distance; for balls and capsules it is nearly equal to the distance.
 TEST(FarApart, LeastDistanceIsNoMoreThanTheDistance) {
     Random random(7);
     int far = 0, segments = 0;
@@ -39,7 +39,7 @@ TEST(FarApart, LeastDistanceIsNoMoreThanTheDistance) {
         const Solid a = any_solid(random, 1), b = any_solid(random, size);
         const DVec3 place = (random.below(2) ? 0.0 : 1e5) * random.direction();
         const DVec3 offset = random.uniform(0, 4) * random.direction();
-        const DQuat qa = random.rotation(), qb = random.below(3) ? random.rotation() : qa; // parallel ones too
+        const DQuat qa = random.rotation(), qb = random.below(3) ? random.rotation() : qa; // some of them parallel
         const double s = separation(a.at({}, qa), b.at(offset, qb));
         const double said =
             double(cairn::gap_lower_bound(a.geometry, pose_at(place, qa), b.geometry, pose_at(place + offset, qb)));

@@ -1,4 +1,4 @@
-// Snapshots that were changed, and their checksum with them.
+// Modified snapshots with a matching checksum.
 #include "core/archive.h"
 #include "shapes/geometry.h"
 #include "world/snapshot_header.h"
@@ -42,7 +42,7 @@ struct ForgedSnapshot : testing::Test {
         header.checksum = checksum_of(header, snapshot.bytes);
         std::memcpy(snapshot.bytes.data(), &header, sizeof header);
     }
-    // The snapshot with its state changed: of sound structure, whatever it says.
+    // The snapshot with its state modified: well-formed, with arbitrary values.
     Snapshot forge(const std::function<void(State&)>& change) const {
         State state;
         for (const Shape& shape : saved.definitions->shapes) state.shapes.geometry.push_back(make_geometry(shape, {}));
@@ -56,7 +56,7 @@ struct ForgedSnapshot : testing::Test {
         serialize_state(writer, state, [](StatePart) {});
         return forged;
     }
-    // Steps, asks, changes and removes: whatever a state's numbers lead to is followed.
+    // Steps, queries, changes and removes: uses everything that a state's numbers may lead to.
     static void live_on(World& world) {
         for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
         (void)world.contacts();
@@ -68,7 +68,7 @@ struct ForgedSnapshot : testing::Test {
             world.step(1.0f / 60);
         }
     }
-    // In place: the world has the definitions of the snapshot. Whether it was refused.
+    // Restores the snapshot into a world that has the same definitions. Returns whether it was rejected.
     bool is_refused(Snapshot& forged) {
         fit_checksum(forged);
         try {
@@ -113,7 +113,7 @@ TEST_F(ForgedSnapshot, WithBytesBehindItsEndIsRefused) {
     EXPECT_EQ(other.state_hash(), empty);
 }
 
-// Each of them was taken once, and the next step went where it led.
+// Without the fix each of these snapshots was accepted, and the next step used the invalid value.
 TEST_F(ForgedSnapshot, OfSoundStructureWithNumbersThatLeadNowhereIsRefused) {
     const std::function<void(State&)> changes[] = {
         [](State& s) { s.bodies.motion.pop_back(); },

@@ -1,4 +1,4 @@
-// Bounds and masses of shapes.
+// Bounds and mass properties of shapes.
 #include "geometry_test_support.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using test::sample_of;
 
 constexpr double pi = 3.14159265358979323846;
 
-// Bounds must hold all points, and reach beyond the outermost by no more than `slack`.
+// Bounds must contain all points, and exceed the outermost ones by no more than `slack`.
 void expect_tight(const test::Sample& shape, const std::vector<DVec3>& points, double slack, Random& random) {
     for (int round = 0; round < 50; ++round) {
         const math::Quat q = round == 0 ? math::Quat{} : random.rotation();
@@ -34,7 +34,7 @@ void expect_tight(const test::Sample& shape, const std::vector<DVec3>& points, d
     }
 }
 
-// Points of a ball in `count` directions near evenly spread (a Fibonacci spiral).
+// Points of a sphere in `count` nearly evenly spread directions (a Fibonacci spiral).
 void add_ball(std::vector<DVec3>& points, double y, double radius, int count) {
     for (int i = 0; i < count; ++i) {
         const double up = 1 - (2 * i + 1.0) / count, out = std::sqrt(1 - up * up), angle = 2.399963229728653 * i;
@@ -144,7 +144,7 @@ TEST(Bounds, OfHeightFieldsHoldTheirCornersAndAreExactUpright) {
     EXPECT_NEAR(b.hi.y, double(data.greatest), 1e-5);
 }
 
-// Sums over slices, from the square of the radius at height y.
+// Mass properties as sums over slices; `square` gives the squared radius at height y.
 template <class Square> MassSum sliced(double lo, double hi, Square&& square) {
     constexpr int slices = 40000;
     const double thickness = (hi - lo) / slices;
@@ -181,8 +181,8 @@ MassSum mass_of(const Shape& shape, float density = 1, const Transform& pose = {
     return geometry_mass(make_geometry(shape, pose), make_shape_data(shape), density);
 }
 
-// The capsule is all balls between its two: those at (2 l - 1) h of radius a + (b - a) l, for l from 0 to 1. The
-// square of its radius at height y is the largest of a quadratic in l.
+// The capsule is the union of all balls between its two ends: those at (2 l - 1) h with radius a + (b - a) l, for l
+// from 0 to 1. Its squared radius at height y is the maximum of a quadratic in l.
 MassSum sliced_capsule(const Capsule& c) {
     const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
     auto square = [&](double y) {
@@ -246,7 +246,7 @@ TEST(Mass, OfAConeIsThatOfTheTextbook) {
     const MassSum m = mass_of(cone(2.0f, 1.5f), 10);
     const double mass = 10 * pi * 4 * 3 / 3;
     EXPECT_NEAR(m.mass, mass, 1e-12 * mass);
-    EXPECT_NEAR(m.center.y, -0.75, 1e-12); // a quarter of its height above the base
+    EXPECT_NEAR(m.center.y, -0.75, 1e-12); // the centroid of a cone is at a quarter of its height above the base
     EXPECT_NEAR(m.inertia.yy, 0.3 * mass * 4, 1e-10);
     EXPECT_NEAR(m.inertia.xx, mass * (3.0 / 20 * 4 + 3.0 / 80 * 9), 1e-10);
 }
@@ -254,11 +254,13 @@ TEST(Mass, OfAConeIsThatOfTheTextbook) {
 TEST(Mass, OfARoundedBoxIsThatOfSteinersFormula) {
     const double a = 0.5, b = 0.25, c = 1.5, r = 0.125;
     const MassSum m = mass_of(Box{{float(a), float(b), float(c)}, float(r)});
-    const double area = 8 * (a * b + b * c + c * a), mean_curvature = 2 * pi * (a + b + c); // its integral
+    // The integral of the mean curvature.
+    const double area = 8 * (a * b + b * c + c * a), mean_curvature = 2 * pi * (a + b + c);
     EXPECT_NEAR(m.mass, 8 * a * b * c + area * r + mean_curvature * r * r + 4.0 / 3 * pi * r * r * r, 1e-12);
 }
 
-// Cubes of space, those on the surface by as much of them as is inside. `distance`: signed, to the surface.
+// Mass properties as a sum over cubes of space; a cube at the surface counts by the share of it that is inside.
+// `distance`: signed distance to the surface.
 template <class Distance> MassSum cubes(Distance&& distance, double reach) {
     constexpr int n = 120;
     const double h = 2 * reach / n;
@@ -305,13 +307,13 @@ TEST(Mass, OfRoundedCylindersIsThatOfTheirSlices) {
         SCOPED_TRACE(testing::Message() << c.half_height << " " << c.radius << " " << c.rounding);
         const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
         const double r = double(c.rounding);
-        // A ball at every point of the outline.
+        // The rounded solid is the union of balls around every point of the outline.
         const MassSum slices = sliced(-h - r, h + r, [&](double y) {
             const auto reach = [&](double t) {
                 const double up = y - (2 * t - 1) * h, square = r * r - up * up;
                 return square >= 0 ? a + (b - a) * t + std::sqrt(square) : 0;
             };
-            // A concave function of t where it is not zero.
+            // This function of t is concave where it is not zero.
             double lo = std::max(0.0, (y - r + h) / (2 * h)), hi = std::min(1.0, (y + r + h) / (2 * h));
             for (int i = 0; i < 60; ++i) {
                 const double p = lo + (hi - lo) / 3, q = hi - (hi - lo) / 3;
@@ -344,7 +346,7 @@ TEST(Mass, OfARoundedTetrahedronIsThatOfCubesOfSpace) {
     for (const DVec3& p : c) points.push_back({p.x, p.y, p.z});
     Hull hull(points);
     hull.rounding = 0.3f;
-    // The nearest point by alternating over barycentric weights is slow; each face, edge and corner is not.
+    // Alternating projections on barycentric weights are slow; testing each face, edge and vertex is not.
     const int faces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
     const auto distance = [&](DVec3 p) {
         double inside = -1e30, least = 1e30;
@@ -392,7 +394,7 @@ TEST(Bounds, OfRoundedShapesAreThoseOfTheSharpOnesGrownByTheRounding) {
 }
 
 TEST(Mass, OfATurnedShapeTurnsWithIt) {
-    // A quarter turn about z takes y to -x.
+    // A quarter turn about z maps y to -x.
     const Transform pose{{1, 2, 3}, {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}};
     const MassSum upright = mass_of(cone(0.5f, 1.0f), 3), turned = mass_of(cone(0.5f, 1.0f), 3, pose);
     EXPECT_NEAR(turned.mass, upright.mass, 1e-12);
@@ -411,7 +413,7 @@ TEST(Mass, OfAHullIsItsUnitMassTimesItsDensityTurned) {
     const Quat q = glm::normalize(Quat(0.3f, 0.5f, -0.4f, 0.7f));
     const MassSum m = mass_of(hull, 7, {{1, 2, 3}, q});
     EXPECT_NEAR(m.mass, 14, 1e-12);
-    // The same by turning the axes: I v = R (I0 (R^T v)).
+    // The same by rotating the inertia tensor: I v = R (I0 (R^T v)).
     const math::DQuat r = math::normalized(math::DQuat{double(q.x), double(q.y), double(q.z), double(q.w)});
     const DVec3 center = DVec3{1, 2, 3} + math::rotate(r, data.unit_mass.center);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(m.center[i], center[i], 1e-12);

@@ -1,4 +1,4 @@
-// What the tests of bounds, masses and rays share: a seeded generator, poses, and hulls made by hand.
+// Shared by the tests of bounds, masses and rays: a seeded generator, poses, and hulls made by hand.
 #pragma once
 
 #include "shapes/geometry.h"
@@ -30,7 +30,7 @@ struct Random {
     DVec3 point(double reach) { return {(*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach)}; }
 };
 
-// A prism of `sides` sides around y, stretched and slanted; face planes from its corners.
+// A prism of `sides` sides around y, scaled and sheared; its face planes are computed from its vertices.
 inline std::shared_ptr<const HullData> prism(int sides, DVec3 scale, double slant) {
     auto hull = std::make_shared<HullData>();
     double square = 0;
@@ -56,7 +56,7 @@ inline std::shared_ptr<const HullData> prism(int sides, DVec3 scale, double slan
         const std::uint32_t next = (i + 1) % n;
         add_face({i, i + n, next + n, next});
     }
-    add_face({0, 1, 2}); // only their planes count here
+    add_face({0, 1, 2}); // only the planes of these faces matter here
     add_face({n + 2, n + 1, n});
     return hull;
 }

@@ -1,4 +1,4 @@
-// Distance, depth and sweeps of convex shapes, against all pairs of features and all separating axes.
+// Distance, depth and sweeps of convex shapes, compared with all pairs of features and all separating axes.
 #include "convex_test_support.h"
 #include "shapes/box_triangle_distance.h"
 #include "shapes/convex_query.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace convex_test;
 using cairn::ClosestPoints;
 
-// A polytope in the common frame, made without the code under test.
+// A polytope in the common frame, constructed without the code under test.
 struct Polytope {
     std::vector<DVec3> corners;
     std::vector<std::vector<std::size_t>> faces;
@@ -49,7 +49,7 @@ double separation(const Polytope& p, const Polytope& q, DVec3 n) {
     for (DVec3 v : q.corners) lo = std::min(lo, dot(n, v));
     return lo - hi;
 }
-// The distance where positive, else minus the depth.
+// The distance if positive, otherwise minus the depth.
 double brute_distance(const Polytope& p, const Polytope& q) {
     double axis = -1e300, least = 1e300;
     const auto faces = [&](const Polytope& a, const Polytope& b, double sign) {
@@ -128,7 +128,7 @@ TEST(Gjk, TheGuessDoesNotChangeTheDistance) {
             continue;
         }
         EXPECT_NEAR(cold.distance, warm.distance, 1e-9 + 1e-6 * cold.distance) << k;
-        // Far is only said of what is far.
+        // The state `far` is only reported for pairs that are farther apart than the limit.
         const auto far = gjk_distance(pair, {}, 0.5 * cold.distance);
         if (cold.distance > 1e-6) {
             EXPECT_EQ(far.state, cairn::GjkResult::State::far) << k;
@@ -148,7 +148,7 @@ TEST(Gjk, TheCornersOfTheLastResultDoNotChangeTheDistance) {
         const Convex a = sa.at({}, qa), b = sb.at(place, qb);
         const auto before = cairn::gjk_distance({exact_core(a), exact_core(b)}, {}, 1e300);
         if (before.state != cairn::GjkResult::State::apart) continue;
-        // Both move along, a little or far; the corners are points of them.
+        // Both shapes move, by a small or large amount; the cached simplex vertices move with them.
         const double far = std::pow(10.0, random.uniform(-6, 0));
         const DQuat ta = about(random.direction(), far * random.uniform(0, 2)),
                     tb = about(random.direction(), far * random.uniform(0, 2));
@@ -187,14 +187,14 @@ TEST(Gjk, SimpleShapesHaveTheirKnownDistance) {
     EXPECT_NEAR(closest_points(can.at({}), can.at({0.9, 0, 0})).distance, -0.1, 1e-4);
 }
 
-// Points of the surface and of the inside, without the code under test.
+// A point inside a shape, computed without the code under test.
 DVec3 random_point_in(const Convex& c, Random& random) {
-    // Between three points of the surface.
+    // A point of a triangle between three support points.
     const DVec3 p = support(c, random.direction()), q = support(c, random.direction()),
                 r = support(c, random.direction());
     const double s = random.uniform(0, 1), t = random.uniform(0, 1);
     const DVec3 inside = p + s * (q - p) + t * (r - (p + s * (q - p)));
-    return middle(c) + 0.99 * (inside - middle(c)); // not a corner
+    return middle(c) + 0.99 * (inside - middle(c)); // not a vertex
 }
 
 TEST(ConvexQuery, ContainsWhatIsBetweenPointsOfTheSurface) {
@@ -222,14 +222,16 @@ TEST(ConvexQuery, RaysMeetTheSurfaceWhereTheShapeBegins) {
         EXPECT_TRUE(contains(c, hit->point - 2e-6 * hit->normal)) << k;
         EXPECT_LT(length(hit->point - (origin + (2 * hit->fraction) * (target - origin))), 2e-5) << k;
         EXPECT_LE(dot(hit->normal, target - origin), 0);
-        EXPECT_FALSE(cast_ray(c, origin, origin)) << k;                                                 // away
-        EXPECT_FALSE(cast_ray(c, target, target - origin)) << k;                                        // from within
+        // Away from the shape.
+        EXPECT_FALSE(cast_ray(c, origin, origin)) << k;
+        EXPECT_FALSE(cast_ray(c, target, target - origin)) << k;                                        // from inside
         EXPECT_FALSE(cast_ray(c, origin, 0.4 * (target - origin)) && length(target - origin) > 5) << k; // too short
     }
     EXPECT_EQ(hits, 5000);
 }
 
-// Of 40,000, 13 missed: rays end at splinters of triangles along a rim, whose side was taken from a normal that is off.
+// Without the fix 13 of 40,000 rays missed: they ended at sliver triangles along a rim, whose side was decided by an
+// inaccurate normal.
 TEST(ConvexQuery, NoRayMissesACylinder) {
     Random random(11);
     for (int k = 0; k < 40000; ++k) {
@@ -252,7 +254,7 @@ TEST(ConvexQuery, SweepsStopWhereTheShapesFirstTouch) {
         const DVec3 from = 4.0 * random.direction(), way = -1.5 * from + 2.0 * random.direction();
         const Convex a = sa.at(from, qa), b = sb.at({}, random.rotation());
         const auto hit = cast_convex(a, way, b);
-        double least = 1e300; // over the whole way, by ternary search: the distance is convex
+        double least = 1e300; // over the whole path, by ternary search: the distance is convex
         double low = 0, high = 1;
         const auto distance = [&](double t) { return closest_points(sa.at(from + t * way, qa), b).distance; };
         for (int i = 0; i < 60; ++i) {
@@ -317,7 +319,7 @@ TEST(ConvexQuery, NearestPointsAreThoseOfTheDistance) {
     EXPECT_GT(far, 2000);
 }
 
-// From either side of the triangle, beside it, and through it.
+// The polytope is on either side of the triangle, beside it, or intersects it.
 TEST(ConvexQuery, OverlapsOfPolytopesWithTrianglesAreThoseOfAllSeparatingAxes) {
     Random random(8);
     int meeting = 0, apart = 0;
@@ -351,7 +353,7 @@ TEST(BoxTriangleDistance, IsThatOfGjk) {
         DVec3 corners[3];
         for (DVec3& c : corners) c = place + random.uniform(0, size) * random.direction();
         if (k % 5 == 0) corners[k % 3][k % 2] = half[k % 2]; // in the plane of a face
-        if (k % 7 == 0) corners[1][2] = corners[2][2];       // an edge along two faces
+        if (k % 7 == 0) corners[1][2] = corners[2][2];       // an edge parallel to two faces
         if (length(cross(corners[1] - corners[0], corners[2] - corners[0])) < 1e-6) continue;
         const Convex a = box(half.x, half.y, half.z).at({}),
                      b = cairn::make_triangle(corners[0], corners[1], corners[2]);

@@ -1,4 +1,4 @@
-// What every Hull must fulfill, checked without the code that makes it: for the tests and the fuzzer.
+// Properties of every Hull, checked without the code that builds it: for the tests and the fuzzer.
 #pragma once
 
 #include "shapes/hull.h"
@@ -19,7 +19,7 @@ class HullChecker {
   public:
     HullChecker(std::span<const math::Vec3> points, const HullData& hull) : points_(points), hull_(hull) {}
 
-    // The first thing that is wrong, or nothing.
+    // Returns the first violation, or an empty string.
     std::string run() {
         for (const math::Vec3 p : points_)
             for (int k = 0; k < 3; ++k) largest_ = std::max(largest_, double(std::fabs(p[k])));
@@ -115,8 +115,8 @@ class HullChecker {
                 const auto corner = [&](std::uint32_t k) { return vertex(hull_.loops[face.first + k % face.count]); };
                 if (std::fabs(above(face, corner(i))) > tolerance)
                     return wrong("a corner of face ", f, " is off its plane by ", above(face, corner(i)));
-                // Convex: all corners are left of each edge, in the plane of the face; but for the grid of the
-                // builder, which turns short edges.
+                // Convexity: all vertices are to the left of each edge in the plane of the face, within the tolerance
+                // of the builder's grid, which rotates short edges.
                 const math::DVec3 edge = corner(i + 1) - corner(i);
                 const math::DVec3 out = math::normalized(math::cross(edge, normal));
                 const double turn = 0x1p-28 * extent_ / math::length(edge);
@@ -129,7 +129,7 @@ class HullChecker {
         }
     }
 
-    // The faces at a vertex are those with it in their loops.
+    // The faces at a vertex are exactly those that have it in their loops.
     void check_faces_at() {
         std::vector<std::set<std::uint32_t>> faces(hull_.vertices.size());
         for (std::uint32_t f = 0; f < hull_.faces.size(); ++f)
@@ -142,8 +142,8 @@ class HullChecker {
                 return wrong("faces at vertex ", v, " are wrong");
     }
 
-    // In its own plane each corner of a face is where its vertex is, on its two sides and inside of all others; but for
-    // what it is off the plane, and for what the builder's grid turns short sides.
+    // In the plane of a face, each vertex of the face is at its position, on its two sides and inside all others,
+    // within its distance from the plane and within the rotation of short sides by the builder's grid.
     void check_outlines() {
         const double near = 1e-9 * extent_ + rounding_;
         for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
@@ -179,7 +179,7 @@ class HullChecker {
         return 1e-7 * extent_ + double(hull_.tolerance) + 0x1p-28 * extent_ / math::length(edge) * extent_ * 2;
     }
 
-    // In no direction do the points reach noticeably farther than the vertices.
+    // In no direction does a point extend noticeably farther than the vertices.
     void check_support() {
         std::vector<math::DVec3> directions;
         for (int x = -3; x <= 3; ++x)
@@ -187,7 +187,8 @@ class HullChecker {
                 for (int z = -3; z <= 3; ++z)
                     if (x != 0 || y != 0 || z != 0)
                         directions.push_back(math::normalized(math::DVec3{x + 0.1, y - 0.2, z + 0.3}));
-        for (std::size_t v = 0; v < hull_.vertices.size() && v < 100; ++v) { // outward, for sharp tips
+        // Directions outward from a vertex, for sharp tips.
+        for (std::size_t v = 0; v < hull_.vertices.size() && v < 100; ++v) {
             math::DVec3 d;
             for (std::uint32_t i = hull_.neighbor_start[v]; i < hull_.neighbor_start[v + 1]; ++i)
                 d += math::normalized(vertex(v) - vertex(hull_.neighbors[i]));
@@ -213,7 +214,7 @@ class HullChecker {
         if (std::fabs(width - double(hull_.width)) > 1e-6 * width + rounding_)
             wrong("width is ", hull_.width, ", by brute force ", width);
         const MassSum& m = hull_.unit_mass;
-        double corner_mass = 0; // by another way: cones from the first vertex
+        double corner_mass = 0; // by another method: tetrahedra from the first vertex
         for (const HullFace& face : hull_.faces)
             for (std::uint32_t i = 1; i + 1 < face.count; ++i) {
                 const auto at = [&](std::uint32_t k) { return vertex(hull_.loops[face.first + k]) - vertex(0); };

@@ -1,4 +1,5 @@
-// Convex hulls: every property of hull_check.h over many clouds, closed forms, refusals, and what fuzzing found.
+// Convex hulls: every property of hull_check.h over many point clouds, closed forms, invalid input, and cases found by
+// fuzzing.
 #include "hull_check.h"
 
 #include <cairn/error.h>
@@ -16,7 +17,7 @@ using math::DVec3;
 using math::Vec3;
 using Points = std::vector<Vec3>;
 
-// The same numbers from every standard library: engines are fixed by the standard, distributions are not.
+// Generates the same numbers with every standard library: the standard fixes engines, but not distributions.
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
@@ -127,7 +128,7 @@ TEST(Hull, FlatAndLongCloudsFulfillEveryProperty) {
     }
 }
 
-// Where faces meet at a sharp edge a point may be just above both of them and yet stick out far.
+// At a sharp edge a point may be just above both adjacent faces and yet be far outside the hull.
 TEST(Hull, SharpEdgesAndTipsAreKept) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         Random random(seed);
@@ -189,7 +190,7 @@ TEST(Hull, DuplicatesChangeNothing) {
     EXPECT_EQ(hull.vertices, build_checked(once).vertices);
 }
 
-// The corners of small clouds by brute force: a triple is on the surface if all points are on one side of it.
+// The hull of a small cloud by brute force: a triple of points is a face if all points are on one side of it.
 TEST(Hull, VolumeAgreesWithBruteForce) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         Random random(seed);
@@ -230,7 +231,7 @@ TEST(Hull, MassOfACornerTetrahedron) {
     const MassSum& m = hull.unit_mass;
     EXPECT_NEAR(m.mass, 1.0 / 6, 1e-15);
     EXPECT_NEAR(math::length(m.center - DVec3{0.25, 0.25, 0.25}), 0, 1e-15);
-    EXPECT_NEAR(m.inertia.xx, 1.0 / 80, 1e-15); // integrals of x^2: 1/60, of x y: 1/120, less m / 16
+    EXPECT_NEAR(m.inertia.xx, 1.0 / 80, 1e-15); // integrals: x^2 gives 1/60, x y gives 1/120, minus m / 16
     EXPECT_NEAR(m.inertia.xy, 1.0 / 480, 1e-15);
 }
 
@@ -241,7 +242,8 @@ TEST(Hull, MassOfATriangularPrism) {
     EXPECT_NEAR(m.mass, 6, 1e-12);
     EXPECT_NEAR(m.center.x, 2.0 / 3, 1e-12);
     EXPECT_NEAR(m.center.y, 1, 1e-12);
-    // About the center a right triangle of legs a, b has second moments a^2 / 18 and b^2 / 18, product -a b / 36.
+    // About its center a right triangle with legs a, b has second moments a^2 / 18 and b^2 / 18, and the product -a b /
+    // 36.
     EXPECT_NEAR(m.inertia.zz, 6 * (4.0 / 18 + 9.0 / 18), 1e-12);
     EXPECT_NEAR(m.inertia.xx, 6 * (9.0 / 18 + 4.0 / 12), 1e-12);
     EXPECT_NEAR(m.inertia.xy, 6 * 6.0 / 36, 1e-12);
@@ -255,7 +257,7 @@ TEST(Hull, MassOfAFineBallConverges) {
         const HullData hull = build_hull(make_points(count, [&](int) { return random.on_sphere(); }));
         const double error = 1 - hull.unit_mass.mass / ball;
         EXPECT_GT(error, 0);
-        EXPECT_LT(error, last / 2.5); // ideally 4: the error goes with the square of the spacing
+        EXPECT_LT(error, last / 2.5); // ideally 4: the error is proportional to the square of the spacing
         EXPECT_NEAR(hull.unit_mass.inertia.xx, 0.4 * hull.unit_mass.mass, 3 * error);
         last = error;
     }
@@ -274,7 +276,8 @@ TEST(Hull, CoreOfABoxIsTheSmallerBox) {
     }
 }
 
-// The core reaches as near as the inset to all faces but those that vanish on the way in; large ones do not.
+// The core is exactly the inset below all faces except those that vanish as the faces move inward; large faces do not
+// vanish.
 TEST(Hull, CoreReachesTheInsetBelowLargeFaces) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         Random random(seed);
@@ -322,7 +325,8 @@ TEST(Hull, RefusesWhatHasNoVolumeAndSaysWhatItIs) {
     EXPECT_EQ(refusal(box_corners({1, 1, 1.5e-5})), "");
 }
 
-// Found by fuzzing: 0.04 mm thick at 1000 m from the origin, where floats cannot tell the planes of its faces apart.
+// Found by fuzzing: the hull is 0.04 mm thick at 1000 m from the origin, where the planes of its faces are equal in
+// float precision.
 TEST(Hull, RefusesWhatFloatsCannotTellApartFarFromTheOrigin) {
     const Points points{{999.960999f, -1000.00006f, -3.9e-05f},
                         {998.440979f, -1000.00006f, -3.9e-05f},
@@ -331,8 +335,8 @@ TEST(Hull, RefusesWhatFloatsCannotTellApartFarFromTheOrigin) {
     EXPECT_NE(refusal(points).find("largest coordinate"), std::string::npos);
 }
 
-// Found by fuzzing: two corners 4e-5 apart almost on a line with one far away. Where the line through the two goes is
-// decided on the grid, and floats see it turned by a little.
+// Found by fuzzing: two vertices 4e-5 apart are almost collinear with a distant one. The direction of the line through
+// the two is decided on the grid; in floats it is slightly rotated.
 TEST(Hull, ShortEdgesAreConvexUpToTheGrid) {
     build_checked({{-1.99997902f, 0, 0},
                    {0, 0, 0},
@@ -354,7 +358,7 @@ TEST(Hull, PublicClassTellsItsParts) {
     EXPECT_THROW(hull.face(4), Error);
 }
 
-// Processor time, as other programs may run beside.
+// Processor time, as other programs may be running.
 TEST(Hull, KeepsNoRoomToGrow) {
     Random random(19);
     for (int count = 4; count < 60; ++count) {
@@ -380,7 +384,7 @@ TEST(Hull, TenThousandPointsTakeMilliseconds) {
         RecordProperty(is_sphere ? "sphere_ms" : "cube_ms", std::to_string(best));
         std::printf("10,000 points %s: %.1f ms\n", is_sphere ? "on a sphere" : "in a cube", best);
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-        EXPECT_LT(best, is_sphere ? 250 : 50); // on a sphere all of them are vertices
+        EXPECT_LT(best, is_sphere ? 250 : 50); // on a sphere all points are vertices
 #endif
     }
 }

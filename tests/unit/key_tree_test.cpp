@@ -1,4 +1,4 @@
-// The tree of keys, against a look at all items.
+// The key tree, compared with brute force.
 #include "core/key_tree.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Tree = KeyTree<3>;
 
-// Items within a box of keys, of which some are removed on the way; many have the same keys.
+// Finds the items within a box of keys while some are removed; many have equal keys.
 TEST(KeyTree, FindsWhatALookAtAllItemsFinds) {
     std::mt19937 random(3);
     Tree tree;
@@ -56,7 +56,7 @@ TEST(KeyTree, FindsWhatALookAtAllItemsFinds) {
     }
 }
 
-// Nodes all of whose items are gone are not entered again: taking away one after the other takes no square of time.
+// Nodes whose items are all removed are not visited again: removing one item after the other takes no quadratic time.
 TEST(KeyTree, TakingAwayAllOfOnePlaceAsksOfFew) {
     Tree tree;
     const std::vector<Tree::Keys> keys(4096, Tree::Keys{1, 2, 3});

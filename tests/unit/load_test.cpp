@@ -1,4 +1,4 @@
-// What contacts carry on the average (islands/substep_policy.cpp).
+// Averages of the load that contacts carry (islands/substep_policy.cpp).
 #include "bodies/integrators.h"
 #include "islands/substep_policy.h"
 
@@ -8,8 +8,8 @@ namespace {
 
 using namespace cairn;
 
-// A load that has gone fell to the least number there is and stayed that: processors take long to reckon with those,
-// and a step of bodies at rest took a tenth more from its eighth second on.
+// Without the fix a load that had disappeared decayed to the smallest denormal number and stayed there. Processors are
+// slow with denormals: a step of bodies at rest took a tenth longer from its eighth second on.
 TEST(Load, ThatHasGoneIsNoneAtAll) {
     Island island;
     island.weight = 1e4f;

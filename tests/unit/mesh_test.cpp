@@ -1,4 +1,4 @@
-// How meshes and height fields are built, searched and refused.
+// Meshes and height fields: building, searching and rejecting them.
 #include "mesh_test_support.h"
 
 #include <cairn/error.h>
@@ -22,7 +22,7 @@ MeshData build(const Soup& soup) { return build_mesh(soup.vertices, soup.indices
 
 using Key = std::array<float, 9>;
 
-// A triangle's corners, the least first, so that it reads the same from wherever it starts.
+// A triangle's vertices, rotated so that the least is first: the key does not depend on the start vertex.
 Key key_of(const Triangle& t) {
     const math::Vec3 corners[3] = {t.a, t.b, t.c};
     Key best{};
@@ -71,7 +71,7 @@ TEST(MeshBuild, KeepsEachTriangleWithAreaAndItsWinding) {
 }
 
 TEST(MeshBuild, TakesCornersAtTheSamePlaceForOne) {
-    // Two triangles of one square that share no index; one corner is at -0 and +0.
+    // Two triangles of one square that share no index; one vertex is at -0 and +0.
     const std::vector<math::Vec3> vertices = {{-0.0f, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0, -0.0f, 0}, {1, 0, 1}, {1, 0, 0}};
     const MeshData mesh = build_mesh(vertices, std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
     EXPECT_EQ(mesh.vertices.size(), 4u);
@@ -93,10 +93,10 @@ TEST(MeshBuild, LeavesOutVerticesThatNoTriangleHas) {
 TEST(MeshBuild, CountsTrianglesWithoutArea) {
     const std::vector<math::Vec3> vertices = {{0, 0, 0},          {0, 0, 1},          {1, 0, 0}, {0.1f, 0.1f, 0.1f},
                                               {0.2f, 0.2f, 0.2f}, {0.3f, 0.3f, 0.3f}, {0, 0, 1}};
-    const std::vector<std::uint32_t> indices = {0, 0, 1,  // a corner twice
-                                                3, 4, 5,  // on a line, but for rounding
-                                                0, 1, 6,  // two corners at one place
-                                                0, 1, 2}; // a good one
+    const std::vector<std::uint32_t> indices = {0, 0, 1,  // a repeated vertex
+                                                3, 4, 5,  // collinear, up to rounding
+                                                0, 1, 6,  // two vertices at the same position
+                                                0, 1, 2}; // a valid one
     const MeshData mesh = build_mesh(vertices, indices);
     EXPECT_EQ(mesh.dropped, 3u);
     EXPECT_EQ(triangle_count(mesh), 1u);
@@ -137,7 +137,7 @@ TEST(MeshBuild, PutsBoxesOverAllThatIsBelowThem) {
     }
 }
 
-// Leaves of a surface are patches: far smaller than it, though the triangles came in any order.
+// The leaves of the tree are compact patches, far smaller than the surface, although the triangles are in random order.
 TEST(MeshBuild, PutsTrianglesNearEachOtherInOneLeaf) {
     Random random(3);
     Soup soup = test::ball_soup(100, 100, 1);
@@ -167,7 +167,7 @@ TEST(MeshBuild, OfWhatItBuiltIsTheSameAgain) {
     }
 }
 
-// By all pairs of directed edges.
+// Neighbors by brute force over all pairs of directed edges.
 std::vector<std::uint32_t> neighbors_by_search(const MeshData& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges; // directed
     auto end = [&](std::uint32_t t, std::uint32_t e) { return mesh.indices[3 * t + e % 3]; };
@@ -188,7 +188,7 @@ TEST(MeshNeighbors, AreThoseThatShareAnEdgeTheOtherWayRound) {
     const MeshData ball = build(test::ball_soup(20, 30, 2));
     EXPECT_EQ(ball.neighbors, neighbors_by_search(ball));
     EXPECT_EQ(std::count(ball.neighbors.begin(), ball.neighbors.end(), no_triangle), 0);
-    // Few vertices, many triangles: edges of one, two and more.
+    // Few vertices and many triangles: edges with one, two and more triangles.
     Soup soup;
     for (int i = 0; i < 30; ++i) soup.vertices.push_back(math::to_float(random.point(1)));
     for (int i = 0; i < 3 * 200; ++i) soup.indices.push_back(std::uint32_t(random.below(30)));
@@ -265,7 +265,7 @@ TEST(TriangleSearch, FindsAllOfAHeightFieldThatMeetABoxInOrder) {
             const math::Vec3 center = math::to_float(scaled(reach, random.point(1)));
             const math::Vec3 size = math::abs(math::to_float(scaled(reach, random.point(0.5))));
             expect_all_found(field, center - size, center + size, &most);
-            // Sides in the planes of grid lines, where touching counts.
+            // Sides in the planes of grid lines, where touching counts as overlap.
             const float line_x = grid_line(columns, x, int(random.below(std::size_t(columns))));
             const float line_z = grid_line(rows, z, int(random.below(std::size_t(rows))));
             expect_all_found(field, {line_x, -inf, line_z}, {line_x, inf, line_z}, &most);
@@ -275,7 +275,7 @@ TEST(TriangleSearch, FindsAllOfAHeightFieldThatMeetABoxInOrder) {
     }
 }
 
-// Far from the middle floats are coarser than cells are wide: what is found is still all that there is.
+// Far from the middle the spacing of floats exceeds the width of a cell: the search must still find all triangles.
 TEST(TriangleSearch, FindsAllOfAHeightFieldWhoseLinesFloatCannotTellApart) {
     Random random(8);
     const HeightFieldData field = test::random_field(random, 3000, 2, 1e-5f + 1e-12f, 1.0f);
@@ -298,7 +298,7 @@ TEST(HeightFieldTriangles, FaceUpAndStandWhereTheGridSays) {
             const float column = v.x / 2 + 1.5f, row = v.z / 0.5f + 1;
             EXPECT_EQ(v.y, row * 4 + column);
         }
-        // Cut from the corner of least x and z to the opposite one.
+        // Each cell is divided by the diagonal from its corner of least x and z to the opposite one.
         const bool second = i % 2 == 1;
         const math::Vec3 far = second ? t.b : t.c;
         EXPECT_EQ(far.x, t.a.x + 2);
@@ -310,7 +310,7 @@ TEST(HeightFieldTriangles, HaveAcrossAnEdgeTheOneThatHasItToo) {
     Random random(9);
     for (const auto& [columns, rows] : {std::pair(2, 2), std::pair(2, 5), std::pair(5, 2), std::pair(6, 7)}) {
         const HeightFieldData field = test::random_field(random, columns, rows, 1, 2);
-        // The same triangles as a mesh find their neighbors by themselves.
+        // The same triangles as a mesh, which searches its neighbors itself.
         using Edge = std::array<float, 6>;
         std::map<Edge, std::uint32_t> owner;
         auto edge_of = [](math::Vec3 a, math::Vec3 b) { return Edge{a.x, a.y, a.z, b.x, b.y, b.z}; };

@@ -1,4 +1,4 @@
-// Meshes that several tests take.
+// Meshes that several tests share.
 #pragma once
 
 #include "geometry_test_support.h"
@@ -12,7 +12,7 @@ struct Soup {
     std::vector<std::uint32_t> indices;
 };
 
-// A closed, convex mesh of 2 sectors (rings - 1) triangles with corners on a sphere about the origin.
+// A closed convex mesh of 2 sectors (rings - 1) triangles whose vertices are on a sphere about the origin.
 inline Soup ball_soup(int rings, int sectors, double radius) {
     Soup soup;
     const double pi = 3.14159265358979323846;
@@ -32,12 +32,12 @@ inline Soup ball_soup(int rings, int sectors, double radius) {
     return soup;
 }
 
-// Triangles of any kind, some with shared corners.
+// Random triangles, some with shared vertices.
 inline Soup random_soup(Random& random, std::size_t triangles, double reach) {
     Soup soup;
     for (std::size_t i = 0; i < triangles + 8; ++i) soup.vertices.push_back(math::to_float(random.point(reach)));
     for (std::size_t i = 0; i < triangles; ++i) {
-        // Mostly small ones: corners near each other.
+        // Mostly small triangles, whose vertices are close to each other.
         const math::Vec3 center = soup.vertices[i];
         for (int k = 0; k < 3; ++k) {
             if (k == 0 && random(0, 1) < 0.5) {

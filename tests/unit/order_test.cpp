@@ -1,4 +1,4 @@
-// Sorting of whole numbers, against the standard library.
+// Sorting of integers, compared with the standard library.
 #include "core/order.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Casts through a world, against conservative advancement past each of its shapes in turn.
+// Shape casts through a world, compared with conservative advancement towards each of its shapes in turn.
 #include "cast_test_support.h"
 
 #include <cairn/world.h>
@@ -54,11 +54,11 @@ Item make_item(const Shape& shape, cairn::Position at, cairn::Quat q) {
     return {solid(shape), {at.x, at.y, at.z}, normalized(DQuat{q.x, q.y, q.z, q.w}), {}};
 }
 
-// Where the moving shape meets a still one, with the direction that parts them there.
+// The first contact of the moving shape with a static one, with the separating direction there.
 struct Meeting {
     double fraction;
     DVec3 normal;
-    double depth; // that they overlap by from the start
+    double depth; // initial penetration depth
 };
 std::optional<Meeting> advance(const Item& moving, DVec3 way, const Convex& still, double tolerance) {
     double fraction = 0;
@@ -85,7 +85,7 @@ void check_cast(const Item& moving, DVec3 way, const std::vector<Item>& items,
     if (!hit) {
         ++count[0];
         if (first > 1) return;
-        // Only where it passes something by no more than rounding.
+        // A result may differ only where the shape passes another within rounding.
         const Item past{moving.solid, moving.at + first * way, moving.turn, {}};
         double speed = length(way);
         for (const Item& item : items) {
@@ -103,7 +103,8 @@ void check_cast(const Item& moving, DVec3 way, const std::vector<Item>& items,
     const DVec3 normal{hit->normal.x, hit->normal.y, hit->normal.z}, point{hit->point.x, hit->point.y, hit->point.z};
     EXPECT_NEAR(length(normal), 1, 1e-6);
     if (hit->fraction == 0) {
-        // Of all that it starts in, the one that was made first; the least way apart, and a point at its end.
+        // Among all shapes that overlap at the start, the result is the one that was created first, with the minimal
+        // separating translation and a point at its end.
         EXPECT_EQ(first, 0);
         for (const Item& item : items) {
             if (item.id == hit->shape) break;
@@ -116,11 +117,11 @@ void check_cast(const Item& moving, DVec3 way, const std::vector<Item>& items,
         EXPECT_TRUE(nearest_point(moved(there, depth * normal), point, 1e-3));
         return;
     }
-    // Nothing is met before, and there they touch at the point, whose plane parts them.
+    // No shape is hit earlier, and at the reported fraction the shapes touch at the point, whose plane separates them.
     const double steep = -dot(normal, way);
     EXPECT_GT(steep, 0);
     EXPECT_LT(hit->fraction * steep, first * steep + near);
-    if (first < hit->fraction) { // the same, or one passed by no more than rounding
+    if (first < hit->fraction) { // the same hit, or one that was passed within rounding
         EXPECT_LT((hit->fraction - first) * steep, near + 1e-2 * length(way) * (hit->fraction - first));
     }
     EXPECT_NEAR(closest_points(there, still).distance, 0, near);
@@ -155,9 +156,9 @@ TEST(ShapeCastSearch, FindsWhatAdvancingPastEachShapeFinds) {
             ASSERT_FALSE(::testing::Test::HasFailure()) << seed << ' ' << k;
         }
     }
-    EXPECT_GT(count[0], 3000); // missed all
-    EXPECT_GT(count[1], 3000); // met on the way
-    EXPECT_GT(count[2], 3000); // from the start
+    EXPECT_GT(count[0], 3000); // missed everything
+    EXPECT_GT(count[1], 3000); // hit on the path
+    EXPECT_GT(count[2], 3000); // overlapping from the start
 }
 
 } // namespace

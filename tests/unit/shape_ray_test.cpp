@@ -1,4 +1,4 @@
-// Rays at capsules, cylinders and hulls, against the zeros of convex functions that are negative inside.
+// Rays against capsules, cylinders and hulls, compared with the zeros of convex functions that are negative inside.
 #include "geometry_test_support.h"
 
 #include <functional>
@@ -12,10 +12,10 @@ using math::DVec3;
 using test::Random;
 using test::sample_of;
 
-// Convex, negative inside, and growing by one a meter along the outward normal.
+// A convex function, negative inside, that increases by one per meter along the outward normal.
 using Inside = std::function<double(DVec3)>;
 
-// The least value of a convex function of one variable, by golden sections.
+// The minimum of a convex function of one variable, by golden-section search.
 template <class F> double minimize(F&& f, double lo, double hi) {
     const double ratio = (std::sqrt(5.0) - 1) / 2;
     double a = hi - ratio * (hi - lo), b = lo + ratio * (hi - lo), fa = f(a), fb = f(b);
@@ -33,7 +33,7 @@ template <class F> double minimize(F&& f, double lo, double hi) {
 
 Inside inside_of(const Capsule& c) {
     const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
-    return [=](DVec3 p) { // the nearest of the balls between the two
+    return [=](DVec3 p) { // the nearest of the balls between the two ends
         auto distance = [&](double l) { return math::length(p - DVec3{0, (2 * l - 1) * h, 0}) - (a + (b - a) * l); };
         const double l = minimize(distance, 0, 1);
         return std::min(std::min(distance(0), distance(1)), distance(l));
@@ -56,7 +56,7 @@ Inside inside_of(std::shared_ptr<const HullData> hull) {
     };
 }
 
-// Of a ball around another shape, whose function must be the distance outside.
+// The shape rounded by a ball; outside, `sharp` must be the exact distance.
 Inside rounded(const Inside& sharp, double radius) {
     return [=](DVec3 p) { return sharp(p) - radius; };
 }
@@ -68,7 +68,7 @@ Inside distance_to(const Box& box) {
         return math::length(math::max(q, DVec3{})) + std::min(0.0, std::max({q.x, q.y, q.z}));
     };
 }
-// In the half plane of the axis and the point: to the three sides of a trapezoid.
+// In the half plane of the axis and the point: the distance to the three sides of a trapezoid.
 Inside distance_to(const Cylinder& c) {
     const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
     const Inside inside = inside_of(c);
@@ -91,10 +91,10 @@ Inside distance_to(const Cylinder& c) {
 struct RayCheck {
     test::Sample shape;
     Inside inside;
-    double reach; // of the shape
+    double reach; // size of the shape
     int hits = 0, misses = 0;
 
-    // The ray starts `away` from the plane through the point it is aimed at, well outside.
+    // The ray starts `away` from the plane through the point it is aimed at, well outside the shape.
     void check(Random& random, DVec3 aim, DVec3 d, double away, double tolerance) {
         const math::Quat q = random.rotation();
         const math::DQuat r = math::normalized(math::to_double(q));
@@ -102,9 +102,9 @@ struct RayCheck {
         const DVec3 origin = aim - away * d;
         const auto hit = cast_ray(shape.geometry, shape.data, position, q, position + math::rotate(r, origin),
                                   math::rotate(r, d), 1e9);
-        auto at = [&](double t) { return inside(aim + t * d); }; // 0 where it is aimed at
+        auto at = [&](double t) { return inside(aim + t * d); }; // 0 at the point it is aimed at
         const double deepest = minimize(at, -3 * reach, 3 * reach);
-        if (std::fabs(at(deepest)) < 2e-6 * reach) return; // it grazes
+        if (std::fabs(at(deepest)) < 2e-6 * reach) return; // a grazing ray
         if (at(deepest) > 0) {
             ASSERT_FALSE(hit);
             ++misses;
@@ -114,7 +114,7 @@ struct RayCheck {
         for (int i = 0; i < 100; ++i) (at((out + in) / 2) > 0 ? out : in) = (out + in) / 2;
         ASSERT_TRUE(hit);
         ++hits;
-        // Where the ray grazes a rounded side, an error of its place is that much larger along it.
+        // Where the ray grazes a rounded side, a position error is amplified by this factor along the ray.
         const double slope = std::sqrt(reach / std::max(-at(deepest), 1e-12));
         ASSERT_NEAR(hit->distance - away, in, tolerance * reach * slope);
         const DVec3 n = math::rotate_back(r, hit->normal), p = aim + (hit->distance - away) * d;
@@ -132,7 +132,7 @@ void expect_rays_meet(const S& shape, const test::Sample& sample, double reach, 
     for (int i = 0; i < rounds; ++i) {
         check.check(random, random.point(reach), random.direction(), 5 * reach, 1e-10);
         check.check(random, random.point(reach), random.direction(), 1e6, 1e-8);
-        // Along the axes, and just off them.
+        // Along the coordinate axes, and slightly off them.
         DVec3 d;
         d[int(random.below(3))] = random(-1, 1) < 0 ? -1 : 1;
         check.check(random, random.point(reach), d, 5 * reach, 1e-10);
@@ -169,7 +169,7 @@ TEST(ShapeRay, MeetsHulls) {
     }
 }
 
-// Conservative advancement stops within a billionth of the size.
+// Conservative advancement stops within one billionth of the size.
 template <class S> void expect_rays_meet_rounded(S shape, float radius, double reach, std::uint64_t seed) {
     SCOPED_TRACE(testing::Message() << radius);
     const Inside inside = rounded(distance_to(shape), double(radius));
@@ -221,14 +221,15 @@ TEST(ShapeRay, ARoundedHullOfABoxIsARoundedBox) {
 TEST(ShapeRay, FromWithinARoundedShapeMeetsNothing) {
     Random random(81);
     const test::Sample s = sample_of(Shape(Box{{0.5f, 0.3f, 0.8f}, 0.2f}));
-    for (const DVec3 origin : {DVec3{}, DVec3{0.69, 0, 0}, DVec3{0.6, 0.4, 0.9}}) // the core, a slab, a corner
+    // In the core, in a slab beside a face, at a corner.
+    for (const DVec3 origin : {DVec3{}, DVec3{0.69, 0, 0}, DVec3{0.6, 0.4, 0.9}})
         for (int i = 0; i < 100; ++i)
             ASSERT_FALSE(cast_ray(s.geometry, s.data, {}, {}, origin, random.direction(), 10));
     const DVec3 inward = math::normalized(DVec3{-1, -1, -1});
     EXPECT_TRUE(cast_ray(s.geometry, s.data, {}, {}, {0.65, 0.45, 0.95}, inward, 10)) << "beside the round corner";
 }
 
-// Rays aimed at edges, where sides meet, from all around: none gets through to the other side.
+// Rays aimed from all directions at edges, where sides meet: none passes through to the other side.
 TEST(ShapeRay, PassesNowhereBetweenTheSidesOfACylinder) {
     Random random(41);
     for (const Cylinder& c : {Cylinder{0.5f, 0.5f}, Cylinder{0.5f, 1.0f, 0.25f}, cone(0.5f, 1.0f)}) {
@@ -257,14 +258,14 @@ TEST(ShapeRay, DoesNotMeetVolumesFromWithin) {
 
 TEST(ShapeRay, EndsAtItsLengthAndDoesNotLookBack) {
     for (const Shape& shape : {Shape(Capsule{0.5f, 0.5f}), Shape(Cylinder{1.0f, 0.5f})}) {
-        const test::Sample s = sample_of(shape); // 1 m up and down
+        const test::Sample s = sample_of(shape); // extends from -1 m to 1 m in y
         EXPECT_FALSE(cast_ray(s.geometry, s.data, {}, {}, {0.1, 3, 0}, {0, -1, 0}, 1.99));
         EXPECT_TRUE(cast_ray(s.geometry, s.data, {}, {}, {0.1, 3, 0}, {0, -1, 0}, 2.02));
         EXPECT_FALSE(cast_ray(s.geometry, s.data, {}, {}, {0.1, 3, 0}, {0, 1, 0}, 100));
     }
 }
 
-// Thin and long: the line's distance from the axis must not drown in its length.
+// Thin and long: the ray's distance from the axis must not be lost in rounding by the length of the cylinder.
 TEST(ShapeRay, MeetsALongThinCylinderWithinItsOwnPrecision) {
     const test::Sample s = sample_of(Shape(Cylinder{1e4f, 1e-3f}));
     const DVec3 d = math::normalized(DVec3{1, 0.5, 0});

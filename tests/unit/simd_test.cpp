@@ -1,5 +1,5 @@
-// The wide arithmetic of one instruction set against plain scalar arithmetic, bit by bit. This file is
-// compiled once per backend (see CMakeLists.txt).
+// The wide arithmetic of one instruction set, compared with plain scalar arithmetic bit by bit. This file is compiled
+// once per backend (see CMakeLists.txt).
 #include "simd/wide_math.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::uint32_t bits_of(float f) {
     return u;
 }
 
-// Floats of all signs and magnitudes, zeros of both signs and denormals among them.
+// Floats of all signs and magnitudes, including both zeros and denormals.
 struct Source {
     std::mt19937 random{12345};
     float next() {

@@ -1,4 +1,4 @@
-// Convex shapes against planes, and against one side of rectangles and triangles.
+// Convex shapes against planes, and against the front side of rectangles and triangles.
 #include "collision/convex_contact.h"
 #include "convex_test_support.h"
 
@@ -15,7 +15,6 @@ using Part = SurfaceContact::Part;
 
 constexpr DVec3 up{0, 1, 0};
 
-
 TEST(PlaneContact, TheDeepestPointIsTheLowestOfTheShape) {
     Random random(1);
     for (int k = 0; k < 20000; ++k) {
@@ -31,7 +30,7 @@ TEST(PlaneContact, TheDeepestPointIsTheLowestOfTheShape) {
         EXPECT_NEAR(deepest(m), lowest, 1e-6) << k;
         for (int i = 0; i < m.count; ++i) {
             const DVec3 p{m.points[i][0], m.points[i][1], m.points[i][2]};
-            EXPECT_NEAR(dot(p, n) + height, 0.5 * m.points[i][3], 1e-6) << k; // midway
+            EXPECT_NEAR(dot(p, n) + height, 0.5 * m.points[i][3], 1e-6) << k; // midway between the surfaces
             EXPECT_LE(m.points[i][3], float(margin));
         }
     }
@@ -74,7 +73,7 @@ TEST(PlaneContact, ARollingCylinderTouchesAtItsTwoEndsAlike) {
 }
 
 TEST(PlaneContact, ATaperedCylinderLiesOnItsSide) {
-    // The side falls by 0.25 over 1: the axis leans by as much.
+    // The side descends by 0.25 over a length of 1: the axis leans by the same slope.
     const double angle = std::atan(0.25);
     const DQuat q = about({0, 0, 1}, 1.5707963267948966 + angle);
     const Convex a = cylinder(0.5, 0.5, 0.25).at({}, q);
@@ -121,10 +120,10 @@ TEST(TriangleContact, SaysWhichPartOfTheTriangleIsTouched) {
 }
 
 TEST(TriangleContact, IsSolidOnOneSide) {
-    EXPECT_EQ(touch(ball(0.5), {0, -0.4, 0}).m.normal[1], -1); // sunk: pushed up
+    EXPECT_EQ(touch(ball(0.5), {0, -0.4, 0}).m.normal[1], -1); // below the surface: pushed up
     EXPECT_NEAR(deepest(touch(ball(0.5), {0, -0.4, 0}).m), -0.9, 1e-6);
     EXPECT_EQ(touch(ball(0.5), {0, -1.1, 0}).m.count, 0);   // deeper than its size
-    EXPECT_EQ(touch(ball(0.5), {0, -0.1, 1.2}).m.count, 0); // not over the triangle
+    EXPECT_EQ(touch(ball(0.5), {0, -0.1, 1.2}).m.count, 0); // not above the triangle
     EXPECT_EQ(touch(cylinder(0.5, 0.3), {0, -0.2, 0}, lying).m.normal[1], -1);
     Random random(3);
     for (int k = 0; k < 20000; ++k) {
@@ -149,7 +148,7 @@ TEST(TriangleContact, ConvexShapesAboveAreNeverMissed) {
         const Convex at_origin = s.at({}, q);
         const double half = -dot(support(at_origin, -up), up);
         const double center = dot(middle(at_origin), up);
-        if (half + center < 0.002) continue; // the middle must be above
+        if (half + center < 0.002) continue; // the center must be above
         const DVec3 place{random.uniform(-0.2, 0.2), half - 0.001, random.uniform(-0.2, 0.2)};
         const Touch t = touch(s, place, q, wide);
         ASSERT_GE(t.m.count, 1) << k;

@@ -31,7 +31,7 @@ TEST_P(CrewOf, DoesEachItemOnceInChunksOfAtMostTheGrain) {
     }
 }
 
-// A stage counts its chunks with 20 bits.
+// A stage counts its chunks with 20 bits: this one has more chunks than that.
 TEST_P(CrewOf, DoesEachItemOnceWhereThereAreMoreChunksThanOneStageHolds) {
     ThreadPool thread_pool(GetParam());
     const int count = (1 << 20) + 1000;
@@ -42,7 +42,7 @@ TEST_P(CrewOf, DoesEachItemOnceWhereThereAreMoreChunksThanOneStageHolds) {
     for (int i = 0; i < count; ++i) ASSERT_EQ(done[static_cast<std::size_t>(i)], 1) << "item " << i;
 }
 
-// One stage right after the other, with few chunks: where a worker that comes late could take a chunk of the wrong one.
+// Short stages in quick succession, with few chunks: a late worker could take a chunk of the wrong stage.
 TEST_P(CrewOf, KeepsManyShortStagesApart) {
     ThreadPool thread_pool(GetParam());
     std::vector<std::int64_t> sums(16, 0);

@@ -1,4 +1,4 @@
-// Travel: sums of lengths that run over, and what is valid until they reach an end.
+// Travel: sums of lengths that wrap around, and results that are valid until the travel reaches an end.
 #include "state/travel.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Travel, SmallMotionsAreNotLostBesideLongOnes) {
     const Travel end = travel + budget_of(1e-6);
     int steps = 0;
     while (is_before(travel, end)) travel += travelled(1e-9), ++steps;
-    EXPECT_GE(steps, 800); // rounded up, by a quarter of a nanometer at most
+    EXPECT_GE(steps, 800); // rounded up, by at most a quarter of a nanometer
     EXPECT_LE(steps, 1000);
 }
 
@@ -37,7 +37,7 @@ TEST(Travel, ALeapSpendsEveryBudget) {
              {1e4, 1e12, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
             EXPECT_FALSE(is_before(travelled(leap), budget_of(budget))) << budget << " " << leap;
     EXPECT_EQ(budget_of(-1.0), Travel(0));
-    EXPECT_GT(travelled(0.0), Travel(0)); // at least: what is counted moves
+    EXPECT_GT(travelled(0.0), Travel(0)); // a counted length is never zero
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Rays at meshes and height fields, against all triangles one by one; and at their seams.
+// Rays against meshes and height fields, compared with all triangles one by one; and at shared edges.
 #include "mesh_test_support.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using test::Random;
 using test::sample_of;
 
 // Distance to a triangle from outside by volumes of tetrahedra, in long double (T. Moeller, B. Trumbore: Fast, minimum
-// storage ray/triangle intersection, 1997). `clearance` is how far the ray stays from the nearest edge, as a part of
+// storage ray/triangle intersection, 1997). `clearance` is the distance of the ray from the nearest edge, relative to
 // the triangle; near 0 rounding decides.
 struct Exact {
     double distance = std::numeric_limits<double>::infinity(), clearance = 1;
@@ -28,7 +28,7 @@ void offer(Exact& best, const Triangle& t, DVec3 origin, DVec3 direction) {
     const long double volume = -math::dot(n, d);
     const long double steepness = volume / (math::length(n) * math::length(d));
     if (!(steepness > 1e-6L)) {
-        // From behind, or along the triangle: of these a ray may clip the rim.
+        // From behind, or parallel to the triangle: a parallel ray may clip its rim.
         if (steepness > 0) best.clearance = 0;
         return;
     }
@@ -52,7 +52,7 @@ void expect_as_one_by_one(const Data& data, const test::Sample& shape, double re
         const math::DQuat r = math::normalized(math::to_double(q));
         const DVec3 position = random.point(10);
         DVec3 d = random.direction();
-        if (i % 4 == 0) d = math::normalized(scaled(d, DVec3{1, 0.02, 1})); // nearly level
+        if (i % 4 == 0) d = math::normalized(scaled(d, DVec3{1, 0.02, 1})); // nearly horizontal
         const DVec3 origin = scaled(random.point(1), aim_box) - away * d;
         Exact exact;
         for (std::uint32_t t = 0; t < triangle_count(data); ++t) offer(exact, triangle_of(data, t), origin, d);
@@ -69,7 +69,7 @@ void expect_as_one_by_one(const Data& data, const test::Sample& shape, double re
         const DVec3 n = math::rotate_back(r, hit->normal);
         for (int k = 0; k < 3; ++k) ASSERT_NEAR(n[k], exact.normal[k], 1e-12);
         ASSERT_LT(math::dot(n, d), 0);
-        // No farther than it is long.
+        // A ray that ends before the hit misses.
         ASSERT_FALSE(cast_ray(shape.geometry, shape.data, position, q, position + math::rotate(r, origin),
                               math::rotate(r, d), hit->distance - 1e-6 * reach - 1e-9)
                          .has_value());
@@ -88,7 +88,7 @@ TEST(MeshRay, MeetsWhatTrianglesOneByOneDo) {
         const auto mesh = shared_mesh(test::random_soup(random, count, 2));
         const test::Sample shape = sample_of(Shape(Mesh(mesh)));
         const double spread = count < 10 ? 1 : 2;
-        // Aimed anywhere, or at a triangle's surroundings when there are few.
+        // Aimed anywhere, or at a triangle's surroundings if there are few triangles.
         const DVec3 box = spread * DVec3{1, 1, 1};
         int rounds = count < 10 ? 20000 : 2000;
         if (count < 100) {
@@ -126,8 +126,8 @@ TEST(MeshRay, DoesNotMeetTrianglesFromBehind) {
         ASSERT_FALSE(cast_ray(shape.geometry, shape.data, {}, {}, random.point(1), random.direction(), 100));
 }
 
-// Aimed at corners, at points of edges and just beside them: a ray that passes between triangles of a closed mesh
-// would not be met at all, as triangles are not met from behind.
+// Rays aimed at vertices, at points of edges and just beside them: a ray that slips between triangles of a closed mesh
+// would hit nothing at all, as triangles are not hit from behind.
 TEST(MeshRay, PassesNowhereBetweenTrianglesOfAClosedMesh) {
     Random random(4);
     const auto mesh = shared_mesh(test::ball_soup(40, 40, 2));
@@ -138,20 +138,20 @@ TEST(MeshRay, PassesNowhereBetweenTrianglesOfAClosedMesh) {
         const double part = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5 : random(0, 1);
         DVec3 aim = a + part * (b - a);
         if (i % 5 == 0) aim += 1e-15 * random.direction();
-        const DVec3 within = random.point(1); // inside of the ball
+        const DVec3 within = random.point(1); // inside the ball
         DVec3 d = math::normalized(within - aim);
         const double away = i % 7 == 0 ? 1e6 : i % 7 == 1 ? 1e3 : random(0.1, 10);
         const auto hit = cast_ray(shape.geometry, shape.data, {}, {}, aim - away * d, d, 2e6);
         ASSERT_TRUE(hit) << i;
         ASSERT_NEAR(hit->distance, away, 1e-8);
     }
-    // Along the axes, from right above corners.
+    // Along the axes, from directly above vertices.
     for (const math::Vec3 v : mesh->vertices)
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-1.0, 1.0}) {
                 DVec3 d, origin = math::to_double(v), sideways = origin;
                 sideways[axis] = 0;
-                if (math::length(sideways) > 1.9) continue; // at the rim, as seen along the axis
+                if (math::length(sideways) > 1.9) continue; // at the silhouette as seen along the axis
                 d[axis] = side;
                 origin[axis] = -3 * side;
                 ASSERT_TRUE(cast_ray(shape.geometry, shape.data, {}, {}, origin, d, 10));
@@ -197,7 +197,7 @@ TEST(HeightFieldRay, PassesNowhereBetweenTriangles) {
     const auto field = shared_field(random, 40, 30, 0.1f, 0.7f);
     const test::Sample shape = sample_of(Shape(HeightField(field)));
     for (int i = 0; i < 200000; ++i) {
-        // A cell that does not lie at the rim.
+        // A cell that is not at the border.
         const int column = 1 + int(random.below(37)), row = 1 + int(random.below(27));
         const Triangle t = triangle_of(*field, std::uint32_t(2 * (row * 39 + column) + i % 2));
         const math::Vec3 corners[4] = {t.a, t.b, t.c, t.a};
@@ -205,7 +205,7 @@ TEST(HeightFieldRay, PassesNowhereBetweenTriangles) {
         const DVec3 a = math::to_double(corners[edge]), b = math::to_double(corners[edge + 1]);
         const DVec3 aim = a + (i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5 : random(0, 1)) * (b - a);
         DVec3 d = {random(-0.03, 0.03), -1,
-                   random(-0.03, 0.03)}; // steeper than the field, so that no other is met first
+                   random(-0.03, 0.03)}; // steeper than the field, so that it hits no other cell before
         if (i % 4 == 0) d.x = 0;
         if (i % 8 < 2) d.z = 0;
         d = math::normalized(d);
@@ -216,7 +216,7 @@ TEST(HeightFieldRay, PassesNowhereBetweenTriangles) {
     }
 }
 
-// Along grid lines and diagonals, level, at a ridge that bars the way.
+// Horizontal rays along grid lines and diagonals, towards a ridge that blocks them.
 TEST(HeightFieldRay, PassesNowhereAlongTheGrid) {
     std::vector<float> heights(21 * 21, 0.0f);
     for (int i = 0; i < 21; ++i) heights[std::size_t(10 * 21 + i)] = heights[std::size_t(i * 21 + 10)] = 1;
@@ -226,7 +226,7 @@ TEST(HeightFieldRay, PassesNowhereAlongTheGrid) {
     for (int i = 1; i < 20; ++i) {
         const double line = double(grid_line(21, 0.1f, i));
         for (const double side : {-1.0, 1.0}) {
-            if (i != 10) { // along a ridge itself there is nothing in the way
+            if (i != 10) { // along the ridge itself nothing blocks the ray
                 EXPECT_TRUE(cast_ray(shape.geometry, shape.data, {}, {}, {-5 * side, 0.5, line}, {side, 0, 0}, 100));
                 EXPECT_TRUE(cast_ray(shape.geometry, shape.data, {}, {}, {line, 0.5, -5 * side}, {0, 0, side}, 100));
             }

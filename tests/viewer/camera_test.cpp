@@ -50,7 +50,7 @@ TEST(OrbitCamera, PanMovesThePictureByThatFractionOfItsHeight) {
     OrbitCamera camera(CameraPose{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}});
     const Position before = camera.target();
     camera.pan(0.0f, 0.5f, 1.0f);
-    // What was in the middle is now at the lower edge.
+    // The point that was in the middle is now at the lower edge.
     const auto device = camera.project(before, 1.0f);
     ASSERT_TRUE(device);
     EXPECT_NEAR(device->y, -1.0f, 1e-4f);
@@ -98,7 +98,7 @@ TEST(OrbitCamera, DrawingOriginStaysNearFarFromTheWorldsOrigin) {
     const OrbitCamera camera(CameraPose{far + Position(0.0, 2.0, 10.0), far});
     EXPECT_LT(glm::distance(camera.render_origin(), far), 100.0);
     expect_near(camera.position(), far + Position(0.0, 2.0, 10.0), 1e-4);
-    EXPECT_FALSE(camera.project(far + Position(0.0, 0.0, 20.0), 1.0f)); // behind
+    EXPECT_FALSE(camera.project(far + Position(0.0, 0.0, 20.0), 1.0f)); // behind the camera
 }
 
 void expect_above(const OrbitCamera& camera, const Ground& ground) {
@@ -112,9 +112,9 @@ TEST(OrbitCamera, StaysAboveTheGroundHoweverItMoves) {
     camera.set_grounds({ground});
     camera.orbit(0.3f, -2.0f);
     expect_above(camera, ground);
-    EXPECT_LT(camera.position().y, 1.5); // as low as it can
+    EXPECT_LT(camera.position().y, 1.5); // at its lowest possible position
     expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
-    camera.zoom(-15.0f); // away along the ground, not into it
+    camera.zoom(-15.0f); // moves back along the ground, not into it
     expect_above(camera, ground);
     expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
     camera.zoom(60.0f);
@@ -160,7 +160,7 @@ TEST(OrbitCamera, NarrowPicturesShowAsMuchToTheSides) {
             EXPECT_LT(glm::distance(glm::vec2(clip) / clip.w, glm::vec2(across, 0.7f)), 1e-4f);
         }
     }
-    // Wider ones show more there, and as much above.
+    // Wider pictures show more at the sides, and the same height.
     EXPECT_FLOAT_EQ(camera.half_height(2.5f), std::tan(0.35f));
 }
 
@@ -173,7 +173,7 @@ TEST(Camera, ParallelRaysShowNearAndFarAlike) {
     EXPECT_GT(width(2.0) / width(-2.0), 1.4f);
     camera.set_parallel(true);
     EXPECT_TRUE(camera.is_parallel());
-    for (const double z : {0.0, 2.0, -2.0, -500.0, 9.99, 300.0}) // the last one is behind the eye
+    for (const double z : {0.0, 2.0, -2.0, -500.0, 9.99, 300.0}) // the last point is behind the eye
         EXPECT_NEAR(width(z), before, 1e-5f) << "what is looked at keeps its size, " << z;
     const OrbitCamera copy(camera.pose());
     EXPECT_NEAR(copy.project({1.0, 1.0, -70.0}, 1.0f)->x, 0.5f * before, 1e-5f) << "also for who draws it";

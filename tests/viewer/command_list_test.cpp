@@ -55,7 +55,7 @@ TEST(CommandList, NamesAreDistinctAndKeysAreBound) {
                        (", " + command.keys + ",").find(", " + std::string(binding.chord) + ",") != std::string::npos;
         if (!is_named && !is_held(binding.action)) nameless.insert(binding.action);
     }
-    // They need the cursor or are repeated, or are the list itself; scenes have their titles.
+    // These actions need the cursor, repeat while held, or open the list itself; scenes are listed by their titles.
     EXPECT_EQ(nameless, (std::set<Action>{Action::choose_scene, Action::orbit_left, Action::orbit_right,
                                           Action::orbit_up, Action::orbit_down, Action::zoom_in, Action::zoom_out,
                                           Action::shoot, Action::join_by_ball, Action::join_by_hinge,

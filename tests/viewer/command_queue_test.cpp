@@ -44,7 +44,7 @@ TEST(CommandQueue, LosesNothingBetweenThreads) {
 TEST(CommandQueue, WaitEndsByACommandByClosingOrByTime) {
     using Clock = std::chrono::steady_clock;
     CommandQueue queue;
-    queue.wait(0.01); // nothing comes
+    queue.wait(0.01); // no command comes
     const Clock::time_point start = Clock::now();
     std::thread writer([&queue] { queue.push(command::TogglePause{}); });
     queue.wait(1e308);

@@ -20,7 +20,7 @@ using namespace cairn::viewer;
 
 using test::aspect;
 
-// A controller whose commands go straight to a stage, as the physics thread would pass them on.
+// A controller whose commands go directly to a stage, as the physics thread would pass them on.
 struct Desk {
     Stage stage{test::load_boxes, "2"};
     std::vector<Command> posted;
@@ -90,7 +90,7 @@ TEST(Controller, ADroppedSceneIsOpened) {
     desk.controller.drop_files(std::vector<std::string>{"/home/me/wood.png", "/home/me/Bridge.GLB"});
     ASSERT_TRUE(std::holds_alternative<command::LoadScene>(desk.posted.back()));
     EXPECT_EQ(std::get<command::LoadScene>(desk.posted.back()).path, "/home/me/Bridge.GLB");
-    // This loader cannot: the present scene stays, and a message says why.
+    // The loader of this test cannot open the file: the current scene stays, and a message gives the reason.
     EXPECT_EQ(desk.stage.state().path, "2");
     EXPECT_EQ(desk.bodies(), 3u);
     EXPECT_NE(desk.stage.state().message.text.find("Bridge.GLB"), std::string::npos);
@@ -131,7 +131,7 @@ TEST(Controller, ForceEndsEvenIfShiftIsLetGoFirst) {
     Desk desk;
     desk.controller.key_down("Shift+", "Left");
     EXPECT_LT(desk.stage.state().force.x, 0.0f);
-    desk.controller.key_up("Left"); // by now without Shift
+    desk.controller.key_up("Left"); // Shift has been released by now
     EXPECT_EQ(desk.stage.state().force, Vec3(0.0f));
 }
 
@@ -157,7 +157,7 @@ TEST(Controller, NumberAndPageKeysChooseScenes) {
     desk.controller.key_down("", "PageDown");
     desk.controller.update(desk.stage.state());
     EXPECT_EQ(desk.stage.state().path, "2");
-    desk.controller.key_down("", "9"); // there is no ninth
+    desk.controller.key_down("", "9"); // there is no ninth scene
     EXPECT_EQ(desk.stage.state().path, "2");
 }
 
@@ -201,7 +201,7 @@ TEST(Controller, ParallelRaysOfASceneEndWithItAndThoseOfTheUserStay) {
 TEST(Controller, ParallelRaysThatComeFromAboveStayAboveTheGroundWhereverTheEyeIs) {
     const auto load = [](const std::string&) {
         LoadedScene scene = test::boxes_on_plane(1);
-        scene.camera = {{0.0, -2.0, 5.0}, {0.0, -4.0, 0.0}}; // on its axis below the plane, and looks down on it
+        scene.camera = {{0.0, -2.0, 5.0}, {0.0, -4.0, 0.0}}; // below the plane and looking further down
         scene.camera.is_parallel = true;
         return scene;
     };
@@ -231,12 +231,12 @@ TEST(Controller, DraggingABodyMovesItAndNotTheCamera) {
 TEST(Controller, DraggingBesideBodiesOrbits) {
     Desk desk;
     const Position eye = desk.controller.camera.position();
-    desk.controller.move_cursor({0.0f, 0.9f}, aspect); // the sky
+    desk.controller.move_cursor({0.0f, 0.9f}, aspect); // no body there
     desk.controller.button_down(MouseButton::left);
     desk.run(1);
     desk.controller.move_cursor({0.3f, 0.9f}, aspect);
     EXPECT_FALSE(desk.controller.dragging());
-    EXPECT_LT(desk.controller.camera.position().x, eye.x); // the world follows the hand
+    EXPECT_LT(desk.controller.camera.position().x, eye.x); // the scene follows the hand
     EXPECT_EQ(desk.controller.camera.target(), Position(0.0, 0.5, 0.0));
     desk.controller.button_up(MouseButton::left);
     const Position after = desk.controller.camera.position();
@@ -317,7 +317,7 @@ TEST(Controller, ALineLeadsFromTheGrabbedPointToTheCursorWhileDragging) {
     desk.point_at(cursor);
     desk.controller.update(desk.stage.state());
     const RenderFrame dragged = frame();
-    ASSERT_EQ(dragged.strokes.size(), 3u); // a line, and a dot at both ends
+    ASSERT_EQ(dragged.strokes.size(), 3u); // a line, and a dot at each end
     const Stroke& line = dragged.strokes[0];
     EXPECT_LT(glm::distance(dragged.origin + Position(line.from), grabbed), 0.02);
     const auto end = desk.controller.camera.project(dragged.origin + Position(line.to), aspect);
@@ -325,7 +325,7 @@ TEST(Controller, ALineLeadsFromTheGrabbedPointToTheCursorWhileDragging) {
     ASSERT_TRUE(end && wanted);
     EXPECT_LT(glm::distance(*end, *wanted), 1e-3f);
     EXPECT_GE(line.width, 2.0f);
-    desk.run(120); // the body follows, and the line with it
+    desk.run(120); // the body follows the cursor, which shortens the line
     EXPECT_LT(glm::length(frame().strokes[0].to - frame().strokes[0].from), 0.5f);
     desk.controller.button_up(MouseButton::left);
     desk.controller.update(desk.stage.state());

@@ -44,8 +44,9 @@ TEST(Culling, WhatIsInThePictureIsDrawn) {
 }
 
 TEST(Culling, MostOfALargeFieldIsLeftOutFromNearby) {
-    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshVisual::terrain);
-    const OrbitCamera camera(CameraPose{{-480.0, 5.0, -480.0}, {-490.0, 2.0, -490.0}}); // looks at a corner
+    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshLook::terrain);
+    // Looks at a corner of the field.
+    const OrbitCamera camera(CameraPose{{-480.0, 5.0, -480.0}, {-490.0, 2.0, -490.0}});
     const Instance instance;
     std::size_t drawn = 0;
     for (const IndexRange& range :

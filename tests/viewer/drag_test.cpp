@@ -136,10 +136,10 @@ TEST(DragJoint, HoldsABodyAgainstItsWeight) {
     settings.gravity = {0.0f, -9.81f, 0.0f};
     scene.world.set_settings(settings);
     scene.pull({0.0f, 0.5f, 0.0f}, {0.0, 2.0, 0.0}, 180);
-    EXPECT_LT(glm::distance(scene.held({0.0f, 0.5f, 0.0f}), Position(0.0, 2.0, 0.0)), 0.02); // g / omega^2 = 1 cm
+    EXPECT_LT(glm::distance(scene.held({0.0f, 0.5f, 0.0f}), Position(0.0, 2.0, 0.0)), 0.02); // sag g / omega^2 = 1 cm
 }
 
-// One kilogram at the foot of a tower.
+// A box of 1 kg at the bottom of a tower.
 TEST(DragJoint, PullingALightBoxFromUnderHeavyOnesThrowsNothingAway) {
     for (const float mass : {15.0f, 2000.0f}) {
         World world;
@@ -161,17 +161,17 @@ TEST(DragJoint, PullingALightBoxFromUnderHeavyOnesThrowsNothingAway) {
             for (std::size_t k = 1; k < boxes.size(); ++k)
                 fastest = std::max(fastest, glm::length(world.body(boxes[k]).linear_velocity()));
         }
-        EXPECT_LT(fastest, 12.0f) << mass; // they fall from a few meters
+        EXPECT_LT(fastest, 12.0f) << mass; // the boxes fall from a few meters
         for (const BodyId box : boxes) {
             EXPECT_LT(glm::length(Vec3(world.body(box).position())), 12.0f) << mass;
             EXPECT_GT(world.body(box).position().y, 0.0) << mass;
         }
-        // Six tons hold it by friction; forty-five kilograms do not.
+        // The friction under six tons holds the box; that under 45 kg does not.
         EXPECT_EQ(glm::length(Vec3(world.body(boxes[0]).position())) > 4.0f, mass < 100.0f) << mass;
     }
 }
 
-// Half a kilogram carries seventy that hang on it.
+// A body of 0.5 kg carries 70 kg that hang from it by joints.
 TEST(DragJoint, AHandCarriesItsPuppet) {
     World world;
     BodyDef hand;

@@ -1,4 +1,4 @@
-// The share of the window's pixels that is drawn, by how long frames take.
+// The rendering resolution as a share of the window's, adapted to the time that frames take.
 #include "viewer/draw_scale.h"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 namespace cairn::viewer {
 namespace {
 
-// A machine that takes so long for a frame of all pixels, and a part of that whatever their number. The value at the
-// end.
+// Simulates a machine that takes `whole` seconds for a frame at full resolution, `fixed` of which do not depend on the
+// number of pixels. Returns the final scale.
 float after_frames(DrawScale& scale, double whole, double fixed, int count = 100) {
     for (int i = 0; i < count; ++i) {
         const double share = static_cast<double>(scale.value()) * static_cast<double>(scale.value());

@@ -1,4 +1,4 @@
-// What the light does on surfaces of different finish.
+// Shading of surfaces with different material properties.
 #include "viewer/headless.h"
 
 #include "picture_files.h"
@@ -22,10 +22,10 @@ struct Sheet {
     std::shared_ptr<const Finish> finish;
     Vec3 color{0.5f, 0.5f, 0.5f};
     Lighting lighting;
-    bool is_mirrored = false; // the picture's left is right
+    bool is_mirrored = false; // the image is flipped horizontally
     ColorMode mode = ColorMode::scene;
 
-    // The mean color of the pixels in the middle, of the right and of the left half.
+    // The mean colors in the middle of the right and of the left half of the picture.
     std::array<Vec3, 2> halves() const {
         World world;
         const BodyId body = world.create_body({.type = BodyType::static_});
@@ -70,18 +70,18 @@ Lighting from(const Vec3& direction) { return lighting_of(std::vector<Light>{{.t
 TEST(Finish, OfColoredVerticesIsTheirColorBetweenThem) {
     Sheet sheet;
     sheet.color = Vec3(1.0f);
-    sheet.colors = {{0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 1}}; // blue to the left, red to the right
+    sheet.colors = {{0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 1}}; // blue on the left, red on the right
     const std::array<Vec3, 2> halves = sheet.halves();
     EXPECT_GT(halves[0].x, halves[0].z + 30.0f);
     EXPECT_GT(halves[1].z, halves[1].x + 30.0f);
     EXPECT_LT(halves[0].y, 60.0f);
-    sheet.mode = ColorMode::mass; // colors say something
+    sheet.mode = ColorMode::mass; // in this mode colors encode data
     const std::array<Vec3, 2> plain = sheet.halves();
     EXPECT_LT(glm::length(plain[0] - plain[1]), 12.0f);
 }
 
-// A picture of normals that lean to the right, or up: that side's light falls on it, also where the picture is
-// mirrored.
+// Normal maps whose normals lean to the right, or up: light from that side makes the surface brighter, also with
+// mirrored texture coordinates.
 TEST(Finish, OfNormalsTurnsTheSurfaceAsThePictureHasIt) {
     const auto leaning = [](int red, int green) {
         return std::make_shared<const Finish>(Finish{
@@ -108,7 +108,7 @@ TEST(Finish, OfNormalsTurnsTheSurfaceAsThePictureHasIt) {
     EXPECT_NEAR(brightness(std::make_shared<const Finish>(half), from_right), brightness(flat, from_right), 6.0f);
 }
 
-// A highlight is small and bright on what is smooth, wide and faint on what is rough, and has a metal's color.
+// A specular highlight is small and bright on a smooth surface, wide and faint on a rough one, and tinted on a metal.
 TEST(Finish, OfRoughAndSmoothSurfacesAndMetalsMirrorsTheLight) {
     const auto shown = [](float roughness, float metalness, const Vec3& sun = {0.0f, 0.0f, 1.0f}) {
         Sheet sheet;
@@ -123,7 +123,7 @@ TEST(Finish, OfRoughAndSmoothSurfacesAndMetalsMirrorsTheLight) {
     Sheet sheet;
     sheet.color = {0.9f, 0.3f, 0.05f};
     sheet.lighting = from({0.0f, 0.0f, 1.0f});
-    // Green is the roughness, blue the metalness: rough to the left, smooth to the right.
+    // Green is the roughness, blue the metalness: rough on the left, smooth on the right.
     sheet.finish = std::make_shared<const Finish>(
         Finish{1.0f, 1.0f, picture_of([](int x, int) {
                    return std::array<std::uint8_t, 4>{0, std::uint8_t(x < 8 ? 255 : 89), 0, 255};

@@ -50,7 +50,7 @@ TEST(Gamepad, SticksTurnAndShiftTheViewAndTriggersZoom) {
     const Vec3 before = camera.forward(), right = camera.right();
     GamepadState state;
     state.right_stick = {1.0f, 0.0f};
-    desk.hold(state, 30); // half a second at 2.5 rad/s: the camera goes to its right, and so looks to the left
+    desk.hold(state, 30); // half a second at 2.5 rad/s: the camera moves to its right, and therefore looks to the left
     EXPECT_NEAR(glm::dot(before, camera.forward()), std::cos(1.25f) + (1 - std::cos(1.25f)) * before.y * before.y,
                 0.01f);
     EXPECT_LT(glm::dot(camera.forward(), right), 0.0f);
@@ -94,14 +94,15 @@ TEST(Gamepad, ButtonsCountOncePerPressAndStepsRepeat) {
     const int first = int(desk.posted.size());
     desk.hold(with(PadButton::right_bumper), 1);
     EXPECT_EQ(int(desk.posted.size()), first + 1);
-    desk.hold(with(PadButton::right_bumper), 60); // after 0.4 s twenty times a second
+    desk.hold(with(PadButton::right_bumper), 60); // after 0.4 s the action repeats 20 times per second
     EXPECT_NEAR(double(desk.posted.size()) - first, 1 + 12, 2);
     desk.hold({}, 1);
     desk.hold(with(PadButton::x), 60);
     EXPECT_EQ(desk.count<command::ResetScene>(), 1);
 }
 
-// What was down when the window had no focus, or the gamepad was plugged in, is not pressed by that.
+// A button that was already held when the window got the focus, or when the gamepad was plugged in, does not count as
+// pressed.
 TEST(Gamepad, WhatIsDownWhenItComesIsNotPressed) {
     PadDesk desk;
     desk.hold(with(PadButton::x), 5);

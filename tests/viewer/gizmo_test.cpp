@@ -1,4 +1,4 @@
-// Handles by which the mouse moves, turns and scales a body.
+// Gizmo: handles with which the mouse moves, rotates and scales a body.
 #include "viewer/controller.h"
 #include "viewer/gizmo.h"
 #include "viewer/scaling.h"
@@ -36,7 +36,7 @@ struct Hand {
         controller.move_cursor(cursor, test::aspect);
         controller.update(stage.state());
     }
-    // Takes the handle and moves it so far over the picture.
+    // Grabs the handle and moves it by that distance on the screen.
     void drag(GizmoHandle handle, const glm::vec2& by) {
         const glm::vec2 start = on_screen(controller.gizmo.grip(facts(), controller.camera, handle));
         move(start);
@@ -81,7 +81,7 @@ TEST(Gizmo, ScalesTheShapeAndItsMass) {
     const float mass = hand.facts().mass.mass;
     const auto half_size = [&] { return hand.stage.state().layout->shapes[1].half_size; };
     hand.drag(GizmoHandle::all,
-              {1.0f / 3.0f / test::aspect, 1.0f / 3.0f}); // a third of the height in all: one doubling
+              {1.0f / 3.0f / test::aspect, 1.0f / 3.0f}); // a third of the height in total: one doubling
     EXPECT_NEAR(half_size().x, 1.0f, 1e-3f);
     EXPECT_NEAR(half_size().y, 1.0f, 1e-3f);
     EXPECT_NEAR(hand.facts().mass.mass, 8.0f * mass, 0.05f * mass);
@@ -90,7 +90,7 @@ TEST(Gizmo, ScalesTheShapeAndItsMass) {
     hand.drag(GizmoHandle::x, hand.on_screen(half) - hand.on_screen(grip));
     EXPECT_NEAR(half_size().x, 0.5f, 1e-3f);
     EXPECT_NEAR(half_size().y, 1.0f, 1e-3f);
-    EXPECT_EQ(hand.stage.state().layout->shapes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own, as before
+    EXPECT_EQ(hand.stage.state().layout->shapes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own color, as before
 }
 
 TEST(Gizmo, EachDragIsUndoneByItself) {

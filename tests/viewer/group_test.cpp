@@ -1,4 +1,4 @@
-// Several bodies that are selected at a time, and groups of them.
+// Selecting several bodies at a time, and groups of bodies.
 #include "viewer/controller.h"
 #include "viewer/group_edit.h"
 #include "viewer/stage.h"
@@ -16,7 +16,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-// Boxes stand 2 m apart along x, on a plane.
+// Boxes 2 m apart along x, on a plane.
 struct Boxes {
     Stage stage;
     std::vector<BodyId> boxes;
@@ -45,10 +45,10 @@ TEST(Groups, ShiftAndAClickSelectOneMoreOrOneLess) {
     EXPECT_EQ(scene.stage.state().selected, scene.boxes[1]) << "windows tell about the last one";
     scene.click(4.0, true);
     EXPECT_EQ(scene.selection(), scene.some({0, 1}));
-    scene.click(-5.0, true); // beside all of them
+    scene.click(-5.0, true); // beside all boxes
     EXPECT_EQ(scene.selection(), scene.some({0, 1}));
     scene.stage.apply(command::GrabBody{{{-5.0, 6.0, 0.0}, {0.0f, -1.0f, 0.0f}}, 1});
-    scene.stage.apply(command::ReleaseGrab{true, true}); // the ground
+    scene.stage.apply(command::ReleaseGrab{true, true}); // on the ground
     EXPECT_EQ(scene.selection(), scene.some({0, 1}));
     scene.click(6.0);
     EXPECT_EQ(scene.selection(), scene.some({3}));
@@ -101,7 +101,7 @@ TEST(Selection, APlainClickSelectsWhatDoesNotMoveAndASecondOneEndsIt) {
     scene.stage.apply(command::RemoveSelected{});
     EXPECT_FALSE(scene.stage.world().is_valid(scene.boxes[1]));
     scene.stage.apply(command::GrabBody{{{-5.0, 6.0, 0.0}, {0.0f, -1.0f, 0.0f}}, 1});
-    scene.stage.apply(command::ReleaseGrab{true, false}); // the plane, which has no end
+    scene.stage.apply(command::ReleaseGrab{true, false}); // the plane, which is infinite
     EXPECT_TRUE(scene.selection().empty());
 }
 
@@ -116,7 +116,7 @@ TEST(Groups, AreMadeStaticRemovedAndBroughtBackTogether) {
     for (const std::size_t i : {0u, 1u}) EXPECT_EQ(scene.stage.world().body(scene.boxes[i]).type(), BodyType::static_);
     EXPECT_EQ(scene.stage.world().body(scene.boxes[2]).type(), BodyType::dynamic);
     scene.click(-5.0);
-    scene.click(2.0); // what is static is selected by its group
+    scene.click(2.0); // a static body is selected together with its group
     EXPECT_EQ(scene.selection(), scene.some({0, 1}));
     scene.stage.apply(command::Undo{});
     EXPECT_EQ(scene.stage.world().body(scene.boxes[0]).type(), BodyType::dynamic);
@@ -156,7 +156,7 @@ TEST(Groups, CopiesAreAGroupJoinedAsTheOriginalsAre) {
     EXPECT_EQ(world.joints().size(), 1u);
 }
 
-// By the handles of the controller, as a user does it.
+// Uses the handles of the controller, as a user does.
 struct Hands {
     Boxes scene{4};
     Controller controller{[this](Command command) { scene.stage.apply(command); }, {}};

@@ -1,4 +1,5 @@
-// Groups in time: made, ended, undone and redone; and changes of several bodies, of which all are made or none.
+// Groups and undo: groups that are made, dissolved, undone and redone; and edits of several bodies, which are applied
+// to all of them or to none.
 #include "viewer/stage.h"
 
 #include "test_scene.h"
@@ -53,7 +54,7 @@ struct GroupDesk {
         select(indices);
         stage.apply(command::GroupSelected{});
     }
-    // How many a click on a box selects.
+    // The number of bodies that a click on that box selects.
     std::size_t with(std::size_t i) {
         stage.apply(command::SelectBody{boxes[i]});
         return stage.state().selection.size();
@@ -84,7 +85,7 @@ TEST(GroupUndo, MakingAGroupIsUndoneAndRedone) {
     EXPECT_TRUE(desk.stage.state().is_group);
     EXPECT_EQ(desk.stage.state().timeline.redoable, std::nullopt);
     desk.stage.apply(command::Undo{});
-    desk.stage.apply(command::Spawn{box_preset(), {0.0, 3.0, 0.0}}); // another future, without it
+    desk.stage.apply(command::Spawn{box_preset(), {0.0, 3.0, 0.0}}); // a new future without the group
     EXPECT_EQ(desk.stage.state().timeline.redoable, std::nullopt);
     EXPECT_EQ(desk.with(0), 1u);
 }
@@ -108,7 +109,7 @@ TEST(GroupUndo, WhatMakesNoGroupIsNothingToUndo) {
     desk.stage.apply(command::UngroupSelected{});
     EXPECT_EQ(desk.undoable(), "");
     desk.group({0, 1});
-    desk.stage.apply(command::GroupSelected{}); // again
+    desk.stage.apply(command::GroupSelected{}); // the group exists already
     desk.stage.apply(command::Undo{});
     EXPECT_EQ(desk.undoable(), "");
 }
@@ -138,7 +139,7 @@ TEST(GroupUndo, GroupsAreThoseOfTheMomentThatIsShown) {
     };
     go_to(5);
     EXPECT_EQ(desk.with(1), 1u);
-    desk.run(10); // follows what is known
+    desk.run(10); // replays the known future
     EXPECT_EQ(desk.with(1), 2u);
     desk.run(10);
     EXPECT_EQ(desk.stage.state().timeline.now, 25u);
@@ -152,7 +153,7 @@ TEST(GroupUndo, InAnyOrderOfChangesEachUndoGivesTheStateAndTheGroupsFromBefore) 
         std::uint64_t hash;
         Groups groups;
     };
-    std::vector<Known> before; // each change
+    std::vector<Known> before; // states before each change
     for (int i = 0; i < 60; ++i) {
         const Known now{desk.hash(), desk.stage.timeline().groups()};
         const std::size_t made = desk.stage.state().timeline.marks->size();
@@ -217,7 +218,7 @@ TEST(GroupUndo, RecordingsBranchesAndPanesGoPastIt) {
     EXPECT_EQ(desk.with(0), 2u) << "in the run as it was they are still one";
 }
 
-// The hash of the world, what can be undone and redone, and what comes next.
+// The hash of the world, the undo and redo entries, and the recorded future.
 struct Everything {
     explicit Everything(const GroupDesk& desk)
         : hash(desk.hash()), undoable(desk.undoable()), redoable(desk.stage.timeline().redoable().value_or("")),
@@ -232,7 +233,7 @@ struct Everything {
 };
 
 TEST(EditBodies, WhereOneCannotBeChangedNoneIsAndTheReasonIsTold) {
-    for (const bool is_undone : {false, true}) { // with something to redo
+    for (const bool is_undone : {false, true}) { // in the second round there is a change to redo
         GroupDesk desk;
         desk.stage.apply(command::EditBody{desk.boxes[0], edit::Type{BodyType::static_}});
         desk.stage.apply(command::EndChange{});
@@ -250,7 +251,7 @@ TEST(EditBodies, WhereOneCannotBeChangedNoneIsAndTheReasonIsTold) {
         EXPECT_NE(desk.said().find("None of the bodies is changed, since roof cannot be: "), std::string::npos)
             << desk.said();
         change.edits.erase(change.edits.begin() + 2);
-        desk.stage.apply(change); // the others can be
+        desk.stage.apply(change); // the remaining bodies can be changed
         EXPECT_EQ(desk.stage.world().body(desk.boxes[0]).type(), BodyType::dynamic);
         desk.stage.apply(command::Undo{});
         EXPECT_EQ(desk.hash(), before.hash);
@@ -270,7 +271,7 @@ TEST(EditBodies, ScalesThatGoTooFarChangeNoShapeAndNoColor) {
     EXPECT_EQ(Everything(desk), before);
     EXPECT_EQ(shapes(), shapes_before);
     EXPECT_NE(desk.said(), "");
-    // A new shape, which takes the number of the one that was taken back, has not its color.
+    // A new shape reuses the index of the one that was undone, but not its color.
     desk.stage.apply(command::Spawn{box_preset(), {0.0, 3.0, 0.0}});
     EXPECT_FALSE(desk.stage.state().layout->shapes.back().color);
 }
@@ -287,7 +288,8 @@ TEST(EditBodies, OneBodyOfWhichAShapeCannotBeScaledKeepsAllShapes) {
         "");
     const BodyId body = stage.state().layout->bodies.back().id;
     const std::uint64_t before = stage.world().state_hash();
-    stage.apply(command::EditBody{body, edit::Scale{Vec3(1e4f)}}); // the box can grow so far, the ball cannot
+    // The box can be scaled by that much, the ball cannot.
+    stage.apply(command::EditBody{body, edit::Scale{Vec3(1e4f)}});
     EXPECT_EQ(stage.world().state_hash(), before);
     EXPECT_EQ(stage.world().body(body).shapes().size(), 2u);
     EXPECT_NE(stage.state().message.text, "");

@@ -1,4 +1,4 @@
-// What a picture looks like, by statistics that survive other drivers' rounding.
+// Rendered pictures, judged by statistics that tolerate the rounding of different drivers.
 #include "viewer/headless.h"
 
 #include "../sanitized.h"
@@ -32,7 +32,7 @@ struct Color {
     double sum() const { return red + green + blue; }
 };
 
-// The mean color of a patch; coordinates are fractions of the picture, from its top left corner.
+// The mean color of a square patch; coordinates are fractions of the picture, from its top left corner.
 Color mean(const HeadlessRenderer& renderer, double x, double y, double half_size = 0.01) {
     Color color;
     int count = 0;
@@ -52,7 +52,7 @@ Color mean_at(const HeadlessRenderer& renderer, const OrbitCamera& camera, const
     return mean(renderer, 0.5 + 0.5 * device->x, 0.5 - 0.5 * device->y);
 }
 
-// A new folder that is removed at the end.
+// A new temporary folder that is removed at the end.
 struct Folder {
     fs::path path = fs::temp_directory_path() /
                     ("cairn_test_" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
@@ -74,7 +74,7 @@ TEST(HeadlessRenderer, GhostsLetThroughWhatIsBehindThem) {
     frame.ghosts.boxes = std::exchange(frame.boxes, {});
     const Color ghost = draw();
     frame.ghosts.boxes.push_back(frame.ghosts.boxes.front());
-    frame.ghosts.boxes.back().position.z -= 0.6f; // behind the first
+    frame.ghosts.boxes.back().position.z -= 0.6f; // behind the first ghost
     const Color two = draw();
     frame.ghosts.boxes.clear();
     const Color behind = draw();
@@ -91,7 +91,7 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
     const OrbitCamera camera(pose);
     RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
-    frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // the shadow of a cube of one meter falls one meter far along -x
+    frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // the shadow of a cube of 1 m extends 1 m along -x
     renderer.draw(frame);
 
     const Color sky = mean(renderer, 0.5, 0.03), box = mean_at(renderer, camera, {0.0, 0.5, 0.5});
@@ -101,17 +101,17 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     const Color shadowed = mean_at(renderer, camera, {-1.0, 0.0, 0.0}),
                 lit = mean_at(renderer, camera, {1.6, 0.0, 0.0});
     EXPECT_LT(shadowed.sum(), 0.75 * lit.sum());
-    EXPECT_GT(shadowed.sum(), 0.15 * lit.sum()); // the sky lights what the sun does not
+    EXPECT_GT(shadowed.sum(), 0.15 * lit.sum()); // ambient light from the sky remains
 
     frame.shadows = false;
     renderer.draw(frame);
     EXPECT_NEAR(mean_at(renderer, camera, {-1.0, 0.0, 0.0}).sum(), lit.sum(), 0.05 * lit.sum());
 }
 
-// A pixel is 5 cm here: the second ball is 120 of them to the right of the first.
+// A pixel is 5 cm here: the second ball is 120 pixels to the right of the first.
 TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
     HeadlessRenderer renderer(width, height);
-    for (const double depth : {0.0, -30.0, 25.0}) { // the last one is behind the eye
+    for (const double depth : {0.0, -30.0, 25.0}) { // the last ball is behind the eye
         World world;
         std::vector<Appearance> red;
         for (const Position& place : {Position(-3.0, 0.0, 0.0), Position(3.0, 0.0, depth)})
@@ -137,8 +137,8 @@ TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
     }
 }
 
-// A wall with a picture of four colors, one of which is a hole: each color is where the file has it, the hole shows
-// what is behind, and colors that say something, as those of masses, are not covered.
+// A wall with a texture of four colors, one of which is transparent: each color is at the position given by the file,
+// the hole shows the background, and modes in which colors encode data, such as masses, are not covered by textures.
 TEST(HeadlessRenderer, TexturesCoverMeshesAsTheFileHasThem) {
     World world;
     const BodyId body = world.create_body({.type = BodyType::static_});
@@ -252,7 +252,8 @@ TEST(HeadlessRenderer, BoxesOfLinesAreDrawnAndFaintBehindBodies) {
     RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
     renderer.draw(frame);
     const std::vector<std::uint8_t> plain(renderer.pixels().begin(), renderer.pixels().end());
-    // How much bluer the picture is on the way from one point to the other, at the bluest pixel across.
+    // The excess of blue along the line between two points, at the bluest pixel across the line; the minimum along the
+    // line.
     const auto blue_on = [&](const Position& a, const Position& b) {
         double least = 1e9;
         for (int i = 1; i < 10; ++i) {
@@ -310,7 +311,7 @@ TEST(HeadlessRenderer, StrokesAreSeenThroughBodiesButFainter) {
     const double hidden = with_dot(inside);
     EXPECT_GT(hidden, plain + 30.0);
     EXPECT_LT(hidden, 200.0);
-    // A veil lets through what is behind it, from either side.
+    // A translucent veil shows what is behind it, from either side.
     const Color sky = (renderer.draw(frame), mean_at(renderer, camera, beside));
     for (const float way : {-1.0f, 1.0f}) {
         RenderFrame veiled = frame;
@@ -333,11 +334,11 @@ TEST(HeadlessRenderer, EdgesAreSmooth) {
     for (std::size_t i = 0; i + 2 < renderer.pixels().size(); i += 3)
         colors.insert(std::uint32_t(renderer.pixels()[i]) << 16 | std::uint32_t(renderer.pixels()[i + 1]) << 8 |
                       renderer.pixels()[i + 2]);
-    EXPECT_GT(colors.size(), 500u); // neither blank nor flat
+    EXPECT_GT(colors.size(), 500u); // neither blank nor uniform
 }
 
-// How far a picture is from one of four times the pixels each way, drawn small: the mean over those colors that differ
-// from a neighbor's.
+// The error of a picture relative to one with four times the resolution that is scaled down: the mean over pixels whose
+// color differs from a neighbor's.
 double error_at_edges(const std::vector<std::uint8_t>& picture, const std::vector<std::uint8_t>& large) {
     double sum = 0.0;
     int count = 0;
@@ -375,10 +376,10 @@ TEST(HeadlessRenderer, APassOverThePictureSmoothsEdgesAsSamplesDo) {
         renderer.draw(frame, Smoothing::edges);
         edges += error_at_edges(renderer.pixels(), large.pixels());
     }
-    EXPECT_LT(edges, 1.85 * samples) << edges << " and " << samples; // 2.16 times without the pass, 1.67 with it
+    EXPECT_LT(edges, 1.85 * samples) << edges << " and " << samples; // the ratio is 2.16 without the pass, 1.67 with it
 }
 
-// ms of processor time, the least of some frames with so many bodies.
+// Processor time of a frame with that many bodies, ms; the minimum of several frames.
 double time_of_frame(int bodies) {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < bodies; ++i) {
@@ -401,8 +402,8 @@ double time_of_frame(int bodies) {
     return least;
 }
 
-// With OpenGL on the processor this is what a window has to do thirty times a second. Beside ten bodies, as the same
-// machine takes half as long again at times.
+// With software OpenGL, a window must do this thirty times per second. The time is compared with that of ten bodies, as
+// the same machine is sometimes slower by half.
 TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
     if (cairn_test::is_sanitized) GTEST_SKIP() << "sanitizers take longer";
     if (opengl_renderer().find("llvmpipe") == std::string::npos) GTEST_SKIP() << "the processor does not draw";
@@ -423,7 +424,7 @@ TEST(HeadlessRenderer, HalfOfThePixelsGiveThePictureInLessTime) {
         return double(std::clock() - before);
     };
     const double whole_time = time_of(whole, 1.0f), half_time = time_of(half, 0.5f);
-    double difference = 0.0; // of colors, 0 to 255
+    double difference = 0.0; // of color values, 0 to 255
     for (std::size_t i = 0; i < whole.pixels().size(); ++i)
         difference += std::abs(double(whole.pixels()[i]) - double(half.pixels()[i])) / double(whole.pixels().size());
     EXPECT_LT(difference, 2.0);

@@ -1,4 +1,4 @@
-// The formula of an impact beside what the engine does.
+// The textbook formula for an impact, compared with the engine.
 #include "viewer/impact.h"
 #include "viewer/stage.h"
 
@@ -31,7 +31,7 @@ ShapeDef smooth_shape(float restitution) {
     return def;
 }
 
-// Steps until something is hit, and explains it.
+// Steps until the first impact, and explains it.
 Impact first_impact(World& world, float step) {
     for (int i = 0; i < 2000; ++i) {
         World before;
@@ -72,15 +72,15 @@ TEST(Impact, OfTwoBallsIsSharedByTheirMasses) {
     }
     const Impact impact = first_impact(world, 1.0f / 60.0f);
     EXPECT_NEAR(impact.relative_speed, -4.0, 1e-3);
-    EXPECT_NEAR(impact.impulse, 1.5 * 4.0 * 0.75, 1e-2); // (1 + e) vr times the reduced mass
+    EXPECT_NEAR(impact.impulse, 1.5 * 4.0 * 0.75, 1e-2); // (1 + e) v_rel times the reduced mass
     EXPECT_NEAR(impact.given, impact.impulse, 0.05);
-    // Surfaces 1.5 m apart, at 4 m/s.
+    // The surfaces are 1.5 m apart and approach at 4 m/s.
     EXPECT_NEAR(double(impact.step - 1) / 60.0 + impact.time, 1.5 / 4.0, 1e-5);
     for (const ImpactSide* side : {&impact.first, &impact.second})
         EXPECT_NEAR(side->velocity_then.x, side->velocity_after.x, 0.05);
 }
 
-// A box that falls on a corner spins up: here the terms of turning count most.
+// A box that falls on a corner starts to spin: here the rotational terms of the formula matter most.
 TEST(Impact, OfABoxOnItsCornerMakesItTurnAsTheFormulaSays) {
     World world{{.gravity = {0.0f, 0.0f, 0.0f}}};
     world.add_shape(world.create_body(test::static_body()), Plane{}, smooth_shape(0.4f));
@@ -109,7 +109,8 @@ TEST(Impact, TheStageFindsTheLastOneBeforeNowAndShowsItSlowly) {
     const Impact impact = *stage.state().impact;
     EXPECT_EQ(impact.first.body == ball ? impact.second.body : impact.first.body, box);
     EXPECT_EQ(stage.state().impact_partners, std::vector<BodyId>{box});
-    EXPECT_EQ(stage.state().current->transforms[3].position, before.current->transforms[3].position); // untouched
+    // The world is not changed.
+    EXPECT_EQ(stage.state().current->transforms[3].position, before.current->transforms[3].position);
     stage.apply(command::WatchImpact{});
     for (int i = 0; i < 2000 && (i < 2 || !stage.state().paused); ++i) {
         stage.advance(1.0 / 60.0);
@@ -124,7 +125,7 @@ TEST(Impact, TheStageFindsTheLastOneBeforeNowAndShowsItSlowly) {
     stage.apply(command::SeekTo{impact.step - 1});
     stage.advance(0.0);
     stage.apply(command::ExplainImpact{ball, {}});
-    EXPECT_FALSE(stage.state().impact); // it has not happened yet
+    EXPECT_FALSE(stage.state().impact); // the impact is still in the future
 }
 
 } // namespace

@@ -79,7 +79,7 @@ TEST(Inspect, ASliderIsUndoneAsOne) {
     EXPECT_FLOAT_EQ(facts_of(stage).mass.mass, 1000.0f);
 }
 
-// On a slope of 30 degrees, rubber on concrete holds (tan 30 = 0.577 < 1) and oiled steel slides.
+// On a slope of 30 degrees, rubber on concrete sticks (tan 30 = 0.577 < 1) and oiled steel slides.
 TEST(Inspect, PresetsDecideWhatSlides) {
     for (const MaterialPreset& preset : material_presets()) {
         Stage stage(
@@ -93,7 +93,7 @@ TEST(Inspect, PresetsDecideWhatSlides) {
                 return scene;
             },
             "");
-        for (int i = 0; i < 20; ++i) stage.step(); // comes to rest: what still slides is not held
+        for (int i = 0; i < 20; ++i) stage.step(); // until it rests: friction does not hold a box that still slides
         const BodyId box = stage.world().bodies().back();
         stage.apply(command::SelectBody{box});
         stage.apply(command::EditBody{box, edit::Surface{with_preset({}, preset), true}});
@@ -137,7 +137,7 @@ TEST(Inspect, TheSceneIsSavedAsItStandsWithoutTheMouse) {
     EXPECT_EQ(saved.appearances.size(), 1u);
 }
 
-// A scene that was saved was shown by its shapes alone.
+// Without the fix a saved scene was shown with its shapes instead of its visual meshes.
 TEST(Inspect, ASavedSceneHasTheMeshesOfItsFile) {
     LoadedScene saved;
     Savers savers;
@@ -199,7 +199,7 @@ TEST(Inspect, ForceFieldsAreAddedChangedRemovedAndUndone) {
     Stage stage(test::load_boxes, "1");
     const BodyId box = stage.world().bodies().back();
     ForceField wind;
-    wind.direction = Vec3(9.0f, 0.0f, 0.0f); // more than friction bears
+    wind.direction = Vec3(9.0f, 0.0f, 0.0f); // more than friction can resist
     stage.apply(command::AddField{wind});
     ASSERT_EQ(stage.state().fields.size(), 1u);
     const ForceFieldId id = stage.state().fields[0].first;

@@ -17,7 +17,7 @@ TEST(Integrators, TheExactSolutionKeepsItsEnergyAndSolvesTheEquation) {
         for (double t = 0.0; t < 7.0; t += 0.137) {
             const LabState now = exact(system, t);
             EXPECT_NEAR(energy_of(system, now) / start, 1.0, 1e-10) << name_of(system) << " " << t;
-            // Many short steps of a good integrator lead to the same.
+            // Many short steps of an accurate integrator must give the same result.
             const double h = 1e-5;
             const LabState next = step(system, Integrator::rk4, now, h), known = exact(system, t + h);
             for (std::size_t i = 0; i < 2; ++i) {
@@ -36,9 +36,9 @@ TEST(Integrators, ExplicitEulerGainsEnergyAndTheOthersDoNot) {
         const auto end = [&](Integrator integrator) {
             return energy_of(system, trajectory(system, integrator, 1.0 / 240.0, 5.0).back()) / start;
         };
-        const double gain = start < 0.0 ? -1.0 : 1.0; // that of an orbit is, and of a top
+        const double gain = start < 0.0 ? -1.0 : 1.0; // the energy of an orbit is negative, and so is that of the top
         EXPECT_GT(gain * end(Integrator::explicit_euler), gain * 1.0 + 0.05) << name_of(system);
-        if (system == LabSystem::top) // its force depends on the velocity
+        if (system == LabSystem::top) // the force on the top depends on its velocity
             EXPECT_GT(gain * end(Integrator::semi_implicit_euler), gain * 1.0 + 0.05);
         else
             EXPECT_NEAR(end(Integrator::semi_implicit_euler), 1.0, 0.15) << name_of(system);
@@ -50,7 +50,7 @@ TEST(Integrators, ErrorsShrinkByTheOrderOfTheMethod) {
     for (const LabSystem system : lab_systems) {
         const auto order = [&](Integrator integrator) {
             const double t = period_of(system);
-            // Short enough for the order to show, and for RK4 not so short that rounding does.
+            // Steps short enough for the order to show, but for RK4 not so short that rounding dominates.
             const double h = integrator == Integrator::rk4 ? 1.0 / 480.0 : 1.0 / 1920.0;
             return std::log2(greatest_error(system, integrator, h, t) / greatest_error(system, integrator, h / 2.0, t));
         };
@@ -60,7 +60,7 @@ TEST(Integrators, ErrorsShrinkByTheOrderOfTheMethod) {
     }
 }
 
-// What is taught is what the engine does, but for the rounding of its single precision.
+// The integrators of the lesson are those of the engine, up to rounding in single precision.
 TEST(Integrators, TheyAreThoseOfTheEngine) {
     for (const LabSystem system : {LabSystem::spring, LabSystem::orbit}) {
         for (const Integrator integrator : lab_integrators) {

@@ -1,4 +1,4 @@
-// Joints in the viewer: on the stage, by keys and mouse, in words, and as strokes.
+// Joints in the viewer: on the stage, by keys and mouse, as text, and as strokes.
 #include "viewer/controller.h"
 #include "viewer/joint_drawing.h"
 #include "viewer/joint_info.h"
@@ -23,7 +23,7 @@ using namespace cairn::viewer;
 using test::aspect;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// A box that hangs by a hinge from the world, 3 m up, and swings about z; beside it a box that is free.
+// A box that hangs 3 m above the ground from a hinge to the world, and swings about z; beside it a free box.
 LoadedScene hanging_box(const std::string& path) {
     LoadedScene scene = test::boxes_on_plane(0);
     const BodyId door = scene.world.create_body(test::body_at({0.0, 2.5, 0.0}));
@@ -54,7 +54,7 @@ TEST(StageJoints, AreListedWithTheirStates) {
     EXPECT_FALSE(joints_of(state)[0].body_a);
     EXPECT_EQ(state.layout->bodies.at(joints_of(state)[0].body_b.value()).id, joints_of(state)[0].def.body_b);
     ASSERT_EQ(state.current->joint_states.size(), 1u);
-    EXPECT_NEAR(state.current->joint_states[0].force.y, 9810.0f, 200.0f); // a ton hangs on it
+    EXPECT_NEAR(state.current->joint_states[0].force.y, 9810.0f, 200.0f); // carries the weight of one ton
 }
 
 TEST(StageJoints, TheDragIsNoJointOfTheSceneAndGoesWithTheRelease) {
@@ -70,7 +70,7 @@ TEST(StageJoints, TheDragIsNoJointOfTheSceneAndGoesWithTheRelease) {
     stage.apply(command::ReleaseGrab{});
     EXPECT_EQ(stage.world().joints().size(), 1u);
     stage.apply(command::GrabBody{at_hanging, 2});
-    stage.apply(command::GrabBody{at_hanging, 3}); // the release was missed
+    stage.apply(command::GrabBody{at_hanging, 3}); // the previous release was not reported
     EXPECT_EQ(stage.world().joints().size(), 2u);
     stage.apply(command::ResetScene{});
     EXPECT_EQ(stage.world().joints().size(), 1u);
@@ -87,7 +87,7 @@ TEST(StageJoints, ADraggedBodyPullsOnItsJoints) {
     EXPECT_NEAR(door.positions[0], 0.5f, 0.05f); // at its limit
     EXPECT_LT(door.linear_error, 0.01f);
     EXPECT_GT(door.force.x, -1e6f);
-    EXPECT_LT(std::abs(door.force.x), 1e6f); // the drag's force is capped
+    EXPECT_LT(std::abs(door.force.x), 1e6f); // the force of a drag is bounded
 }
 
 TEST(StageJoints, ValuesAreChangedWhileItRuns) {
@@ -102,7 +102,7 @@ TEST(StageJoints, ValuesAreChangedWhileItRuns) {
     EXPECT_FALSE(std::get<HingeJoint>(def.joint).angle.limits);
     hinge.angle.limits = JointRange{1.0f, -1.0f, {}};
     stage.apply(command::SetJoint{door, hinge});
-    EXPECT_NE(stage.state().message.text.find("lower"), std::string::npos); // refused, and it says why
+    EXPECT_NE(stage.state().message.text.find("lower"), std::string::npos); // rejected with the reason
     EXPECT_FALSE(std::get<HingeJoint>(joints_of(stage.state())[0].def.joint).angle.limits);
 }
 
@@ -114,7 +114,7 @@ TEST(StageJoints, SolverAndStrengthAreChangedToo) {
     const StageState state = stage.state();
     ASSERT_EQ(joints_of(state).size(), 1u);
     EXPECT_EQ(joints_of(state)[0].def.solver, JointSolver::iterative);
-    EXPECT_EQ(state.selected_joint, joints_of(state)[0].id); // the one made in its place
+    EXPECT_EQ(state.selected_joint, joints_of(state)[0].id); // the joint that replaces the first one
     EXPECT_EQ(joints_of(state)[0].def.name, "door");
     stage.apply(command::SetJointStrength{joints_of(state)[0].id, 100.0f, infinity});
     for (int i = 0; i < 10; ++i) stage.step();
@@ -130,8 +130,8 @@ TEST(StageJoints, AreDisabledAndEnabledAgain) {
     StageState state = stage.state();
     EXPECT_FALSE(joints_of(state)[0].def.enabled);
     const WorldMotion& now = *state.current;
-    EXPECT_GT(now.joint_states[0].linear_error, 0.3f);                                  // it fell
-    EXPECT_EQ(joint_color(joints_of(state)[0], now.joint_states[0]), disabled_color()); // which is no failure
+    EXPECT_GT(now.joint_states[0].linear_error, 0.3f);                                  // the body fell
+    EXPECT_EQ(joint_color(joints_of(state)[0], now.joint_states[0]), disabled_color()); // no error color
     stage.apply(command::SetJointSolver{door, JointSolver::direct});
     EXPECT_FALSE(joints_of(stage.state())[0].def.enabled);
     stage.apply(command::SetJointEnabled{joints_of(stage.state())[0].id, true});
@@ -182,11 +182,11 @@ TEST(StageJoints, AreMadeWithTheWorldAndWithTheSelectedBody) {
     EXPECT_EQ(hinge.def.body_a, state.selected);
     EXPECT_EQ(hinge.body_b, 2u);
     const JointFrames frames = frames_of(hinge, state.current->transforms);
-    EXPECT_LT(glm::distance(frames.a.position, Position(3.0, 0.5, 0.5)), 1e-4); // where the ray met the box
+    EXPECT_LT(glm::distance(frames.a.position, Position(3.0, 0.5, 0.5)), 1e-4); // where the ray hit the box
     EXPECT_LT(glm::distance(frames.b.position, Position(3.0, 0.5, 0.5)), 1e-4);
-    EXPECT_NEAR((frames.a.rotation * Vec3(1.0f, 0.0f, 0.0f)).z, 1.0f, 1e-4f); // about the surface's normal
+    EXPECT_NEAR((frames.a.rotation * Vec3(1.0f, 0.0f, 0.0f)).z, 1.0f, 1e-4f); // about the surface normal
 
-    stage.apply(command::MakeJoint{at_ground, command::JoinKind::ball}); // the selected one with the ground
+    stage.apply(command::MakeJoint{at_ground, command::JoinKind::ball}); // between the selected body and the ground
     ASSERT_EQ(joints_of(stage.state()).size(), 4u);
     EXPECT_EQ(joints_of(stage.state())[3].def.body_b, state.selected);
     EXPECT_EQ(joints_of(stage.state())[3].body_a, 0u);
@@ -227,19 +227,19 @@ struct JointDesk {
 
 TEST(ControllerJoints, AClickOnAnAnchorSelectsTheJoint) {
     JointDesk desk;
-    desk.click({0.0, 3.0, 0.0}); // its joint is not shown yet
+    desk.click({0.0, 3.0, 0.0}); // its joint is not drawn yet
     EXPECT_FALSE(desk.stage.state().selected_joint);
     desk.click({0.0, 2.5, 0.5}); // the body
     EXPECT_TRUE(desk.stage.state().selected);
     desk.click({0.0, 3.0, 0.0});
     EXPECT_EQ(desk.stage.state().selected_joint, joints_of(desk.stage.state())[0].id);
-    desk.click({-3.0, 4.5, 0.0}); // the sky
+    desk.click({-3.0, 4.5, 0.0}); // no body there
     EXPECT_FALSE(desk.stage.state().selected_joint);
-    desk.controller.key_down("", "T"); // all are shown
+    desk.controller.key_down("", "T"); // draws all joints
     desk.click({0.0, 3.0, 0.0});
     EXPECT_TRUE(desk.stage.state().selected_joint);
     desk.click({-3.0, 4.5, 0.0});
-    desk.controller.key_down("", "T"); // what is not seen is not picked
+    desk.controller.key_down("", "T"); // joints that are not drawn cannot be picked
     desk.click({0.0, 3.0, 0.0});
     EXPECT_FALSE(desk.stage.state().selected_joint);
 }
@@ -263,7 +263,7 @@ TEST(ControllerJoints, KeysMakeRemoveAndHide) {
     }
 }
 
-// One joint of every kind between two bodies that stand clear of each other.
+// One joint of every kind between two bodies at a distance from each other.
 std::vector<Joint> all_kinds() {
     GeneralJoint general;
     general.limits.push_back({JointAxis::linear, {true, true, true}, 0.0f, 0.0f, {}, 0.0f});
@@ -362,9 +362,9 @@ TEST(JointDrawing, EveryKindIsDrawnNearItsBodies) {
         for (const Stroke& stroke : frame.strokes)
             for (const Vec3& end : {stroke.from, stroke.to}) {
                 const Position at = frame.origin + Position(end);
-                EXPECT_LT(glm::distance(at, Position(1.0, 2.0, 0.0)), 3.5) << name_of(joint); // also: not NaN
+                EXPECT_LT(glm::distance(at, Position(1.0, 2.0, 0.0)), 3.5) << name_of(joint); // also excludes NaN
             }
-        // The selected one stands out.
+        // The selected joint stands out.
         const RenderFrame selected = pair.frame(id);
         EXPECT_EQ(selected.strokes[0].color, Vec3(1.0f)) << name_of(joint);
         EXPECT_GT(selected.strokes[0].width, frame.strokes[0].width) << name_of(joint);
@@ -390,7 +390,7 @@ TEST(JointDrawing, OnlyWhatIsSelectedOrLoadedIsDrawnUnlessAllAreAskedFor) {
                            [](const Stroke& stroke) { return stroke.color != selection_color(); });
     };
     options.joints = JointsShown::some;
-    EXPECT_FALSE(is_drawn());                      // it just hangs
+    EXPECT_FALSE(is_drawn());                      // it carries an ordinary load
     options.selected = state.layout->bodies[2].id; // the free box
     EXPECT_FALSE(is_drawn());
     options.selected = state.layout->bodies[1].id;
@@ -405,7 +405,7 @@ TEST(JointDrawing, OnlyWhatIsSelectedOrLoadedIsDrawnUnlessAllAreAskedFor) {
     EXPECT_FALSE(is_drawn());
     stage.apply(command::SetJointStrength{joints_of(state)[0].id, 1.5f * weight, infinity});
     state = stage.state();
-    EXPECT_TRUE(is_drawn()); // near its strength
+    EXPECT_TRUE(is_drawn()); // near its breaking force
     options.joints = JointsShown::none;
     EXPECT_FALSE(is_drawn());
     stage.apply(command::SetJointStrength{joints_of(state)[0].id, infinity, infinity});
@@ -421,7 +421,7 @@ TEST(JointDrawing, AHingesSectorReachesFromLimitToLimit) {
     const JointId id = pair.join(hinge);
     const RenderFrame frame = pair.frame();
     ASSERT_FALSE(frame.veils.empty());
-    // Angles of the rim as the engine counts them: those of frame B's y axis about A's x axis.
+    // Angles of the rim as the engine measures them: those of frame B's y axis about A's x axis.
     const JointDef& def = pair.world.joint_def(id);
     const Quat a = pair.world.body(pair.a).rotation() * def.frame_a.rotation;
     float least = infinity, greatest = -infinity;
@@ -440,7 +440,7 @@ TEST(JointDrawing, ColorsTellLoadAndError) {
     JointLayout joint;
     JointState state;
     state.force = {0.0f, 80.0f, 0.0f};
-    EXPECT_EQ(joint_color(joint, state), joint_ramp(0.0f)); // it cannot break
+    EXPECT_EQ(joint_color(joint, state), joint_ramp(0.0f)); // the joint cannot break
     joint.def.break_force = 100.0f;
     EXPECT_EQ(joint_color(joint, state), joint_ramp(0.8f));
     state.linear_error = 0.2f;
@@ -462,7 +462,7 @@ TEST(JointDrawing, BandsHaveTheirWidthInPixels) {
     for (const Vec3& corner : band)
         EXPECT_LE(glm::distance(corner, Vec3(0.0f, 0.0f, -5.0f)), 3.01f * view.pixel * 5.0f);
     EXPECT_FALSE(band.empty());
-    view.parallel_distance = 20.0f; // wherever it is, also behind the eye
+    view.parallel_distance = 20.0f; // at any depth, also behind the eye
     for (const float z : {0.0f, 10.0f}) {
         band.clear();
         add_band(band, {line.from + Vec3(0.0f, 0.0f, z), line.to + Vec3(0.0f, 0.0f, z), Vec3(1.0f), 4.0f}, view);

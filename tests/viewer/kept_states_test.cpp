@@ -1,4 +1,4 @@
-// Whole states of a run as differences from each other: whatever becomes of the others, each is what it was.
+// States of a run, compressed as differences from each other: removing or changing others never changes a state.
 #include "viewer/kept_states.h"
 
 #include "test_scene.h"
@@ -14,7 +14,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-// Balls that roll for ever.
+// Balls that never stop rolling.
 LoadedScene rolling_balls() {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < 20; ++i) {
@@ -39,7 +39,7 @@ void expect_all(const KeptStates& states, const std::map<std::uint64_t, std::vec
     }
 }
 
-// What is done, by chance; the answer is what `bytes` said after each of it.
+// Applies random operations; returns the result of `bytes` after each of them.
 std::vector<std::size_t> do_at_random(World& world, unsigned seed) {
     std::mt19937 random(seed);
     std::map<std::uint64_t, std::vector<std::byte>> saved;
@@ -57,13 +57,13 @@ std::vector<std::size_t> do_at_random(World& world, unsigned seed) {
             states.thin_out();
         } else if (chance == 1 && states.count() > 2) {
             states.drop_oldest();
-        } else if (chance == 2) { // a branch
+        } else if (chance == 2) { // branches off
             step = states.before(states.first() + random() % (states.last() - states.first() + 1));
             world.restore(states.state(step));
             states.drop_after(step);
             world.body(world.bodies().back()).set_linear_velocity({0.0f, float(i), 0.0f});
         } else if (chance == 3) {
-            KeptStates copy = states; // which goes another way
+            KeptStates copy = states; // the copy continues differently
             world.step(1.0f / 60.0f);
             copy.keep(world, ++step);
             copy.drop_after(copy.first());
@@ -86,7 +86,7 @@ TEST(KeptStates, AreWhatTheyWereWhateverBecomesOfTheOthers) {
     }
 }
 
-// In one world: each has a number, which its states have in them.
+// Uses a single world, because states contain the number of their world.
 TEST(KeptStates, TakeTheSameBytesHoweverFastTheirThreadIs) {
     LoadedScene scene = rolling_balls();
     World& world = scene.world;
@@ -116,7 +116,8 @@ TEST(KeptStates, OfAWorldAtRestTakeLittleBesideTheFirst) {
         states.keep(scene.world, step);
     }
     states.settle();
-    EXPECT_LT(states.bytes(), 12 * states.last_size()); // the first and up to seven on the way to the last are whole
+    // The first state, and up to seven on the path to the last one, are stored completely.
+    EXPECT_LT(states.bytes(), 12 * states.last_size());
 }
 
 } // namespace

@@ -64,7 +64,8 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-// What the line about an action must say. The words are the keys' effects in controller.cpp and spawn.cpp.
+// The phrase that the help line of an action must contain. The phrases follow the effects of keys in controller.cpp and
+// spawn.cpp.
 std::string promise_of(Action action) {
     switch (action) {
     case Action::shoot:
@@ -122,7 +123,7 @@ std::string promise_of(Action action) {
     }
 }
 
-// How the key map writes the key of a chord, without its modifiers.
+// The spelling of the chord's key in the key map, without its modifiers.
 std::string written(const std::string& chord) {
     static const std::map<std::string, std::string> names{{"PageUp", "up"},
                                                           {"PageDown", "down"},
@@ -149,7 +150,7 @@ TEST(KeyMap, TheKeyMapOnTheScreenSaysWhatTheKeysDo) {
     std::set<std::string> explained;
     for (const KeyHelp& line : key_help()) {
         const std::vector<std::string> keys = words_of(line.keys);
-        std::size_t place = 0; // in the meaning: keys and their effects come in the same order
+        std::size_t place = 0; // position in the meaning, where keys and their effects are in the same order
         for (const std::string& chord : words_of(line.chords)) {
             const auto binding = find_binding(chord);
             ASSERT_TRUE(binding) << chord;
@@ -161,7 +162,7 @@ TEST(KeyMap, TheKeyMapOnTheScreenSaysWhatTheKeysDo) {
             EXPECT_NE(found, std::string::npos) << chord << " is to " << promise << ", not " << line.meaning;
             if (found != std::string::npos) place = found;
         }
-        // A key that a line names by its letter must be one that it is about.
+        // A letter key in a line's text must be one of the keys that the line describes.
         for (const std::string& key : keys) {
             const bool is_letter = key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z';
             EXPECT_TRUE(!is_letter || line.chords.find(key) != std::string_view::npos) << key;
@@ -196,7 +197,7 @@ TEST(KeyMap, HintsOfScenesNameKeysThatDoWhatTheySay) {
         const std::vector<std::string> words = words_of(hint);
         for (std::size_t i = 0; i + 1 < words.size(); ++i) {
             if (words[i] != "Press" && words[i] != "Hold" && words[i] != "press" && words[i] != "hold") continue;
-            if (std::islower(static_cast<unsigned char>(words[i + 1][0]))) continue; // "hold a tray"
+            if (std::islower(static_cast<unsigned char>(words[i + 1][0]))) continue; // as in "hold a tray"
             const auto binding = find_binding(words[i + 1]);
             ASSERT_TRUE(binding) << hint;
             EXPECT_EQ(is_held(binding->action), words[i] == "Hold" || words[i] == "hold") << hint;

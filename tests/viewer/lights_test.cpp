@@ -1,4 +1,4 @@
-// How bright the lights of scenes are in the picture.
+// The brightness of a scene's lights in the picture.
 #include "viewer/lights.h"
 
 #include <glm/geometric.hpp>

@@ -22,7 +22,7 @@ double volume(const TriangleMesh& mesh) {
     return sum;
 }
 
-// In a closed surface every edge is used once in each direction.
+// A surface is closed if every edge is used once in each direction.
 bool is_closed(const TriangleMesh& mesh) {
     std::map<std::pair<int, int>, int> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)

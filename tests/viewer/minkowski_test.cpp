@@ -1,4 +1,4 @@
-// The difference of two shapes, and GJK on it.
+// The Minkowski difference of two shapes, and GJK on it.
 #include "viewer/minkowski.h"
 #include "viewer/solver_view.h"
 
@@ -33,7 +33,7 @@ Quat some_turn(std::mt19937& random) {
     return glm::normalize(Quat(normal(random), normal(random), normal(random), normal(random)));
 }
 
-// The distance of a ball's middle from a shape, by the engine, is that of the ball and its radius.
+// The engine's distance of a ball's center from a shape equals GJK's distance of the ball plus its radius.
 TEST(Minkowski, GjkFindsTheDistancesThatTheEngineFinds) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-2.0, 2.0);
@@ -50,7 +50,7 @@ TEST(Minkowski, GjkFindsTheDistancesThatTheEngineFinds) {
             const double distance = glm::length(known->point - middle);
             const GjkResult found =
                 gjk(*convex_shape(world, id), {Sphere{0.1f}, {middle, Quat(1.0f, 0.0f, 0.0f, 0.0f)}});
-            if (distance < 0.11 || known->distance <= 0.0) continue; // inside
+            if (distance < 0.11 || known->distance <= 0.0) continue; // inside the shape
             ++apart;
             EXPECT_NEAR(found.distance, distance - 0.1, 1e-4) << shape.index() << " " << i;
             EXPECT_LE(found.simplex.size(), 3u);
@@ -101,7 +101,7 @@ TEST(Minkowski, ItIsDrawnAboutTheOtherBody) {
     EXPECT_GT(frame.veils.size(), 500u);
     ASSERT_FALSE(frame.strokes.empty());
     EXPECT_EQ(frame.strokes.back().from, Vec3(0.0f, 1.0f, 0.0f)); // the origin
-    draw_solver(frame, *read_solver(world, shown, 1.0 / 60.0));   // nothing is selected
+    draw_solver(frame, *read_solver(world, shown, 1.0 / 60.0));   // without a selection
 }
 
 } // namespace

@@ -22,7 +22,7 @@ TEST(Palette, MassesLieOnALogarithmicScale) {
     EXPECT_NEAR(mass_fraction(10.0f, 1.0f, 100.0f), 0.5f, 1e-5f);
     EXPECT_FLOAT_EQ(mass_fraction(100.0f, 1.0f, 100.0f), 1.0f);
     EXPECT_FLOAT_EQ(mass_fraction(std::numeric_limits<float>::infinity(), 1.0f, 100.0f), 1.0f);
-    EXPECT_FLOAT_EQ(mass_fraction(3.0f, 3.0f, 3.0f), 0.5f); // all alike
+    EXPECT_FLOAT_EQ(mass_fraction(3.0f, 3.0f, 3.0f), 0.5f); // all masses are equal
 }
 
 TEST(Palette, SpeedRampGetsLighterThroughout) {

@@ -1,4 +1,4 @@
-// The same scene with other settings beside a run.
+// Panes: the same scene with other settings, simulated beside the run.
 #include "viewer/pane.h"
 #include "viewer/pane_layout.h"
 #include "viewer/stage.h"
@@ -16,7 +16,7 @@ using namespace cairn::viewer;
 using test::seek;
 using test::step_to;
 
-// As the run itself, but for what a test changes.
+// The settings of the run itself, which a test then modifies.
 PaneSettings settings_of(const Stage& stage) {
     const StageState state = stage.state();
     return {float(state.time_step), state.usual_substeps, state.settings.integrator, {}};
@@ -59,11 +59,11 @@ TEST(Pane, FrictionAndIntegratorsMakeADifference) {
     stage.apply(command::Spawn{ball, {0.0, 30.0, 5.0}});
     step_to(stage, 90);
     const StageState state = stage.state();
-    // Without friction it goes on with 3 m/s for 1.5 s; with 0.6 it came to rest after 3^2 / (2 0.6 9.81) m.
+    // Without friction the box moves on at 3 m/s for 1.5 s; with 0.6 it comes to rest after 3^2 / (2 0.6 9.81) m.
     EXPECT_NEAR(place(state, 0, 1).x, -4.5, 0.05);
     EXPECT_GT(state.current->transforms[1].position.x, -1.6);
-    // What falls for a time t with n steps of length h is above t^2 g / 2 by t g h / 2 with explicit Euler, and below
-    // by as much with semi-implicit Euler, of which substeps are the steps.
+    // A body that falls for a time t in steps of length h is above t^2 g / 2 by t g h / 2 with explicit Euler, and
+    // below it by as much with semi-implicit Euler, whose steps are the substeps.
     const double fallen = 0.5 * 9.81 * 1.5 * 1.5, h = 1.0 / 60.0 / state.usual_substeps;
     EXPECT_NEAR(place(state, 1, 3).y - (30.0 - fallen), 0.5 * 1.5 * 9.81 * h, 1e-3);
     EXPECT_NEAR(place(state, 2, 3).y - (30.0 - fallen), -0.25 * 0.5 * 1.5 * 9.81 * h, 1e-3);
@@ -94,11 +94,11 @@ TEST(Pane, GoesWithTheRunThroughTimeAndItsChanges) {
     seek(stage, 10);
     for (std::size_t pane = 0; pane < 3; ++pane) EXPECT_EQ(stage.state().panes[pane].picture.layout->bodies.size(), 2u);
     seek(stage, 60);
-    stage.apply(command::Undo{}); // to before the ball
+    stage.apply(command::Undo{}); // to before the ball was added
     for (std::size_t pane = 0; pane < 3; ++pane) EXPECT_EQ(stage.state().panes[pane].picture.layout->bodies.size(), 2u);
     stage.apply(command::Redo{});
     seek(stage, 40);
-    stage.apply(command::RemoveLast{}); // another future
+    stage.apply(command::RemoveLast{}); // starts another future
     step_to(stage, 50);
     for (std::size_t pane = 0; pane < 3; ++pane) EXPECT_EQ(stage.state().panes[pane].picture.layout->bodies.size(), 2u);
 }

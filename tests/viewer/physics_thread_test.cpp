@@ -12,7 +12,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-// Asks again until the state is as wanted; false after ten seconds.
+// Polls until the state satisfies the condition; false after ten seconds.
 template <class Condition> bool comes_true(const PhysicsThread& physics, Condition condition) {
     for (int i = 0; i < 1000; ++i) {
         if (condition(physics.latest().stage)) return true;

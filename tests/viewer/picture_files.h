@@ -1,4 +1,4 @@
-// Small PNG and JPEG files, made here.
+// Small PNG and JPEG files for tests.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline std::string big_endian(std::uint32_t word) {
     return {char(word >> 24), char(word >> 16), char(word >> 8), char(word)};
 }
 
-// PNG, section 5.3: length, name, data, checksum.
+// A PNG chunk (PNG specification, section 5.3): length, name, data, checksum.
 inline std::string png_chunk(const std::string& name, const std::string& data) {
     std::uint32_t crc = 0xFFFFFFFFu;
     for (const char c : name + data) {
@@ -33,7 +33,7 @@ inline std::string png_header(std::uint32_t width, std::uint32_t height) {
     return "\x89PNG\r\n\x1A\n"s + png_chunk("IHDR", big_endian(width) + big_endian(height) + "\x08\x06\0\0\0"s);
 }
 
-// `texel(x, y)`: red, green, blue, alpha. The data are not compressed (RFC 1951, section 3.2.4).
+// A PNG file; `texel(x, y)` returns red, green, blue, alpha. The data are not compressed (RFC 1951, section 3.2.4).
 template <class Texel> std::string png_of(int width, int height, const Texel& texel) {
     std::string rows, data = "\x78\x01";
     for (int y = 0; y < height; ++y) {
@@ -55,7 +55,7 @@ template <class Texel> std::string png_of(int width, int height, const Texel& te
            png_chunk("IEND", "");
 }
 
-// Red and green above blue and a white that is not opaque.
+// Two by two texels: red and green above blue and a fully transparent white.
 inline std::string four_texels() {
     return png_of(2, 2, [](int x, int y) {
         using Texel = std::array<std::uint8_t, 4>;
@@ -64,7 +64,7 @@ inline std::string four_texels() {
     });
 }
 
-// 16 x 8, its left half red and its right half blue.
+// A JPEG of 16 x 8 pixels; its left half is red and its right half blue.
 inline std::string red_and_blue_jpeg() {
     constexpr std::string_view text =
         "/9j/4AAQSkZJRgABAgAAAQABAAD//gAQTGF2YzU5LjM3LjEwMAD/2wBDAAgEBAQEBAUFBQUFBQYGBgYGBgYGBgYGBgYHBwcICAgH"

@@ -33,7 +33,7 @@ TEST(RenderFrame, ShowsEveryShapeInItsPlace) {
     ASSERT_EQ(frame.grounds.size(), 1u);
     EXPECT_TRUE(frame.rectangles.empty());
     EXPECT_EQ(frame.boxes[1].position, Vec3(Position(2.0, 0.5, 0.0) - frame.origin));
-    EXPECT_EQ(frame.boxes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own
+    EXPECT_EQ(frame.boxes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own color
     EXPECT_EQ(frame.spheres[0].position, Vec3(Position(0.5, 4.0, -1.0) - frame.origin));
     EXPECT_EQ(frame.spheres[0].half_size, Vec3(0.25f));
 }
@@ -77,7 +77,7 @@ TEST(RenderFrame, ShapesOfTheSameDataAreInstancesOfOneMesh) {
     EXPECT_EQ(frame.meshes[2].instances[0].color, terrain_color());
     EXPECT_EQ(frame.meshes[2].instances[0].pattern, 1.0f);
 
-    // The next picture has the same meshes, not copies of them.
+    // The next frame shares the same meshes instead of copying them.
     const RenderFrame next = make_frame(world, {}, CameraPose{}, {}, meshes);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(next.meshes[i].mesh, frame.meshes[i].mesh);
 }
@@ -94,7 +94,7 @@ TEST(RenderFrame, SlopesAreNotTintedWhereColorsMeanSomething) {
     EXPECT_EQ(colored.color, own.color);
 }
 
-// A triangle for looks.
+// A triangle as a visual.
 std::shared_ptr<const ShapeMesh> some_visual() {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::uint32_t> triangle{0, 1, 2};
@@ -102,7 +102,7 @@ std::shared_ptr<const ShapeMesh> some_visual() {
         make_shape_mesh(visual_triangles(points, {}, triangle), MeshVisual::visual));
 }
 
-// A body of the color of highlights is told from its neighbors, too.
+// Corners distinguish the selected body even from one that has the highlight color.
 TEST(RenderFrame, CornersAreDrawnAroundTheSelectedBody) {
     LoadedScene scene = test::boxes_on_plane(3);
     const auto corners = [&](const FrameOptions& options) {
@@ -113,7 +113,7 @@ TEST(RenderFrame, CornersAreDrawnAroundTheSelectedBody) {
     };
     FrameOptions options;
     EXPECT_TRUE(corners(options).empty());
-    options.selected = scene.world.bodies()[0]; // the ground, which has no end
+    options.selected = scene.world.bodies()[0]; // the ground, which is infinite
     EXPECT_TRUE(corners(options).empty());
     options.selected = scene.world.bodies()[2];
     const std::vector<Position> one = corners(options);
@@ -124,7 +124,7 @@ TEST(RenderFrame, CornersAreDrawnAroundTheSelectedBody) {
     }
     options.selection = {scene.world.bodies()[2], scene.world.bodies()[3]};
     EXPECT_TRUE(corners(options).empty()) << "many would hide what they are around";
-    // A second shape, above the first: one box holds both.
+    // A second shape above the first: one box encloses both.
     ShapeDef above;
     above.position = {0.0f, 1.0f, 0.0f};
     scene.world.add_shape(scene.world.bodies()[2], Sphere{0.25f}, above);
@@ -146,7 +146,7 @@ TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
     FrameOptions options;
     options.selected = body;
     const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options, meshes, visuals);
-    EXPECT_EQ(frame.boxes.size(), 1u); // the other body has none
+    EXPECT_EQ(frame.boxes.size(), 1u); // the other body has no visual
     ASSERT_EQ(frame.meshes.size(), 1u);
     ASSERT_EQ(frame.meshes[0].instances.size(), 2u);
     const Instance& moving = frame.meshes[0].instances[0];
@@ -168,7 +168,7 @@ TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
     EXPECT_EQ(make_frame(scene.world, {}, scene.camera, options, meshes, visuals).meshes[0].instances[0].color,
               mass_ramp(0.5f));
 
-    scene.world.destroy_body(body); // takes its visual along
+    scene.world.destroy_body(body); // removes its visual too
     EXPECT_EQ(make_frame(scene.world, {}, scene.camera, {}, meshes, visuals).meshes[0].instances.size(), 1u);
 }
 
@@ -260,8 +260,8 @@ TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
     MeshCache meshes;
     const WorldLayout layout = read_layout(scene.world, {}, meshes);
     const WorldMotion motion = read_motion(scene.world, layout, true);
-    EXPECT_EQ(motion.islands[1], motion.islands[3]); // one on the other
-    EXPECT_NE(motion.islands[1], motion.islands[2]); // both on the ground, which joins nothing
+    EXPECT_EQ(motion.islands[1], motion.islands[3]); // one is on the other
+    EXPECT_NE(motion.islands[1], motion.islands[2]); // both are on the ground, which does not connect islands
 }
 
 TEST(RenderFrame, InterpolatesBetweenTwoStates) {
@@ -271,7 +271,7 @@ TEST(RenderFrame, InterpolatesBetweenTwoStates) {
     const WorldMotion before = read_motion(scene.world, layout);
     WorldMotion after = before;
     after.transforms[1].position.x += 1.0;
-    after.transforms[1].rotation = -before.transforms[1].rotation; // the same turn, written the other way
+    after.transforms[1].rotation = -before.transforms[1].rotation; // the same rotation with the opposite sign
     const RenderFrame frame = make_frame(layout, before, after, 0.25f, scene.camera);
     EXPECT_NEAR(frame.boxes[0].position.x + frame.origin.x, 0.25, 1e-6);
     EXPECT_NEAR(glm::length(frame.boxes[0].rotation), 1.0f, 1e-5f);
@@ -295,7 +295,7 @@ TEST(RenderFrame, GroundGridStandsStillWhenTheOriginMoves) {
     ASSERT_NE(near.origin, far.origin);
     const double step = (far.origin.x + far.grounds[0].position.x - far.grounds[0].grid_offset.x) -
                         (near.origin.x + near.grounds[0].position.x - near.grounds[0].grid_offset.x);
-    EXPECT_NEAR(step / 10.0, std::round(step / 10.0), 1e-4); // whole cells
+    EXPECT_NEAR(step / 10.0, std::round(step / 10.0), 1e-4); // a whole number of cells
 }
 
 TEST(RenderFrame, AGroundThatParallelRaysSeeFromItsEdgeIsALine) {
@@ -347,25 +347,25 @@ TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
     World world;
     world.add_shape(world.create_body(test::static_body()), Plane{});
     const BodyId ground = world.create_body(test::static_body());
-    world.add_shape(ground, test::hills(300, 100.0f)); // thirty kilometers
+    world.add_shape(ground, test::hills(300, 100.0f)); // 30 km
     const BodyId body = world.create_body(test::body_at({4.0, 4.0, 0.0}));
     world.add_shape(body, Capsule{0.5f, 0.25f, {}});
     const CameraPose pose = fit_camera(world);
-    EXPECT_LT(glm::distance(pose.target, Position(4.0, 2.375, 0.0)), 0.1); // it falls to the plane
+    EXPECT_LT(glm::distance(pose.target, Position(4.0, 2.375, 0.0)), 0.1); // the body falls to the plane
     EXPECT_LT(glm::distance(pose.target, pose.position), 20.0);
 
     world.destroy_body(body);
-    const CameraPose wide = fit_camera(world); // all that is left
+    const CameraPose wide = fit_camera(world); // frames all that is left
     EXPECT_LT(glm::distance(wide.target, Position(0.0)), 10.0);
     EXPECT_GT(glm::distance(wide.target, wide.position), 1.0e4);
     EXPECT_TRUE(std::isfinite(glm::distance(wide.target, wide.position)));
 
     world.destroy_body(ground);
-    const CameraPose alone = fit_camera(world); // an infinite plane
+    const CameraPose alone = fit_camera(world); // only an infinite plane
     EXPECT_LT(glm::distance(alone.target, alone.position), 100.0);
 }
 
-// They fell out of the picture.
+// Without the fix falling bodies left the picture.
 TEST(FitCamera, ShowsWhereBodiesFallTo) {
     World world;
     world.add_shape(world.create_body(test::static_body()), Plane{});
@@ -405,7 +405,7 @@ TEST(BoundingBall, HoldsEveryShape) {
     EXPECT_LT(ball.radius, 3.1f);
 }
 
-// From its upper end to its lower one, whichever way it hangs, and gone when the joint is.
+// The string goes from its upper to its lower end, whichever way it hangs, and disappears with the joint.
 TEST(RenderFrame, AJointThatTheSceneShowsIsAString) {
     World world;
     BodyDef def;

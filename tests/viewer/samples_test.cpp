@@ -45,7 +45,7 @@ TEST(Samples, WhatRestsPressesWithItsWeight) {
     EXPECT_NEAR(value(measure(scene.world, box, 30, 1.0 / 60.0), Quantity::body_contact_force), weight, 0.01 * weight);
 }
 
-// The quantity at the end, and how far the balance went from where it was at the start.
+// Energies at the end, and the drift of the energy balance since the start.
 struct Balance {
     double kinetic, friction, impacts, brought_in, drift;
     explicit Balance(const Stage& stage) {
@@ -59,7 +59,7 @@ struct Balance {
     }
 };
 
-// One box on a plane, at rest, of which the first sample is taken.
+// A box at rest on a plane, in which state the first sample is taken.
 struct SampledBox : Stage {
     SampledBox() : Stage(test::load_boxes, "1") {
         apply(command::SetPaused{true});
@@ -73,7 +73,7 @@ TEST(Samples, WhatSlidesLosesItsEnergyToFriction) {
     const BodyId box = stage.state().layout->bodies[1].id;
     const double mass = double(stage.world().body(box).mass()), start = stage.world().body(box).position().x;
     stage.apply(command::EditBody{box, edit::Velocity{{4.0f, 0.0f, 0.0f}}});
-    for (int i = 0; i < 30; ++i) stage.step(); // on its way
+    for (int i = 0; i < 30; ++i) stage.step(); // it still slides
     const Balance sliding(stage);
     const double way = stage.world().body(box).position().x - start;
     const double friction = 0.6 * mass * 9.81; // N
@@ -101,7 +101,7 @@ TEST(Samples, WhatBouncesLosesItsEnergyInImpacts) {
     const double fall = weight * (place.y - radius); // J, above the ground
     for (int i = 0; i < 80; ++i) stage.step();       // it has bounced once and is in the air
     const Balance once(stage);
-    EXPECT_NEAR(once.impacts, (1.0 - 0.09) * fall, 0.02 * fall); // the mean with the ground's restitution is 0.3
+    EXPECT_NEAR(once.impacts, (1.0 - 0.09) * fall, 0.02 * fall); // the mean of both restitutions is 0.3
     EXPECT_NEAR(once.friction, 0.0, 0.01 * fall);
     EXPECT_NEAR(once.drift, 0.0, 0.02 * fall);
     for (int i = 0; i < 600; ++i) stage.step(); // until it rests

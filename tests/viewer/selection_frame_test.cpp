@@ -1,4 +1,4 @@
-// A rectangle that is spanned in the picture selects the bodies in it.
+// A rectangle drawn with the mouse selects the bodies in it.
 #include "viewer/controller.h"
 #include "viewer/selection_frame.h"
 #include "viewer/stage.h"
@@ -16,7 +16,7 @@ using namespace cairn::viewer;
 
 using test::aspect;
 
-// Four boxes in a row 2 m apart on a plane, and the controller of a window that looks at them.
+// Four boxes in a row, 2 m apart on a plane, and the controller of a window that looks at them.
 struct FrameDesk {
     Stage stage{test::load_boxes, "4"};
     Controller controller{[this](Command command) { stage.apply(command); }, {}};
@@ -29,9 +29,10 @@ struct FrameDesk {
         controller.update(stage.state());
     }
     glm::vec2 seen(const Position& point) const { return *controller.camera.project(point, aspect); }
-    // From one corner to the other with the button down; `answered`: the stage has said what the press met.
+    // Drags from one corner to the other with the button down; `answered`: the stage has already reported what the
+    // press hit.
     void span(const glm::vec2& from, const glm::vec2& to, bool answered = true) {
-        controller.set_constraint(DragConstraint::vertical); // Shift
+        controller.set_constraint(DragConstraint::vertical); // as with Shift
         controller.move_cursor(from, aspect);
         controller.button_down(MouseButton::left);
         if (answered) controller.update(stage.state());
@@ -44,16 +45,16 @@ struct FrameDesk {
     }
     std::vector<BodyId> selection() const { return test::selection_of(stage); }
     std::vector<BodyId> some(std::initializer_list<std::size_t> indices) const { return test::some_of(boxes, indices); }
-    // Corners that leave room about the first two boxes, and cut the third one.
+    // Corners that enclose the first two boxes entirely, and cut the third one.
     glm::vec2 low() const { return seen({-1.0, -0.2, 1.0}); }
     glm::vec2 high() const { return seen({4.0, 2.0, 0.0}); }
 };
 
 TEST(SelectionFrame, ShiftAndADragBesideBodiesSelectWhatLiesInItAsAWhole) {
-    for (const bool answered : {true, false}) { // a slow stage learns of both ends of the drag at once
+    for (const bool answered : {true, false}) { // a slow stage receives both ends of the drag at once
         FrameDesk desk;
         const Position eye = desk.controller.camera.position();
-        desk.span(desk.high(), desk.low(), answered); // from whichever corner
+        desk.span(desk.high(), desk.low(), answered); // from any corner
         desk.let_go();
         EXPECT_EQ(desk.selection(), desk.some({0, 1})) << answered;
         EXPECT_EQ(desk.controller.camera.position(), eye) << "it does not orbit";
@@ -103,7 +104,7 @@ TEST(SelectionFrame, AnEmptyOneSaysSoAndLeavesTheSelection) {
 TEST(SelectionFrame, ADragThatBeginsOnABodyPullsItUpAndDown) {
     for (const bool answered : {true, false}) {
         FrameDesk desk;
-        desk.stage.apply(command::Spawn{box_preset(), {2.0, 5.0, 0.0}}); // lies in what would be the frame
+        desk.stage.apply(command::Spawn{box_preset(), {2.0, 5.0, 0.0}}); // lies inside what would be the rectangle
         desk.controller.update(desk.stage.state());
         desk.span(desk.seen({0.0, 0.5, 0.5}), desk.seen({5.0, 9.0, 0.0}), answered);
         EXPECT_FALSE(desk.controller.selection_frame());
@@ -119,7 +120,7 @@ TEST(SelectionFrame, WithoutShiftADragBesideBodiesOrbits) {
     desk.controller.move_cursor(desk.high(), aspect);
     desk.controller.button_down(MouseButton::left);
     desk.controller.update(desk.stage.state());
-    desk.controller.set_constraint(DragConstraint::vertical); // pressed later: it is the beginning that counts
+    desk.controller.set_constraint(DragConstraint::vertical); // pressed later: only the beginning of the drag counts
     desk.controller.move_cursor(desk.low(), aspect);
     EXPECT_FALSE(desk.controller.selection_frame());
     desk.let_go();
@@ -127,7 +128,7 @@ TEST(SelectionFrame, WithoutShiftADragBesideBodiesOrbits) {
     EXPECT_TRUE(desk.selection().empty());
 }
 
-// Looked at along -z, 10 m away, so that 0.1 of the picture's height are 0.414 m at the origin.
+// A camera that looks along -z from a distance of 10 m, so that 0.1 of the picture's height is 0.414 m at the origin.
 struct View {
     World world;
     OrbitCamera camera{{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}}};

@@ -1,4 +1,4 @@
-// The shaders must compile for the web too, whose GLSL is stricter.
+// The shaders must also compile for WebGL, whose GLSL is stricter.
 #include "viewer/shaders.h"
 
 #include <epoxy/egl.h>
@@ -35,7 +35,7 @@ class WebShaders : public testing::Test {
         eglDestroyContext(display_, context_);
     }
 
-    // The compiler's complaints; empty if it compiled.
+    // The compiler's error messages; empty if it compiled.
     static std::string compile(GLenum stage, const std::string& source) {
         const GLuint shader = glCreateShader(stage);
         const char* parts[] = {shaders::web_header, source.c_str()};

@@ -26,7 +26,7 @@ Corner corner(const TriangleMesh& mesh, std::size_t i) {
     return {p.x, p.y, p.z};
 }
 
-// Whether every edge is used once in each direction, where corners are told apart by their places.
+// Whether every edge is used once in each direction; vertices are identified by their positions.
 bool is_closed_mesh(const TriangleMesh& mesh) {
     std::map<std::pair<Corner, Corner>, int> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
@@ -45,7 +45,7 @@ double volume_of_mesh(const TriangleMesh& mesh) {
     return sum;
 }
 
-// The least cosine between a triangle and the normals of its corners.
+// The least cosine of the angle between a triangle's normal and its vertex normals.
 float min_agreement(const TriangleMesh& mesh) {
     float least = 1.0f;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -76,7 +76,7 @@ TEST(ShapeMeshes, RoundedShapesAreClosedSmoothAndFillTheirVolume) {
         double volume;
     } cases[] = {{hull, 8.0 + 24.0 * 0.5 + 6.0 * pi * 0.25 + 4.0 / 3.0 * pi * 0.125},
                  {Box{{1.0f, 1.0f, 1.0f}, 0.5f}, 8.0 + 24.0 * 0.5 + 6.0 * pi * 0.25 + 4.0 / 3.0 * pi * 0.125},
-                 // Pappus: the rim is a quarter disc swept around, both ends together half a disc.
+                 // Pappus's theorem: the rim is a quarter disk that is revolved; both ends together are half a disk.
                  {Cylinder{1.0f, 1.0f, {}, 0.25f},
                   pi * 1.25 * 1.25 * 2.0 + 2.0 * pi * 0.25 + pi * (pi * 0.0625 + 4.0 / 3.0 * 0.25 * 0.0625)}};
     for (const auto& c : cases) {
@@ -132,12 +132,12 @@ TEST(ShapeMeshes, RoundSurfacesAreSmooth) {
         }
     points.emplace_back(0, 1, 0);
     const TriangleMesh mesh = surface_triangles(points, indices);
-    EXPECT_EQ(mesh.vertices.size(), points.size()); // all corners at a point look alike
+    EXPECT_EQ(mesh.vertices.size(), points.size()); // triangles at a point share one vertex normal
     for (const MeshVertex& vertex : mesh.vertices) EXPECT_GT(glm::dot(vertex.normal, vertex.corner), 0.999f);
 }
 
 TEST(ShapeMeshes, NormalsDoNotDependOnHowAFaceIsCut) {
-    // The end of a flat-topped ridge: the same quadrilateral, cut along either diagonal.
+    // The end of a flat-topped ridge: the same quadrilateral, divided along either diagonal.
     const std::vector<Vec3> points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {2, -0.3f, 0}, {2, -0.3f, 1}};
     const std::array<std::vector<std::uint32_t>, 2> cuts{
         {{0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4}, {0, 1, 2, 1, 3, 2, 2, 3, 5, 2, 5, 4}}};
@@ -152,9 +152,9 @@ TEST(ShapeMeshes, NormalsDoNotDependOnHowAFaceIsCut) {
 }
 
 TEST(ShapeMeshes, AFanOfManyTrianglesIsBuiltQuickly) {
-    std::vector<Vec3> points{{0, 80, 0}}; // a cone: no two lean alike
+    std::vector<Vec3> points{{0, 80, 0}}; // a cone: no two triangles have the same slope
     std::vector<std::uint32_t> indices;
-    constexpr std::uint32_t count = 200000; // all meet in one vertex: must not take their square
+    constexpr std::uint32_t count = 200000; // all triangles share one vertex: the time must not be quadratic
     for (std::uint32_t i = 0; i < count; ++i) {
         const double angle = 6.283185307179586 * i / count;
         points.push_back({float(100.0 * std::cos(angle)), 0.0f, float(-100.0 * std::sin(angle))});
@@ -172,8 +172,8 @@ TEST(ShapeMeshes, HeightFieldsLieWhereTheirHeightsAre) {
     EXPECT_EQ(mesh.vertices[0].corner, Vec3(-2.0f, 0.0f, -0.5f));
     EXPECT_EQ(mesh.vertices[5].corner, Vec3(2.0f, 2.0f, 0.5f));
     ASSERT_EQ(mesh.indices.size(), 12u);
-    EXPECT_GT(min_agreement(mesh), 0.9999f); // upwards, and even over the whole ramp
-    // Each cell is cut from its corner of least x and z to the opposite one.
+    EXPECT_GT(min_agreement(mesh), 0.9999f); // upwards, and equal over the whole ramp
+    // Each cell is divided from its corner of least x and z to the opposite one.
     for (std::size_t i = 0; i < 12; i += 3) {
         int ends = 0;
         for (std::size_t k = 0; k < 3; ++k) ends += mesh.indices[i + k] == i / 6 || mesh.indices[i + k] == i / 6 + 4;
@@ -220,7 +220,7 @@ TEST(ShapeMeshes, VisualsKeepTheirNormalsOrAreFlat) {
     const std::vector<Vec3> normals{{0, 0, 2}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
     const TriangleMesh shaded = visual_triangles(points, normals, triangles);
     ASSERT_EQ(shaded.vertices.size(), 4u);
-    EXPECT_EQ(shaded.vertices[0].normal, Vec3(0.0f, 0.0f, 1.0f)); // of unit length
+    EXPECT_EQ(shaded.vertices[0].normal, Vec3(0.0f, 0.0f, 1.0f)); // normalized
     EXPECT_EQ(shaded.vertices[1].normal, Vec3(0.0f, 1.0f, 0.0f));
     EXPECT_EQ(shaded.indices, triangles);
     const TriangleMesh flat = visual_triangles(points, {}, triangles);

@@ -1,4 +1,5 @@
-// Whether the picture of a shape covers exactly what rays meet: two ways to the same silhouette that share no code.
+// The picture of a shape covers exactly the pixels whose rays hit it: two ways to the same silhouette that share no
+// code.
 #include "viewer/headless.h"
 #include "viewer/spawn.h"
 
@@ -20,12 +21,12 @@ constexpr int width = 200, height = 150;
 constexpr float aspect = float(width) / float(height);
 
 struct Agreement {
-    int covered = 0;      // pixels in whose middle the ray meets the shape
-    int wrong = 0;        // that show something else, although all four of their neighbors agree with them
-    double darkest = 1e9; // sum of the colors of a covered pixel
+    int covered = 0;      // pixels whose center ray hits the shape
+    int wrong = 0;        // pixels that show something else, although all four neighbors' rays agree with theirs
+    double darkest = 1e9; // least sum of the colors of a covered pixel
 };
 
-// Of a world with red shapes in front of a blue sky.
+// Compares the picture with rays in a world with red shapes in front of a blue sky.
 Agreement compare(const World& world, const HeadlessRenderer& renderer, const CameraPose& pose) {
     const OrbitCamera camera(pose);
     std::vector<int> met(std::size_t(width) * height);
@@ -72,7 +73,7 @@ void expect_the_silhouette_of_rays(const Shape& shape, const std::string& name) 
         const Agreement agreement = compare(world, renderer, pose);
         const std::string which = name + (pose.is_parallel ? ", parallel rays" : "");
         EXPECT_GT(agreement.covered, 400) << which;
-        // Bevels take away the very edges and corners.
+        // Bevels remove the outermost edges and corners.
         EXPECT_LE(agreement.wrong, 10 + agreement.covered / 200) << which;
         EXPECT_GT(agreement.darkest, 20.0) << which; // no cracks or unlit spots
     }
@@ -102,14 +103,14 @@ TEST(ShapePicture, EveryShapeThrowsAShadow) {
     HeadlessRenderer renderer(width, height);
     CameraPose pose{{0.0, 6.0, 8.0}, {-1.5, 0.5, 0.0}, 0.8f};
     for (const auto& [name, shape] : shapes) {
-        pose.is_parallel = !pose.is_parallel; // with both kinds of rays
+        pose.is_parallel = !pose.is_parallel; // both kinds of projection
         const OrbitCamera camera(pose);
         LoadedScene scene = test::boxes_on_plane(0);
         BodyDef def = test::static_body();
         def.position = {0.0, 2.0, 0.0};
         scene.world.add_shape(scene.world.create_body(def), shape);
         RenderFrame frame = make_frame(scene.world, {}, pose);
-        frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // what is 2 m above the ground darkens it 2 m along -x
+        frame.lighting.to_sun = {1.0f, 1.0f, 0.0f}; // an object 2 m above the ground casts its shadow 2 m along -x
         const auto brightness = [&] {
             renderer.draw(frame);
             const auto device = camera.project({-2.0, 0.0, 0.0}, aspect);
@@ -163,8 +164,8 @@ TEST(ShapePicture, OnlyWhatIsShownStaysOnTheGraphicsCard) {
         mesh = frame.meshes.at(0).mesh;
         renderer.draw(frame);
     }
-    EXPECT_FALSE(mesh.expired());                                            // the renderer has it
-    for (int i = 0; i < 20; ++i) renderer.draw(make_frame(empty, {}, pose)); // several pictures may take turns
+    EXPECT_FALSE(mesh.expired());                                            // the renderer holds it
+    for (int i = 0; i < 20; ++i) renderer.draw(make_frame(empty, {}, pose)); // several frames may use it in turn
     EXPECT_TRUE(mesh.expired());
 }
 

@@ -1,5 +1,5 @@
-// What the vertex shader makes of the meshes of capsules and cylinders, read back from the graphics card and compared
-// with the support functions of the shapes.
+// The vertices of capsules and cylinders as the vertex shader computes them, read back from the graphics card and
+// compared with the support functions of the shapes.
 #include "viewer/gl_objects.h"
 #include "viewer/headless.h"
 #include "viewer/shaders.h"
@@ -26,7 +26,7 @@ struct PlacedVertex {
     Vec3 place, normal;
 };
 
-// The farthest that a capsule or cylinder (lower radius, half height, upper radius) reaches along a unit vector.
+// Support function: the extent of a capsule or cylinder (lower radius, half height, upper radius) along a unit vector.
 float reach(shaders::BodyKind kind, const Vec3& size, const Vec3& along) {
     const float sideways = kind == shaders::BodyKind::capsule ? 1.0f : std::hypot(along.x, along.z);
     return std::max(-size.y * along.y + size.x * sideways, size.y * along.y + size.z * sideways);
@@ -42,7 +42,7 @@ class ShapeShaders : public testing::Test {
         }
     }
 
-    // A program that only places vertices.
+    // A program that only computes vertex positions.
     static GlObject program_of(shaders::BodyKind kind) {
         GlObject program(glCreateProgram(), [](unsigned name) { glDeleteProgram(name); });
         const std::string constant = shaders::body_kind(kind);
@@ -64,7 +64,7 @@ class ShapeShaders : public testing::Test {
         return program;
     }
 
-    // The corners of all triangles, as the shader places them.
+    // The vertices of all triangles as the shader positions them.
     std::vector<PlacedVertex> place(shaders::BodyKind kind, const TriangleMesh& triangles, const Instance& instance) {
         GlMesh mesh(triangles);
         mesh.upload(&instance, 1);
@@ -88,11 +88,11 @@ class ShapeShaders : public testing::Test {
         return placed;
     }
 
-    // Every vertex must touch the plane that the shape touches along the vertex's normal, nothing may stand out of the
-    // shape, and no part of the shape may be missing.
+    // Every vertex must lie on the supporting plane of the shape along the vertex's normal, no vertex may be outside
+    // the shape, and no part of the shape may be missing.
     void check(shaders::BodyKind kind, const TriangleMesh& mesh, const Vec3& size, float allowed_gap) {
         const float extent = size.y + std::max(size.x, size.z), rounding = 2e-6f * extent;
-        // Then what is left of the other ball lies within.
+        // In that case one ball contains the other, and the vertices of the smaller ball are inside the shape.
         const bool one_holds_the_other =
             kind == shaders::BodyKind::capsule && std::abs(size.x - size.z) > 2.0f * size.y;
         Instance instance;
@@ -131,7 +131,7 @@ class ShapeShaders : public testing::Test {
     std::unique_ptr<HeadlessRenderer> context_;
 };
 
-// From anywhere outside the ball, and from far away.
+// The camera is anywhere outside the ball, sometimes far away.
 TEST_F(ShapeShaders, CapsAreWhatIsSeenOfABall) {
     for (int i = 0; i < 60; ++i) {
         Instance instance;
@@ -142,7 +142,7 @@ TEST_F(ShapeShaders, CapsAreWhatIsSeenOfABall) {
         const Vec3 way = glm::normalize(Vec3(normal_(random_), i % 5 ? normal_(random_) : 40.0f, normal_(random_)));
         const float distance = radius * (1.0f + random_size());
         viewer_ = is_far ? glm::vec4(way, 0.0f) : glm::vec4(instance.position + way * distance, 1.0f);
-        const float rim = is_far ? 0.0f : radius / distance; // cosine of the angle from the middle to the rim
+        const float rim = is_far ? 0.0f : radius / distance; // cosine of the angle between the middle and the rim
         float lowest = 1.0f, highest = -1.0f;
         const std::vector<PlacedVertex> placed = place(shaders::BodyKind::sphere, cap_mesh(24, 2), instance);
         for (std::size_t k = 0; k < placed.size(); ++k) {
@@ -163,7 +163,7 @@ TEST_F(ShapeShaders, CapsAreWhatIsSeenOfABall) {
 TEST_F(ShapeShaders, CapsulesOfAnySizesAreTheHullOfTheirBalls) {
     const TriangleMesh mesh = capsule_mesh(96, 16);
     for (int i = 0; i < 40; ++i) {
-        // Every fourth with no upper ball; among random sizes one ball often holds the other.
+        // Every fourth one has no upper ball; with random sizes one ball often contains the other.
         const Vec3 size(random_size(), random_size(), i % 4 == 3 ? 0.0f : i % 4 == 2 ? -1.0f : random_size());
         const Vec3 used(size.x, size.y, size.z < 0.0f ? size.x : size.z);
         check(shaders::BodyKind::capsule, mesh, used, 0.01f * std::max(used.x, used.z));

@@ -1,4 +1,4 @@
-// Two runs of a scene that parted: the one that commands change, and the one that is seen beside it.
+// Two branches of a run: one is changed by commands, the other is shown beside it.
 #include "viewer/render_frame.h"
 #include "viewer/stage.h"
 
@@ -17,7 +17,7 @@ using test::step_to;
 
 constexpr std::uint64_t parting = 10, end = 40;
 
-// A box that was shot at another, and all its places.
+// A box that was shot at another box, and all its positions.
 struct Shot {
     Stage stage{test::load_boxes, "2"};
     std::vector<Position> places;
@@ -25,7 +25,7 @@ struct Shot {
     Shot() {
         stage.apply(command::SetPaused{true});
         SpawnSettings box = box_preset();
-        box.speed = 12.0f; // hits the first box after a third of a second, and pushes it not as far as the second
+        box.speed = 12.0f; // hits the first box after a third of a second, and does not push it as far as the second
         stage.apply(command::Shoot{box, {{-6.0, 0.6, 0.0}, {1.0f, 0.0f, 0.0f}}});
         places.push_back(here());
         while (stage.timeline().now().step < end) {
@@ -67,7 +67,7 @@ TEST(SideRun, GoesOnBeyondWhatWasKnown) {
     step_to(shot.stage, 2 * end);
     EXPECT_EQ(shot.there(), longer.here());
     EXPECT_EQ(shot.stage.state().layout->bodies.size(), 3u);
-    EXPECT_EQ(shot.stage.state().other->difference.elsewhere, 2u); // what was removed, and what it did not hit
+    EXPECT_EQ(shot.stage.state().other->difference.elsewhere, 2u); // the removed body, and the one that it did not hit
 }
 
 TEST(SideRun, FollowsThroughTimeInBothDirections) {
@@ -92,14 +92,14 @@ TEST(SideRun, ExchangedItIsTheOneThatCommandsChange) {
     step_to(shot.stage, 20);
     shot.stage.apply(command::ExchangeRuns{});
     EXPECT_EQ(shot.here(), shot.places[20]);
-    EXPECT_EQ(shot.stage.state().timeline.last, end); // its future is known
+    EXPECT_EQ(shot.stage.state().timeline.last, end); // the future of this branch is known
     EXPECT_EQ(shot.stage.state().other->picture.layout->bodies.size(), 3u);
     step_to(shot.stage, end);
     EXPECT_EQ(shot.here(), shot.places[end]);
     EXPECT_FALSE(shot.stage.state().timeline.verdict.first_different);
     shot.stage.apply(command::ExchangeRuns{});
     EXPECT_EQ(shot.stage.state().layout->bodies.size(), 3u);
-    shot.stage.apply(command::Undo{}); // what was done in this run
+    shot.stage.apply(command::Undo{}); // undoes a change of this branch
     EXPECT_EQ(shot.stage.state().layout->bodies.size(), 4u);
     shot.stage.apply(command::EndOtherRun{});
     EXPECT_FALSE(shot.stage.state().other);
@@ -125,7 +125,7 @@ TEST(SideRun, GhostsAreOfBodiesThatAreElsewhere) {
     seek(shot.stage, parting);
     shot.stage.apply(command::BranchOff{});
     shot.stage.apply(command::RemoveLast{});
-    step_to(shot.stage, 15); // it has hit nothing yet
+    step_to(shot.stage, 15); // the box has not hit anything yet
     const StageState state = shot.stage.state();
     const FrameOptions options;
     RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, 1.0f, state.scene_camera, options);

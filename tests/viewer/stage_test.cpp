@@ -17,7 +17,7 @@ using test::frame;
 
 std::size_t body_count(const Stage& stage) { return stage.state().layout->bodies.size(); }
 
-// The position of body number i of the layout; 0 is the ground.
+// The position of body i of the layout; body 0 is the ground.
 Position position_of(const Stage& stage, std::size_t i) { return stage.state().current->transforms[i].position; }
 
 const Ray at_first_box{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}};
@@ -107,7 +107,7 @@ TEST(Stage, MeshesAreMadeOnceAndLeaveWithTheirBodies) {
     EXPECT_EQ(stage.state().layout->meshes[0], mesh);
     for (int i = 0; i < 3; ++i) stage.apply(command::RemoveLast{});
     EXPECT_TRUE(stage.state().layout->meshes.empty());
-    EXPECT_EQ(mesh.use_count(), 1); // nothing but this test holds it
+    EXPECT_EQ(mesh.use_count(), 1); // only this test holds it
 }
 
 TEST(Stage, EveryShapeIsPickedWhereItIs) {
@@ -131,7 +131,7 @@ TEST(Stage, ShotBodiesFlyAlongTheRay) {
     EXPECT_GT(position_of(stage, 1).x, 0.5);
 }
 
-// From afar, too: a straight shot would have fallen to the ground on the way.
+// Also from a distance: a straight shot would fall to the ground before it arrives.
 TEST(Stage, ShotBodiesHitWhatIsAimedAt) {
     for (const float speed : {60.0f, 20.0f, 4.0f}) {
         Stage stage(test::load_boxes, "1");
@@ -227,7 +227,7 @@ TEST(Stage, ForceAcceleratesEveryBodyAlike) {
 
 TEST(Stage, PullDrawsRestingBodiesToTheCenter) {
     Stage stage(test::load_boxes, "2");
-    for (int i = 0; i < 120; ++i) stage.step(); // they fall asleep
+    for (int i = 0; i < 120; ++i) stage.step(); // the boxes fall asleep
     const double before = position_of(stage, 2).x;
     stage.apply(command::SetPull{true});
     for (int i = 0; i < 20; ++i) stage.step();
@@ -241,7 +241,7 @@ TEST(Stage, FreezeHoldsEverythingStill) {
     stage.apply(command::SetFreeze{true});
     const double height = position_of(stage, 1).y;
     for (int i = 0; i < 60; ++i) stage.step();
-    EXPECT_NEAR(position_of(stage, 1).y, height, 0.2); // one step's fall at a time
+    EXPECT_NEAR(position_of(stage, 1).y, height, 0.2); // it can fall for one step at a time
     stage.apply(command::SetFreeze{false});
     for (int i = 0; i < 60; ++i) stage.step();
     EXPECT_LT(position_of(stage, 1).y, height - 4.0);

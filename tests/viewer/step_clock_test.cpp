@@ -72,7 +72,7 @@ TEST(StepClock, PausedClockTakesOnlyRequestedSteps) {
     EXPECT_EQ(clock.advance(0.0), 2);
     EXPECT_EQ(clock.advance(10.0), 0);
     clock.set_paused(false);
-    EXPECT_EQ(clock.advance(0.0), 0); // nothing was saved up
+    EXPECT_EQ(clock.advance(0.0), 0); // no time accumulated during the pause
     EXPECT_EQ(clock.advance(frame), 1);
 }
 

@@ -1,4 +1,4 @@
-// Pictures that cover meshes, and meshes that bend.
+// Textures of meshes, and skinned meshes.
 #include "viewer/textures.h"
 
 #include "viewer/bending.h"
@@ -41,7 +41,7 @@ TEST(Textures, OfJpegFilesAreNearlyTheColorsOfThePicture) {
     }
 }
 
-// Whatever is in the file, there is an answer: a picture or an error that says that it cannot be read.
+// Whatever a file contains, the result is an image, or an error that says that it cannot be read.
 TEST(Textures, OfDamagedFilesAreAPictureOrAnError) {
     std::mt19937 random(11);
     for (const std::string& good : {test::four_texels(), test::red_and_blue_jpeg()}) {
@@ -67,7 +67,7 @@ TEST(Textures, OfDamagedFilesAreAPictureOrAnError) {
     EXPECT_THROW(read_texture(shared("GIF89a"), {}), Error);
 }
 
-// A header of a few bytes shall not ask for memory without end.
+// A header of a few bytes must not cause an unlimited allocation.
 TEST(Textures, OfTooManyPixelsAreRefused) {
     try {
         read_texture(shared(test::png_header(60'000, 60'000) + test::png_chunk("IDAT", "")), {});
@@ -89,7 +89,7 @@ TEST(Textures, WithALongEdgeAreMadeSmallerByHalves) {
     EXPECT_EQ(picture.height, 1);
     for (int x = 0; x < picture.width; ++x) {
         const std::uint8_t* texel = &picture.texels[std::size_t(4 * x)];
-        ASSERT_EQ(texel[0], 100) << x; // the mean of four
+        ASSERT_EQ(texel[0], 100) << x; // the mean of four texels
         ASSERT_EQ(texel[1], 100) << x;
         ASSERT_EQ(texel[3], 255) << x;
     }
@@ -135,7 +135,7 @@ TEST(Bending, ByOneBoneIsItsMotionAndByTwoTheMean) {
     }
 }
 
-// A mesh that two bodies carry, far from the origin: in the picture it is between them, and stands for their shapes.
+// A skinned mesh of two bodies, far from the origin: it is drawn between them, instead of their shapes.
 TEST(Bending, InPicturesFollowsTheBodiesAndHidesTheirShapes) {
     World world;
     std::vector<Visual> visuals(1);
@@ -174,7 +174,7 @@ TEST(Bending, InPicturesFollowsTheBodiesAndHidesTheirShapes) {
     FrameOptions shapes;
     shapes.visuals = false;
     EXPECT_EQ(make_frame(world, {}, camera, shapes, meshes, visuals).spheres.size(), 2u);
-    world.destroy_body(visual.bones[0].body); // nothing carries that part any more
+    world.destroy_body(visual.bones[0].body); // no body carries that part of the mesh
     frame = make_frame(world, {}, camera, {}, meshes, visuals);
     EXPECT_TRUE(places(frame).empty());
     EXPECT_EQ(frame.spheres.size(), 1u);

@@ -19,7 +19,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-// The hash of the state after each of so many steps, and before the first.
+// The hash of the state before the first step and after each step.
 std::vector<std::uint64_t> run(Stage& stage, int steps) {
     std::vector<std::uint64_t> hashes{stage.world().state_hash()};
     for (int i = 0; i < steps; ++i) {
@@ -36,7 +36,7 @@ void go_to(Stage& stage, std::uint64_t step) {
 
 std::size_t dynamic_bodies(const Stage& stage) { return stage.world().statistics().dynamic_bodies; }
 
-// Boxes that fall onto each other, so that every step has other bits.
+// Boxes that fall onto each other, so that every step changes the state.
 LoadedScene falling_boxes(const std::string& path) {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < std::stoi(path); ++i) {
@@ -71,7 +71,7 @@ TEST(Timeline, StepsBackThroughEveryStepToTheBeginning) {
     }
     EXPECT_EQ(stage.state().message.serial, 0u);
     stage.apply(command::StepBack{});
-    EXPECT_EQ(stage.state().message.serial, 1u); // there is nothing before
+    EXPECT_EQ(stage.state().message.serial, 1u); // there is no earlier step
     EXPECT_TRUE(stage.state().paused);
 }
 
@@ -130,7 +130,7 @@ TEST(Timeline, UndoAndRedoInAnyOrderGiveTheBitsFromBefore) {
     Stage stage(falling_boxes, "3");
     stage.apply(command::SetPaused{true});
     std::mt19937 random(7);
-    std::vector<std::uint64_t> after{stage.world().state_hash()}; // each change
+    std::vector<std::uint64_t> after{stage.world().state_hash()}; // states after each change
     for (int i = 0; i < 100; ++i) {
         switch (random() % 4) {
         case 0:
@@ -155,14 +155,14 @@ TEST(Timeline, UndoAndRedoInAnyOrderGiveTheBitsFromBefore) {
     for (std::size_t i = 0; i < stage.timeline().marks()->size(); ++i)
         made += (*stage.timeline().marks())[i].kind == Mark::Kind::change ? 1 : 0;
     EXPECT_GT(made, 60);
-    // The states after each redo, down and up again, at random.
+    // The states after each redo, in a random walk through the undo history.
     std::vector<std::uint64_t> undone;
     while (stage.timeline().undoable()) {
         stage.apply(command::Undo{});
         undone.push_back(stage.world().state_hash());
     }
     ASSERT_EQ(int(undone.size()), made);
-    int place = made; // changes that are undone
+    int place = made; // number of changes that are undone
     for (int i = 0; i < 300; ++i) {
         if (random() % 2 == 0 && place < made) {
             stage.apply(command::Undo{});
@@ -202,7 +202,7 @@ TEST(Timeline, ADragIsUndoneAsOneAndLeavesNothingBehind) {
     stage.apply(command::GrabBody{{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
     stage.apply(command::MoveGrab{{1.0, 3.0, 0.0}});
     run(stage, 20);
-    go_to(stage, 15); // in the midst of it
+    go_to(stage, 15); // in the middle of the drag
     EXPECT_TRUE(stage.state().current->joints->empty()) << "the drag is no joint of the scene";
     stage.apply(command::Spawn{small_sphere_preset(), {4.0, 3.0, 0.0}});
     EXPECT_EQ(stage.world().joints().size(), 0u) << "nobody holds it in the new future";
@@ -250,7 +250,7 @@ TEST(Timeline, AKeyOfTheFutureDoesNotPushWhatGoesOnFromThePast) {
     ASSERT_EQ(
         std::count_if(marks.begin(), marks.end(), [](const Mark& mark) { return mark.kind == Mark::Kind::change; }), 1)
         << "pressed and let go, it is one change";
-    go_to(stage, 15); // the key was held then
+    go_to(stage, 15); // the key was held at that time
     stage.apply(command::RemoveLast{});
     stage.apply(command::Spawn{box_preset(), {0.0, 5.0, 0.0}});
     run(stage, 10);
@@ -264,7 +264,7 @@ TEST(Timeline, ImpactsAndBreaksAreMarkedOnce) {
             const BodyId box = scene.world.create_body(test::body_at({4.0, 6.0, 0.0}));
             scene.world.add_shape(box, Box{});
             JointDef def = scene.world.joint_at({}, box, {4.0, 6.5, 0.0}, {1.0f, 0.0f, 0.0f}, FixedJoint{});
-            def.break_force = 100.0f; // N: less than the box weighs
+            def.break_force = 100.0f; // less than the weight of the box, N
             scene.world.create_joint(def);
             return scene;
         },
@@ -283,7 +283,7 @@ TEST(Timeline, ImpactsAndBreaksAreMarkedOnce) {
     EXPECT_EQ(count(Mark::Kind::impact), 1) << "done again, it is the same impact";
 }
 
-// Steps that take 20 ms each, as is claimed: at first a state is kept every 15 of them.
+// The steps are reported to take 20 ms each: at first a state is kept every 15 steps.
 std::vector<std::uint64_t> run_within_budget(Timeline& timeline, LoadedScene& scene, int steps, std::size_t most) {
     timeline.begin(scene.world, {});
     std::vector<std::uint64_t> hashes{scene.world.state_hash()};
@@ -303,7 +303,7 @@ TEST(Timeline, AllOfTheRunIsWithinReachWhereTheBudgetIsSpent) {
     const std::vector<std::uint64_t> hashes = run_within_budget(timeline, scene, steps, std::size_t{400} << 10);
     EXPECT_EQ(timeline.first_step(), 0u);
     EXPECT_GT(timeline.bytes(), std::size_t{90} << 10);
-    std::uint64_t farthest = 0; // behind a state that is kept
+    std::uint64_t farthest = 0; // greatest distance from the preceding kept state, steps
     for (std::uint64_t step = steps; step > 50; step -= 50) {
         ASSERT_TRUE(timeline.seek(scene.world, {step, 0}));
         ASSERT_EQ(scene.world.state_hash(), hashes[step]) << step;
@@ -314,7 +314,7 @@ TEST(Timeline, AllOfTheRunIsWithinReachWhereTheBudgetIsSpent) {
     EXPECT_LE(farthest, 300u);
 }
 
-// 64 boxes that fall and lie, for 50 s. 200 whole states would take several times the budget.
+// 64 boxes that fall and come to rest, for 50 s. 200 complete states would take several times the budget.
 TEST(Timeline, AnyMomentOfALongRunIsWithinThirtyStepsOfAStateThatIsKept) {
     constexpr std::size_t budget = std::size_t{1} << 20;
     constexpr std::uint64_t steps = 3000;
@@ -327,7 +327,7 @@ TEST(Timeline, AnyMomentOfALongRunIsWithinThirtyStepsOfAStateThatIsKept) {
         const std::uint64_t to = random() % steps;
         timeline.seek(scene.world, {steps, 0});
         std::uint64_t done_again = 1;
-        while (!timeline.seek(scene.world, {to, 0}, 0.0)) ++done_again; // a step each
+        while (!timeline.seek(scene.world, {to, 0}, 0.0)) ++done_again; // one step per call
         ASSERT_EQ(scene.world.state_hash(), hashes[to]) << to;
         ASSERT_LE(done_again, 30u) << to;
     }
@@ -344,7 +344,7 @@ TEST(Timeline, TheOldestGoesWhereFewStatesAreLeft) {
     EXPECT_EQ(scene.world.state_hash(), hashes[timeline.first_step()]);
 }
 
-// What a file has of a run, as the program hands it to the stage: the boxes are there, and the steps are to come.
+// A run from a file, as the program passes it to the stage: the boxes exist, and the steps are still to be read.
 LoadedScene recorded_boxes(const recording::Recording& recording, recording::CallReader& reader) {
     LoadedScene scene;
     scene.run.source = reader.source();
@@ -417,7 +417,7 @@ double cpu_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-// In processor time of this thread: recording, as a part of stepping. `has_kept`: set where a state was kept.
+// The share of recording in the processor time of stepping, on this thread. `has_kept`: set if a state was kept.
 double share_of_recording(bool& has_kept) {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < 2000; ++i) {
@@ -440,9 +440,9 @@ double share_of_recording(bool& has_kept) {
     return recording / stepping;
 }
 
-// The least of three: what else runs on the machine takes the caches, and so time of the processor.
+// The minimum of three runs: other programs on the machine use its caches, which costs processor time.
 TEST(Timeline, RecordingTakesAFewHundredthsOfAStep) {
-    bool has_kept = false; // not in every run: where saving the first state was slow, the next ones wait
+    bool has_kept = false; // not in every run: if saving the first state was slow, the next ones are delayed
     const double share =
         std::min({share_of_recording(has_kept), share_of_recording(has_kept), share_of_recording(has_kept)});
     EXPECT_TRUE(has_kept);

@@ -36,7 +36,7 @@ TEST(VideoWriter, WritesAVideoThatTakesItsNameWhenClosed) {
     }
     EXPECT_FALSE(fs::exists(path));
     writer.close();
-    writer.close(); // does nothing
+    writer.close(); // the second close has no effect
     ASSERT_TRUE(fs::exists(path));
     EXPECT_GT(fs::file_size(path), 500u);
     EXPECT_THROW(writer.add(picture), Error);

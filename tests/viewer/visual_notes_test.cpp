@@ -1,4 +1,4 @@
-// The meshes of a scene in the notes of a recording.
+// The visual meshes of a scene in the notes of a recording.
 #include "viewer/visual_notes.h"
 
 #include "picture_files.h"
@@ -58,7 +58,7 @@ TEST_F(VisualNotes, ComeBackAsTheyWere) {
     EXPECT_EQ(back[0].mesh, back[1].mesh);
 }
 
-// The first mesh covered by a picture, and carried by both bodies and the ground.
+// Gives the first mesh a texture, and makes both bodies and the ground its bones.
 void dress(std::vector<Visual>& visuals) {
     ShapeMesh mesh = *visuals[0].mesh;
     TextureStyle style{TextureStyle::Wrap::clamp, TextureStyle::Wrap::mirror, false, 0.25f};

@@ -1,5 +1,5 @@
-// Presses keys and moves the mouse in a running viewer's window through xdotool, and reads the state that the viewer
-// reports.
+// Sends key presses and mouse movements to a running viewer's window through xdotool, and reads the state that the
+// viewer reports.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -29,13 +29,13 @@ class Driver {
     int failures() const { return failures_; }
     const std::string& folder() const { return folder_; }
 
-    // The latest report; null while there is none.
+    // The latest report; null if there is none.
     Json state() const {
         std::ifstream file(folder_ + "/state.json");
         return Json::parse(file, nullptr, false);
     }
 
-    /// The condition must become true within fifteen seconds.
+    /// Waits until the condition holds; fails after fifteen seconds.
     void check(const std::string& name, const std::function<bool(const Json&)>& condition) {
         for (int i = 0; i < 150 && kill(viewer_, 0) == 0; ++i) {
             const Json now = state();
@@ -50,7 +50,7 @@ class Driver {
     }
 
     bool xdotool(const std::string& arguments) const { return std::system(("xdotool " + arguments).c_str()) == 0; }
-    // Held for long enough that a slow frame sees it.
+    // Holds the key long enough for a slow frame to notice.
     void key(const std::string& name) const {
         xdotool("keydown " + name);
         pause_for(0.15);
@@ -72,13 +72,13 @@ class Driver {
         let_go();
         pause_for(0.3);
     }
-    /// A click on a part of the interface that the report has a place of.
+    /// Clicks an element of the interface whose position the report contains.
     void click_on(const std::string& place) {
         check("there is " + place,
               [&](const Json& s) { return s.contains("places") && s.at("places").contains(place); });
         const auto place_now = [&] { return state().at("places").value(place, Json()); };
         Json at = place_now();
-        for (int i = 0; i < 20; ++i) { // it may still be moving, as windows come and grow
+        for (int i = 0; i < 20; ++i) { // the element may still be moving while windows open and grow
             pause_for(0.1);
             const Json before = std::exchange(at, place_now());
             if (at.is_array() && at == before) break;
@@ -95,13 +95,13 @@ class Driver {
     }
     void let_go() const { xdotool("mouseup 1"); }
 
-    // False if no window appears within a minute.
+    // Finds the window; returns false if none appears within a minute.
     bool find_window() {
         const std::string file = folder_ + "/window";
         for (int i = 0; i < 300 && kill(viewer_, 0) == 0; ++i) {
             if (std::system(("xdotool search --onlyvisible --name Cairn >" + file).c_str()) == 0) {
                 std::ifstream(file) >> window_;
-                // Without a window manager the keyboard goes to what has the focus.
+                // Without a window manager the keyboard input goes to the focused window.
                 return !window_.empty() && xdotool("windowfocus " + window_);
             }
             pause_for(0.2);
@@ -115,7 +115,7 @@ class Driver {
     int failures_ = 0;
 };
 
-/// What `main` of a driver does: waits for the window, runs the tests, and ends the viewer.
+/// The `main` function of a driver: waits for the window, runs the tests, and ends the viewer.
 inline int drive(int argc, char** argv, const std::function<void(Driver&)>& tests) {
     if (argc != 3) {
         std::cerr << "usage: DRIVER FOLDER VIEWER_PROCESS\n";

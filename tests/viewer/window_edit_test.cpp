@@ -1,4 +1,4 @@
-// The inspector of the window: a body is clicked, changed, copied and removed, and all of it undone. Started by
+// The window's inspector: a body is clicked, changed, copied and removed, and all of it is undone. Started by
 // window_test.sh.
 #include "window_driver.h"
 
@@ -31,7 +31,7 @@ void test_inspector(Driver& driver) {
     });
     driver.check("letters that were typed are no commands", [](const Json& s) { return s.at("dynamic_count") == 1; });
     const Json mass = driver.state().at("places").at("inspector.mass");
-    driver.xdotool("keydown ctrl"); // to type into a slider
+    driver.xdotool("keydown ctrl"); // Ctrl and a click make a slider editable
     driver.click(mass.at(0).get<double>(), mass.at(1).get<double>());
     driver.xdotool("keyup ctrl");
     driver.chord("ctrl", "a");
@@ -47,7 +47,7 @@ void test_inspector(Driver& driver) {
 }
 
 void test_undo(Driver& driver) {
-    driver.cursor(600, 120); // off the interface, which takes keys for itself
+    driver.cursor(600, 120); // away from the interface, which would take the keys
     for (const auto& [name, what] : {std::pair("remove a body", "removing"),
                                      {"duplicate a body", "the copy"},
                                      {"mass of a body", "the mass"},
@@ -75,7 +75,8 @@ void drag_handle(Driver& driver, std::size_t handle, double right, double down) 
 }
 
 void test_handles(Driver& driver) {
-    driver.check("undoing pauses", [](const Json& s) { return s.at("paused") == true; }); // so what is lifted stays
+    // So that a lifted body stays in place.
+    driver.check("undoing pauses", [](const Json& s) { return s.at("paused") == true; });
     const Json screen = crate(driver.state()).at("screen");
     driver.click(screen.at(0).get<double>(), screen.at(1).get<double>());
     driver.key("q");
@@ -114,14 +115,14 @@ void test_handles(Driver& driver) {
     driver.key("space");
 }
 
-// With a copy of the crate beside it: a frame about both, a group of them, and all of it undone.
+// With a copy of the crate beside it: a selection rectangle around both, a group of them, and undoing all of it.
 void test_frame(Driver& driver) {
     driver.key("space");
     driver.chord("ctrl", "d");
     driver.check("a copy stands beside it", [](const Json& s) { return s.at("dynamic_count") == 2; });
     driver.key("Escape");
-    driver.key("F2"); // the panel would take a press on it
-    driver.key("F");  // shows both, and room about them
+    driver.key("F2"); // otherwise the panel would receive the press
+    driver.key("F");  // frames both with a margin
     driver.check("nothing is selected", [](const Json& s) { return s.at("selection").empty(); });
     const Json one = crate(driver.state()).at("screen"), other = driver.state().at("bodies").at(2).at("screen");
     const double apart = other.at(0).get<double>() - one.at(0).get<double>();

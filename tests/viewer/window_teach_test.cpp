@@ -1,4 +1,4 @@
-// Plots, integrators and what the solver sees, in the window. Started by window_test.sh.
+// Plots, integrators and the solver view in the window. Started by window_test.sh.
 #include "window_driver.h"
 
 #include <filesystem>
@@ -24,7 +24,7 @@ std::vector<double> last_row(const std::string& table) {
     return numbers;
 }
 
-// What a student is to find out: which integrator gains energy, with a picture for the report.
+// The task of a student: to find out which integrator gains energy, with a picture for the report.
 void test_integrators(Driver& driver) {
     const auto start = std::chrono::steady_clock::now();
     driver.click_on("panel.integrators");
@@ -46,7 +46,7 @@ void test_integrators(Driver& driver) {
                picture.find("Runge-Kutta 4") != picture.npos;
     });
     driver.check("explicit Euler gains energy, Runge-Kutta 4 does not", [&](const Json&) {
-        // time, exact, explicit Euler, semi-implicit Euler, Runge-Kutta 4
+        // Columns: time, exact, explicit Euler, semi-implicit Euler, Runge-Kutta 4.
         const std::vector<double> row = last_row(file_text(driver, "integrators_spring_energy.csv"));
         return row.size() == 5 && row[2] > 1000.0 && std::abs(row[3]) < 10.0 && std::abs(row[4]) < 0.01;
     });
@@ -87,7 +87,7 @@ void test_plots(Driver& driver) {
     driver.check("F3 closes them", [](const Json& s) { return s.at("plots").at("open") == false; });
 }
 
-// By its title, above the choice of what is plotted.
+// The window is moved by its title bar, above the choice of what is plotted.
 void test_moved_window(Driver& driver) {
     driver.key("F3");
     driver.check("there are plots", [](const Json& s) { return s.at("plots").at("open") == true; });
@@ -108,7 +108,7 @@ void test_moved_window(Driver& driver) {
     driver.key("F3");
 }
 
-// By the list of commands: in a small window the panel has to be scrolled to it.
+// Uses the list of commands, as in a small window the panel would have to be scrolled.
 void toggle_difference(Driver& driver) {
     driver.cursor(700, 420);
     driver.chord("ctrl", "p");
@@ -144,14 +144,14 @@ void test_solver(Driver& driver) {
     });
 }
 
-// Where a cursor in a pane is.
+// The cursor position of a point in a pane, which is given in fractions of the pane.
 std::pair<double, double> in_pane(const Json& state, std::size_t pane, double x, double y) {
     const Json& place = state.at("panes").at(pane).at("place");
     return {place.at(0).get<double>() + x * place.at(2).get<double>(),
             place.at(1).get<double>() + y * place.at(3).get<double>()};
 }
 
-// One throw with three frictions.
+// The same throw with three frictions.
 void test_panes(Driver& driver) {
     driver.key("F6");
     driver.check("F6 shows four panes, with other steps", [](const Json& s) {
@@ -177,7 +177,7 @@ void test_panes(Driver& driver) {
     driver.check("a reset begins the panes anew", [](const Json& s) {
         return s.at("panes").size() == 3 && s.at("panes").at(0).at("farthest") < 0.01 && s.at("body_count") == 2;
     });
-    const Json pane = driver.state().at("bodies").at(1).at("screen"); // in the first one
+    const Json pane = driver.state().at("bodies").at(1).at("screen"); // in the first pane
     driver.click(pane.at(0).get<double>(), pane.at(1).get<double>());
     driver.check("the inspector is in the column of the panel, and covers no picture", [](const Json& s) {
         return s.contains("inspected") && s.at("places").contains("inspector.name") &&
@@ -206,7 +206,7 @@ void test_panes(Driver& driver) {
     driver.check("F6 closes them", [](const Json& s) { return s.at("panes").empty(); });
 }
 
-// A box falls on the crate: by what impulse?
+// A box falls on the crate: the impulse is explained.
 void test_impact(Driver& driver) {
     driver.key("u");
     driver.check("a box falls on the crate",

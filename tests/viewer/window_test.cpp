@@ -1,4 +1,4 @@
-// The window's keys and mouse. Started by window_test.sh.
+// Keys and mouse of the window. Started by window_test.sh.
 #include "window_driver.h"
 
 namespace {
@@ -74,7 +74,7 @@ void test_mouse(Driver& driver) {
     driver.check("let go, it falls", [](const Json& s) { return s.at("dragging") == false && crate_at(s, 1) < 1.0; });
 
     const double before = camera_at(driver.state(), 0);
-    driver.cursor(450, 150); // the sky: beside the panel, the title, the inspector and the body
+    driver.cursor(450, 150); // an empty place: outside the panel, the title, the inspector and the body
     driver.press();
     driver.cursor(350, 150);
     driver.let_go();
@@ -83,7 +83,7 @@ void test_mouse(Driver& driver) {
     });
     driver.cursor(450, 450);
     driver.xdotool("mousedown 3");
-    driver.cursor(450, 60); // upwards: the camera goes down
+    driver.cursor(450, 60); // upwards: the camera moves down
     driver.xdotool("mouseup 3");
     driver.check("the camera stays above the ground",
                  [](const Json& s) { return camera_at(s, 1) > 0.0 && camera_at(s, 1) < 0.9; });
@@ -207,7 +207,7 @@ void test_picture_and_scenes(Driver& driver) {
     driver.check("2 chooses the second scene", [&](const Json& s) {
         return s.at("scene").at("loads") == 6 && s.at("scene").at("path").get<std::string>() > first;
     });
-    for (int i = 0; i < 3; ++i) driver.key("Prior"); // past the first one: to the end of the list
+    for (int i = 0; i < 3; ++i) driver.key("Prior"); // backwards past the first scene: to the end of the list
     driver.check("the list follows to the last scenes", [](const Json& s) {
         return s.at("scene").at("loads") == 9 && s.at("scene_list").at("present_in_view") == true;
     });

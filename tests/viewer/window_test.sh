@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The real window on a display of its own: presses keys, drags a body with the mouse, and reads back what happened.
+# Tests the real window on a virtual display: presses keys, drags a body with the mouse, and reads back the result.
 # usage: window_test.sh CAIRN_PROGRAM DRIVER_PROGRAM [drops]
-# The driver (window_test.cpp and others) presses and checks; this starts and ends the programs around it. `drops`: then
-# files are dropped on another viewer.
+# The driver (window_test.cpp and others) sends input and checks the reports; this script starts and ends the programs.
+# With `drops`, files are then dropped on another viewer.
 set -u
 cairn=$1
 driver=$2
@@ -21,7 +21,7 @@ finish() {
 }
 trap finish EXIT
 
-# The server picks a free display number and tells it.
+# The server chooses a free display number and reports it.
 Xvfb -displayfd 3 -screen 0 1024x640x24 +extension GLX -nolisten tcp 3>"$folder/display" 2>"$folder/server.log" &
 server=$!
 for _ in $(seq 100); do
@@ -32,9 +32,9 @@ done
 DISPLAY=:$(cat "$folder/display")
 export DISPLAY
 unset WAYLAND_DISPLAY
-export XDG_CONFIG_HOME=$folder/config # not that of whoever runs this
+export XDG_CONFIG_HOME=$folder/config # not the configuration of the user who runs this
 
-# A plane and one box of 1 m, looked at from nearby: little to draw.
+# A plane and one box of 1 m, seen from nearby: little to draw.
 cat >"$folder/scene.gltf" <<'GLTF'
 {"asset": {"version": "2.0"},
  "extensionsUsed": ["KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAIRN_world"],
@@ -49,13 +49,13 @@ cat >"$folder/scene.gltf" <<'GLTF'
     "motion": {"mass": 500}, "collider": {"geometry": {"shape": 1}}}}}]}
 GLTF
 
-# What the desktop opens pages with: notes which.
+# Stands in for the desktop's browser launcher: notes which page is opened.
 mkdir "$folder/bin"
 printf '#!/bin/sh\necho "$1" >%s/opened\n' "$folder" >"$folder/bin/xdg-open"
 chmod +x "$folder/bin/xdg-open"
 PATH=$folder/bin:$PATH
 
-# The viewer writes its state to a file whenever a script line says so: ask ten times a second.
+# The viewer writes its state to a file at each `report` line of a script: ten times per second.
 for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
 cd "$folder" || exit 1 # where files are saved
 "$cairn" view "$folder/scene.gltf" --width 800 --height 500 --script "$folder/script" --report "$folder/last.json" \
@@ -74,7 +74,7 @@ viewer=
 [ -s "$folder/last.json" ] || { echo "FAILED  no report was written on exit"; exit 1; }
 echo "ok      the viewer quit and wrote its report"
 
-# Where the windows were is where they are next time. A driver that moved one has written where it went.
+# Window positions are remembered for the next start. A driver that moved a window has written its position.
 if [ -s "$folder/moved" ]; then
     read -r x y <"$folder/moved"
     for step in 'wait 0.5' 'key F3' 'wait 1' "report $folder/next.json" quit; do echo "$step"; done >"$folder/script"
@@ -99,8 +99,8 @@ PYTHON
 fi
 [ "${3:-}" = drops ] || exit 0
 
-# A script's mouse reaches the panels: it clicks a body, which opens its inspector, and a button there. Where they are is
-# read from the reports of the runs before.
+# A script's mouse reaches the panels: it clicks a body, which opens its inspector, and then a button there. Their
+# positions are read from the reports of the previous runs.
 clicks=()
 for place in crate inspector.duplicate counted; do
     for step in 'wait 0.5' "${clicks[@]}" "report $folder/script.json" quit; do echo "$step"; done >"$folder/script"
@@ -119,7 +119,7 @@ PYTHON
 done
 echo "ok      a script clicks a button in a panel"
 
-# Dropped files: one that cannot be opened leaves the scene and a message, one that can replaces it.
+# Dropped files: a file that cannot be opened keeps the scene and shows a message; a valid one replaces the scene.
 sed 's/One box/Another box/' "$folder/scene.gltf" >"$folder/other.gltf"
 echo '{"asset": 1' >"$folder/broken.gltf"
 printf 'v 0 0 0\nv 0 0 4\nv 4 0 0\nf 1 2 3\n' >"$folder/ramp.obj"
@@ -134,7 +134,7 @@ done >"$folder/script"
 grep -q '"title": "run.mcap"' "$folder/recording.json" && grep -q '"now": 120' "$folder/recording.json" &&
     grep -q '"first_different": null' "$folder/recording.json" && grep -q '"paused": true' "$folder/recording.json" ||
     { echo "FAILED  a dropped recording must be played to its end"; cat "$folder/recording.json"; exit 1; }
-# Of a recording the picture is that of its scene: it was framed anew, and in other colors.
+# A recording is shown with the camera and colors of its scene. Without the fix it had another camera and other colors.
 python3 - "$folder/recording.json" <<'PYTHON' || { echo "FAILED  a recording has the camera of its scene"; exit 1; }
 import json, sys
 position = json.load(open(sys.argv[1]))["camera"]["position"]
@@ -142,7 +142,7 @@ assert all(abs(a - b) < 1e-3 for a, b in zip(position, [0, 2, 8])), position
 PYTHON
 grep -q '"title": "run.mcap"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
     { echo "FAILED  a broken file must leave the scene and a message"; cat "$folder/broken.json"; exit 1; }
-# What acts in the scene is saved with it.
+# The force fields of the scene are saved with it.
 sed 's/"camera"/"force_fields": [{"kind": "uniform", "direction": [0, 0, 1]}], "camera"/' "$folder/scene.gltf" \
     >"$folder/windy.gltf"
 mkdir "$folder/saved" && cd "$folder/saved" || exit 1

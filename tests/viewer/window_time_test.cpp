@@ -10,7 +10,7 @@ using namespace cairn::viewer::test;
 std::uint64_t now(const Json& state) { return state.at("timeline").at("now").get<std::uint64_t>(); }
 std::uint64_t last(const Json& state) { return state.at("timeline").at("last").get<std::uint64_t>(); }
 
-// The pixel of the timeline's track at that share of its length.
+// The x coordinate of the timeline's track at that share of its length, pixels.
 double on_bar(const Json& state, double share) {
     const Json& bar = state.at("timeline").at("bar");
     return bar.at(0).get<double>() + share * (bar.at(1).get<double>() - bar.at(0).get<double>());
@@ -47,7 +47,7 @@ void test_directions(Driver& driver) {
     driver.check("a comma goes one step back", [&](const Json& s) { return now(s) == there - 1; });
     driver.key("period");
     driver.check("a period follows one step", [&](const Json& s) { return now(s) == there; });
-    for (int i = 0; i < 4; ++i) driver.key("bracketleft"); // slow enough to be seen
+    for (int i = 0; i < 4; ++i) driver.key("bracketleft"); // slow enough to be observed
     driver.chord("shift", "space");
     driver.check("Shift+Space plays backwards",
                  [&](const Json& s) { return now(s) < there && s.at("timeline").at("backwards") == true; });
@@ -80,7 +80,7 @@ void test_undo(Driver& driver) {
 
 double height(const Json& position) { return position.at(1).get<double>(); }
 
-// One that falls and one that never was, side by side.
+// Two branches side by side: in one a ball falls, in the other it was never added.
 void test_branches(Driver& driver) {
     driver.key("Home");
     driver.key("o");

@@ -1,4 +1,4 @@
-// Measures the npm package beside the engines that npm has, in Node, by turns.
+// Compares the npm package with the other engines on npm, in Node, in alternating rounds.
 import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
 import { ENGINES } from './engines.mjs';
@@ -56,8 +56,8 @@ function options() {
 }
 
 /**
- * One run: milliseconds of a step, how many steps there were, and the quality of the state at its end. The time is
- * that of the processor, which other programs disturb less; all engines use one thread.
+ * One run: milliseconds per step, the number of steps, and the quality of the final state. The time is processor time,
+ * on which other programs have less influence; all engines use one thread.
  */
 function measure(engine, scene, steps, seconds) {
     const world = engine.make(scene);
@@ -85,7 +85,7 @@ const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 const millimeters = (meters) => (meters === null ? '' : `${(1000 * meters).toPrecision(2)}`);
 
 const { scenes, engines, steps, rounds, seconds } = options();
-if (!engines.includes('cairn')) await ENGINES.cairn(); // it measures the overlaps
+if (!engines.includes('cairn')) await ENGINES.cairn(); // needed for measuring the overlaps
 const loaded = [];
 for (const name of engines) loaded.push(await ENGINES[name]());
 console.log(`Node ${process.version}, ${cpus()[0].model}, ${steps} steps, median of ${rounds} rounds by turns\n`);
@@ -96,11 +96,11 @@ console.log('|---|---|---|---|---|---|');
 for (const name of scenes) {
     const scene = SCENES[name]();
     const runs = loaded.map(() => []);
-    // Not counted: until the compiler of Node is through with what it compiles twice.
+    // Warm-up, which is not measured: lets Node's optimizing compiler finish.
     for (const engine of loaded) measure(engine, scene, Math.min(steps, 100), seconds / 4);
     for (let round = 0; round < rounds; ++round) {
         loaded.forEach((engine, i) => {
-            // What takes that long is not measured again.
+            // An engine that exceeded the time limit in a round is not measured again.
             if (runs[i].some((run) => run.done < steps)) return;
             runs[i].push(measure(engine, scene, steps, seconds));
             console.error(`${name}, round ${round + 1}, ${engine.name}: ${runs[i].at(-1).ms.toFixed(2)} ms`);

@@ -1,10 +1,10 @@
-// The engines, each behind the same four calls: a world of a scene, a step of 1/60 s, the poses, the end.
-// All have their default settings but for gravity, friction, density and damping (none); nothing falls asleep.
+// The engines behind a common interface of four calls: create the world of a scene, step by 1/60 s, read the poses,
+// end. All use their default settings except for gravity, friction, density and damping (none); nothing falls asleep.
 import { havok } from './havok.mjs';
 import { physx } from './physx.mjs';
 import { DENSITY, FRICTION, GRAVITY, STEP } from './scenes.mjs';
 
-const local = (body, point) => point.map((x, i) => x - body.position[i]); // of bodies that are not turned
+const local = (body, point) => point.map((x, i) => x - body.position[i]); // for bodies without rotation
 const xyz = ([x, y, z]) => ({ x, y, z });
 
 async function cairn() {
@@ -161,7 +161,7 @@ async function jolt() {
     };
 }
 
-// In steps of 1/480 s, near the 0.002 s of its defaults: with 1/60 s its soft contacts let everything through.
+// In steps of 1/480 s, close to its default of 0.002 s: with 1/60 s bodies pass through its soft contacts.
 async function mujoco() {
     const { default: load } = await import('@mujoco/mujoco');
     const m = await load();
@@ -171,7 +171,7 @@ async function mujoco() {
         make({ bodies, joints, collides = true }) {
             const size = ({ kind, half, radius, halfHeight }) =>
                 kind === 'box' ? half : kind === 'sphere' ? [radius] : [radius, halfHeight];
-            // Its capsules lie along z, those of the others along y.
+            // Its capsules have z as their axis, those of the other engines y.
             const upright = ({ kind }) => (kind === 'capsule' ? 'quat="0.70710678 0.70710678 0 0"' : '');
             const meets = collides ? '' : 'contype="0" conaffinity="0"';
             const surface = `density="${DENSITY}" friction="${FRICTION}" ${meets}`;
@@ -234,7 +234,7 @@ async function cannon() {
                 if (shape.kind === 'box') body.addShape(new C.Box(new C.Vec3(...shape.half)));
                 else if (shape.kind === 'sphere') body.addShape(new C.Sphere(shape.radius));
                 else {
-                    // it has no capsules: two balls and a cylinder
+                    // It has no capsules: two balls and a cylinder replace one.
                     for (const y of [-shape.halfHeight, shape.halfHeight])
                         body.addShape(new C.Sphere(shape.radius), new C.Vec3(0, y, 0));
                     body.addShape(new C.Cylinder(shape.radius, shape.radius, 2 * shape.halfHeight, 8));

@@ -1,4 +1,4 @@
-// Havok, as Babylon.js has it, behind the four calls of engines.mjs.
+// Havok, as distributed by Babylon.js, behind the four calls of engines.mjs.
 import { readFile } from 'node:fs/promises';
 import HavokPhysics from '@babylonjs/havok';
 import { DENSITY, FRICTION, GRAVITY, STEP } from './scenes.mjs';
@@ -12,7 +12,7 @@ const AXES = [
 export async function havok() {
     const address = new URL(import.meta.resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm'));
     const H = await HavokPhysics({ wasmBinary: await readFile(address) });
-    // Each call returns whether it went well, and what it makes.
+    // Each call returns a result code followed by the created objects.
     const must = (result) => {
         const [code, ...made] = Array.isArray(result) ? result : [result];
         if (code !== H.Result.RESULT_OK) throw new Error(`Havok: ${new Error().stack}: ${JSON.stringify(code)}`);

@@ -1,9 +1,10 @@
-// Measures Cairn beside MuJoCo on MJCF models that both read, in Node, one thread, WebAssembly against WebAssembly:
-// steps of a second of the processor, and how far the bodies are from where the engine's own run with small steps has
-// them (after Erez, Tassa and Todorov, ICRA 2015). bench/mujoco.cpp does the same natively.
+// Compares Cairn with MuJoCo on MJCF models that both read, in Node, on one thread, both as WebAssembly: steps per
+// second of processor time, and the distance of the bodies from the engine's own run with small steps (after Erez,
+// Tassa and Todorov, ICRA 2015). bench/mujoco.cpp does the same natively.
 //
-// From states along the run with small steps, pieces of 128 ms are run at longer steps. The deviation is the mean
-// distance of the bodies from where the piece with small steps ends. The time is that of the pieces.
+// From states along the run with small steps, pieces of 128 ms are simulated with longer steps. The deviation is the
+// mean distance of the bodies from their positions at the end of the piece with small steps. The processor time is that
+// of the pieces.
 import { readFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { parseArgs } from 'node:util';
@@ -49,7 +50,7 @@ function options() {
     }
 }
 
-/** Cairn in the scene that `cairn convert` has made of the model: the npm package reads glTF alone. */
+/** Cairn with the scene that `cairn convert` made from the model, as the npm package reads only glTF. */
 async function cairn() {
     const { default: init, World, version } = await import('cairn-physics');
     await init();
@@ -88,7 +89,8 @@ async function mujoco() {
                 },
                 save: () => kept.map((name) => Array.from(data[name])),
                 restore: (state) => kept.forEach((name, i) => data[name].set(state[i])),
-                positions: () => Array.from(data.xpos).slice(3), // as the step before the last has left it
+                // Positions before the last step, unless `forward` is called.
+                positions: () => Array.from(data.xpos).slice(3),
                 forward: () => m.mj_kinematics(model, data),
                 end: () => {
                     data.delete();
@@ -99,7 +101,7 @@ async function mujoco() {
     };
 }
 
-/** The state of the processor, in seconds, so that other programs disturb less. */
+/** Processor time in seconds, on which other programs have less influence. */
 function processorSeconds() {
     const { user, system } = process.cpuUsage();
     return (user + system) / 1e6;
@@ -127,7 +129,7 @@ function states(world, pieces) {
     });
 }
 
-/** Runs the piece from a state: seconds of the processor, and the places at its end. */
+/** Runs the piece from a state; returns the processor time in seconds, and the positions at its end. */
 function runPiece(world, state, step) {
     world.restore(state);
     const count = Math.round(PIECE / step);
@@ -138,7 +140,7 @@ function runPiece(world, state, step) {
 
 const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 
-/** By step: the deviation in meters, of all pieces and of the middle one, and steps a second, the median of rounds. */
+/** For each step: the deviation in meters (mean and median over the pieces), and the median of steps per second. */
 function measure(world, pieces, rounds) {
     const starts = states(world, pieces);
     const ends = starts.map((state) => runPiece(world, state, SHORTEST).end);

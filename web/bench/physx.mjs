@@ -3,7 +3,7 @@ import { readFile } from 'node:fs/promises';
 import load from 'physx-js-webidl';
 import { DENSITY, FRICTION, GRAVITY, STEP } from './scenes.mjs';
 
-// Its loader refuses whatever has Node's `process`, and takes what has a `window` for a page.
+// Its loader does not work if there is Node's `process`, and takes an environment with a `window` for a web page.
 async function loaded() {
     const wasmBinary = await readFile(new URL(import.meta.resolve('physx-js-webidl/physx-js-webidl.wasm')));
     const { process } = globalThis;
@@ -18,7 +18,7 @@ async function loaded() {
 
 export async function physx() {
     const P = await loaded();
-    const F = P.PxTopLevelFunctions.prototype; // where this package has static functions
+    const F = P.PxTopLevelFunctions.prototype; // any prototype of the package that has the static functions
     const foundation = F.CreateFoundation(
         P.PHYSICS_VERSION,
         new P.PxDefaultAllocator(),
@@ -29,7 +29,7 @@ export async function physx() {
     F.InitExtensions(physics);
     const pose = ([x, y, z], [qx, qy, qz, qw] = [0, 0, 0, 1]) =>
         new P.PxTransform(new P.PxVec3(x, y, z), new P.PxQuat(qx, qy, qz, qw));
-    // Its capsules lie along x, those of the others along y.
+    // Its capsules have x as their axis, those of the other engines y.
     const upright = pose([0, 0, 0], [0, 0, Math.SQRT1_2, Math.SQRT1_2]);
     const formOf = ({ kind, half, radius, halfHeight }) =>
         kind === 'box'

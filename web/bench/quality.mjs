@@ -1,9 +1,9 @@
-// How well a state holds together, from the poses alone, by the same measure for all engines.
+// Quality of a state, computed from the poses alone, with the same measure for all engines.
 import { World } from 'cairn-physics';
 
 /**
- * The overlap in meters below which 99 % of the touching pairs are, as Cairn's own contact points have them in a world
- * of these poses without gravity and motion.
+ * The 99th percentile of the overlaps of touching pairs in meters, according to Cairn's contact points in a world with
+ * these poses, without gravity and motion.
  */
 export function overlap({ bodies, collides = true }, { positions, rotations }) {
     if (!collides) return null;
@@ -25,7 +25,7 @@ export function overlap({ bodies, collides = true }, { positions, rotations }) {
     return depths.length === 0 ? 0 : depths[Math.floor(0.99 * (depths.length - 1))];
 }
 
-/** The mean distance in meters between the two places of a joint's anchor. */
+/** The mean distance in meters between the two anchors of each joint. */
 export function gap({ bodies, joints }, { positions, rotations }) {
     if (joints.length === 0) return null;
     const place = (index, anchor) => {
@@ -47,7 +47,7 @@ export function gap({ bodies, joints }, { positions, rotations }) {
     return gaps.reduce((sum, x) => sum + x, 0) / gaps.length;
 }
 
-/** Whether a state is one: finite, and nothing has fallen out of it. */
+/** Whether the state is invalid: a position is not finite, or a body has fallen out of the scene. */
 export function isLost({ positions }) {
     return Array.from(positions).some((x, i) => !Number.isFinite(x) || (i % 3 === 1 && x < -50));
 }

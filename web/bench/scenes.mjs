@@ -1,10 +1,10 @@
-// What is measured: about 1,000 bodies each, as plain data that every engine builds its world from.
+// The measured scenes: about 1,000 bodies each, as plain data from which every engine builds its world.
 
 const BOX = { kind: 'box', half: [0.5, 0.5, 0.5] };
 const BALL = { kind: 'sphere', radius: 0.5 };
 const CAPSULE = { kind: 'capsule', halfHeight: 0.35, radius: 0.3 };
 
-// Numbers from -1 to 1, the same in every run.
+// Random numbers from -1 to 1, the same in every run.
 function random(seed) {
     let state = seed >>> 0;
     return () => {
@@ -19,7 +19,7 @@ function turned(next) {
     return q.map((x) => x / length);
 }
 
-// A floor, and four walls around it: boxes of half a meter.
+// A floor with four walls around it: boxes with a half width of half a meter.
 function room(half, height) {
     const wall = (x, z, hx, hz) => ({
         fixed: true,
@@ -66,7 +66,7 @@ function pyramid() {
     return { bodies, joints: [] };
 }
 
-// A net of 32 x 32 balls, a meter apart, that hangs by one edge; nothing in it collides.
+// A net of 32 x 32 balls, 1 m apart, that hangs by one edge; its bodies do not collide.
 function jointGrid() {
     const bodies = [],
         joints = [],

@@ -1,5 +1,4 @@
-// What the playground and the meshes for three.js show, beside what the C API has: triangles of shapes, and their
-// colors.
+// Additions to the C API for the playground and the three.js meshes: triangles of shapes, and their colors.
 #include "c_api/convert.h"
 #include "c_api/support.h"
 
@@ -15,8 +14,8 @@ using namespace cairn::c_api;
 
 extern "C" {
 
-// Triangles in the frame of a shape. Counts are of vertices and of indices; `normals` is null where the triangles are
-// flat.
+// Triangles in the frame of a shape, with the numbers of vertices and of indices; `normals` is null for flat-shaded
+// triangles.
 struct cairn_web_triangles {
     scene::Surface* surface;
     const Vec3 *vertices, *normals;
@@ -25,7 +24,7 @@ struct cairn_web_triangles {
     size_t index_count;
 };
 
-// To be given back by cairn_web_triangles_release.
+// Creates the triangles of a shape, to be freed by cairn_web_triangles_release.
 CAIRN_C_API cairn_result cairn_web_shape_triangles(const cairn_world* world, cairn_shape_id shape,
                                                    cairn_web_triangles* result) {
     return guarded([&] {
@@ -43,13 +42,13 @@ CAIRN_C_API cairn_result cairn_web_shape_triangles(const cairn_world* world, cai
 
 CAIRN_C_API void cairn_web_triangles_release(scene::Surface* surface) { delete surface; }
 
-// The color that the file of a scene gives to a shape: linear red, green and blue, each 0 to 1. `found` gets whether it
-// gives any.
+// The color that a scene file gives to a shape: linear red, green and blue, each 0 to 1. `found` receives whether the
+// file gives one.
 CAIRN_C_API cairn_result cairn_web_shape_color(const cairn_world* world, cairn_shape_id shape, cairn_vec3* color,
                                                bool* found) {
     return guarded([&] {
         required(color, "color"), required(found, "found");
-        world_of(world).body_of(to_cpp(shape)); // refuses what is no shape
+        world_of(world).body_of(to_cpp(shape)); // throws if the shape is invalid
         *found = false;
         for (const scene::Appearance& appearance : world->scene.appearances) {
             if (appearance.shape != to_cpp(shape)) continue;

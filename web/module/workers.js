@@ -1,4 +1,4 @@
-// Put before the loader that Emscripten makes for cairn-physics/mt. What it knows as `Worker` and `postMessage` is what
-// web/src/mt gives it: those of browsers or of Node.
+// Prepended to the loader that Emscripten generates for cairn-physics/mt. The loader's `Worker` and `postMessage` are
+// those that web/src/mt provides: of browsers or of Node.
 var Worker = Module['Worker'],
     postMessage = Module['postMessage'];

@@ -1,5 +1,5 @@
-// Puts the playground together: node assemble.mjs FOLDER HASHES THREE. HASHES is what cairn_scene_hashes printed, THREE
-// the package of three.js; the npm package was built. The folder can be served by any server of files.
+// Assembles the playground: node assemble.mjs FOLDER HASHES THREE. HASHES is the output of cairn_scene_hashes, THREE
+// the package three.js; the npm package must have been built. Any static file server can serve the folder.
 import { cp, mkdir, readFile, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';

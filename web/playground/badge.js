@@ -1,4 +1,4 @@
-// What the badge says: whether the run in this browser has the bits of the run elsewhere.
+// The text of the badge: whether the run in this browser has the same bits as the reference run.
 export function describe({ touched, compared, hashes }) {
     if (compared && compared.here !== compared.there) {
         return {

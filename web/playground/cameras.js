@@ -1,8 +1,8 @@
-// The cameras of scene files: that of CAIRN_world, else the first one of the glTF file itself.
+// The cameras of scene files: that of CAIRN_world, otherwise the first one of the glTF file.
 
 const DEFAULT = { position: [6, 4, 10], target: [0, 1, 0], vertical_fov_degrees: 45, orthographic: false };
 
-/** How a scene is first looked at: a camera as CAIRN_world has them, of the JSON of a file. */
+/** The initial camera of a scene from the JSON of its file, in the form of CAIRN_world. */
 export function cameraOf(json) {
     const scene = json.scenes?.[json.scene ?? 0];
     const own = scene?.extensions?.CAIRN_world?.camera;
@@ -14,7 +14,7 @@ export function cameraOf(json) {
     return DEFAULT;
 }
 
-/** Half the height of the picture, in meters at the distance of the target: what parallel rays show. */
+/** Half the height of the picture at the distance of the target in meters, for a parallel projection. */
 export function halfHeight({ position, target, vertical_fov_degrees: angle }) {
     const distance = Math.hypot(...position.map((p, i) => p - target[i]));
     return distance * Math.tan((angle * Math.PI) / 360);
@@ -31,7 +31,7 @@ function firstCamera(json, index, above) {
     return null;
 }
 
-// glTF cameras look along -z and have no target: it is put as far away as the origin is.
+// glTF cameras look along -z and have no target: the target is placed at the distance of the origin.
 function lookingFrom(place, camera) {
     const position = [place[12], place[13], place[14]];
     const length = Math.hypot(place[8], place[9], place[10]);
@@ -45,7 +45,7 @@ function lookingFrom(place, camera) {
 
 const identity = () => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-// Of a node, column by column, as glTF has matrices.
+// The matrix of a glTF node in column-major order.
 function matrixOf({ matrix, translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }) {
     if (matrix) return matrix;
     const [x, y, z, w] = rotation;

@@ -1,4 +1,5 @@
-// Bodies on the mouse: a servo joint pulls the grabbed point to where the mouse is, in the plane that faces the camera.
+// Dragging bodies with the mouse: a servo joint pulls the grabbed point to the mouse, in the plane that faces the
+// camera.
 import * as THREE from 'three';
 import { springFromFrequency } from 'cairn-physics';
 
@@ -12,7 +13,7 @@ export class Dragging {
         this.current = current;
         this.held = null;
         const { canvas } = stage;
-        // Before the controls of the camera, which must not turn while a body is dragged.
+        // Registered before the camera's controls, which must not rotate the view while a body is dragged.
         canvas.addEventListener('pointerdown', (event) => event.button === 0 && this.begin(event), { capture: true });
         canvas.addEventListener('pointermove', (event) => this.move(event));
         for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => this.end());
@@ -55,7 +56,7 @@ export class Dragging {
     move(event) {
         if (!this.held) return;
         const { simulation, joint, servo, point, plane } = this.held;
-        if (!simulation.world.jointIsValid(joint)) return this.end(); // it broke, or its body is gone
+        if (!simulation.world.jointIsValid(joint)) return this.end(); // the joint broke, or its body was removed
         const { origin, direction } = this.stage.ray(event);
         const target = new THREE.Ray(origin, direction).intersectPlane(plane, new THREE.Vector3());
         if (target) simulation.world.setJoint(joint, { ...servo, position: target.sub(point) });

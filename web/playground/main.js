@@ -14,14 +14,14 @@ let playing = true;
 let list = [];
 let last = null,
     owed = 0,
-    reported = 0; // of frames: when, in milliseconds, and the seconds that no step has taken yet
+    reported = 0; // time of the last report, and the simulated time that is still to be stepped
 
 function tell(text) {
     $('message').textContent = text;
     $('message').hidden = text === '';
 }
 
-// What the user did may be refused; the simulation is as it was then.
+// An action of the user may be rejected; then the simulation is unchanged.
 function attempt(action) {
     return async (...given) => {
         try {
@@ -69,7 +69,7 @@ async function openFragment() {
 
 function setPlaying(on) {
     playing = on;
-    if (!on) owed = 0; // what was owed when it was paused is not made up for
+    if (!on) owed = 0; // the time before a pause is not made up for
     $('play').textContent = on ? 'Pause' : 'Play';
 }
 
@@ -90,7 +90,7 @@ function frame(now) {
     last = now;
     if (simulation) {
         if (playing) owed += seconds * Number($('speed').value);
-        // Slow machines fall behind rather than ever further.
+        // On slow machines the simulation lags instead of accumulating a growing backlog.
         for (let steps = 0; owed >= simulation.world.timeStep && steps < 4; ++steps) {
             simulation.step();
             owed -= simulation.world.timeStep;
@@ -124,7 +124,7 @@ function bind() {
     });
     $('file').onchange = attempt(async () => {
         const [file] = $('file').files;
-        $('file').value = ''; // the same file may be chosen again
+        $('file').value = ''; // allows the same file to be chosen again
         if (file) await openFile(file);
     });
     addEventListener('hashchange', attempt(openFragment));
@@ -154,7 +154,7 @@ await attempt(async () => {
     await openFragment();
     requestAnimationFrame(frame);
 })();
-// For tests, and for the console.
+// For tests, and for the browser's console.
 globalThis.playground = {
     version,
     stage,

@@ -1,4 +1,4 @@
-// Serves a folder to this machine alone: node serve.mjs FOLDER [PORT]. The headers allow pages threads
+// Serves a folder to this machine only: node serve.mjs FOLDER [PORT]. The headers allow pages to use threads
 // (SharedArrayBuffer).
 import { createReadStream } from 'node:fs';
 import { realpath, stat } from 'node:fs/promises';
@@ -17,13 +17,13 @@ const TYPES = {
     '.png': 'image/png',
 };
 
-/** What makes a page cross-origin isolated, without which browsers give it no threads. */
+/** Headers that make a page cross-origin isolated, without which browsers do not allow threads. */
 export const ISOLATED = {
     'Cross-Origin-Opener-Policy': 'same-origin',
     'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
-/** The server, listening; its address is that of `server.address()`. */
+/** Starts a server; its address is `server.address()`. */
 export async function serve(folder, port = 0, headers = ISOLATED) {
     const root = await realpath(folder);
     const server = createServer(async (request, response) => {

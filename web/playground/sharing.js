@@ -1,7 +1,7 @@
 // Scenes in the fragment of the page's address: by name, or as a compressed .gltf file.
-const LONGEST = 8 << 20; // characters of a fragment, and bytes of what is in it
+const LONGEST = 8 << 20; // characters of a fragment, and bytes of its decompressed contents
 
-/** The fragment that shows the same scene as it stands now. Throws TypeError if it is too large for an address. */
+/** The fragment for the scene in its current state. Throws TypeError if it is too large for an address. */
 export async function toFragment(simulation) {
     if (!simulation.touched && simulation.world.stepCount === 0n && Object.keys(simulation.hashes).length > 0) {
         return `#scene=${encodeURIComponent(simulation.name)}`;
@@ -16,7 +16,7 @@ export async function toFragment(simulation) {
     return fragment;
 }
 
-/** What a fragment says: {scene: name}, {gltf: text}, or null if it is empty. Throws TypeError for anything else. */
+/** Decodes a fragment: {scene: name}, {gltf: text}, or null if it is empty. Throws TypeError for anything else. */
 export async function fromFragment(fragment) {
     if (fragment === '' || fragment === '#') return null;
     if (fragment.length > LONGEST) throw new TypeError(`the link is too long: ${fragment.length} characters`);
@@ -31,7 +31,7 @@ export async function fromFragment(fragment) {
     }
 }
 
-// Piece by piece, so that a small link cannot fill the memory.
+// Decompresses piece by piece, so that a small link cannot exhaust the memory.
 async function inflated(bytes) {
     const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw')).getReader();
     const pieces = [];

@@ -1,11 +1,11 @@
-// A scene that runs: its world, what its file says of itself, and whether anything but time has changed it.
+// A running scene: its world, the properties of its file, and whether anything but time has changed it.
 import { World } from 'cairn-physics';
 import { cameraOf } from './cameras.js';
 
 export class Simulation {
     /**
-     * `scene`: text or bytes of a .gltf or .glb file. `hashes`: by the number of steps, what the state is on other
-     * machines.
+     * `scene`: text or bytes of a .gltf or .glb file. `hashes`: the state hashes on other machines, by the number of
+     * steps.
      */
     constructor(scene, { name, hashes = {} }) {
         this.scene = scene;
@@ -18,7 +18,7 @@ export class Simulation {
         this.hint = own.hint ?? '';
         this.camera = cameraOf(json);
         this.touched = false;
-        this.compared = null; // the last state that was compared: steps, here, there
+        this.compared = null; // the last state that was compared: steps, hash here, hash there
     }
 
     step() {
@@ -30,7 +30,7 @@ export class Simulation {
             this.compared = { steps, here: world.stateHash.toString(16).padStart(16, '0'), there };
     }
 
-    /** From the beginning. */
+    /** The same scene from its beginning. */
     again() {
         return new Simulation(this.scene, this);
     }
@@ -40,7 +40,7 @@ export class Simulation {
     }
 }
 
-// CAIRN_world of the scene that a file shows. The world has read the file already: what is malformed was refused.
+// The CAIRN_world extension of a file's scene. The world has read the file already: malformed files were rejected.
 function settingsOf(json) {
     return json.scenes?.[json.scene ?? 0]?.extensions?.CAIRN_world ?? {};
 }

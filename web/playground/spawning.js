@@ -1,4 +1,4 @@
-// Bodies that are dropped into the scene where the camera looks.
+// Adds bodies that fall into the scene where the camera looks.
 import { Geometry } from 'cairn-physics';
 
 const phi = (1 + Math.sqrt(5)) / 2;
@@ -51,7 +51,7 @@ const SHAPES = {
 };
 export const KINDS = Object.keys(SHAPES);
 
-/** Drops a body from above what the camera looks at. */
+/** Drops a body from above the camera's target. */
 export function spawn(simulation, kind, { target }) {
     simulation.touched = true;
     const { world } = simulation;

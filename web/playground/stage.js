@@ -1,4 +1,4 @@
-// The picture: renderer, light and camera, and the bodies of the simulation in it.
+// Rendering: the renderer, light and camera, and the bodies of the simulation.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/OrbitControls';
 import { WorldView } from 'cairn-physics/three';
@@ -14,7 +14,8 @@ export class Stage {
         this.scene.background = new THREE.Color(0x2a2f3a);
         this.eyes = {
             perspective: new THREE.PerspectiveCamera(45, 1, 0.05, 2000),
-            parallel: new THREE.OrthographicCamera(-1, 1, 1, -1, -2000, 2000), // sees what is behind it, too
+            // Parallel rays also show what is behind the camera.
+            parallel: new THREE.OrthographicCamera(-1, 1, 1, -1, -2000, 2000),
         };
         this.eye = this.eyes.perspective;
         this.controls = new OrbitControls(this.eye, canvas);
@@ -24,18 +25,18 @@ export class Stage {
         this.sun.shadow.bias = -0.0005;
         this.scene.add(new THREE.HemisphereLight(0xdfe8ff, 0x4a4038, 1.3), this.sun, this.sun.target);
         this.view = null;
-        this.halfHeight = 1; // m, of a picture by parallel rays
+        this.halfHeight = 1; // half the picture's height for parallel rays, m
         addEventListener('resize', () => this.resize());
         this.resize();
     }
 
-    /** Where the camera looks: its target and the direction to it. */
+    /** The camera's target, and the direction to it. */
     get camera() {
         const { target } = this.controls;
         return { target, forward: target.clone().sub(this.eye.position).normalize() };
     }
 
-    /** The ray from the camera through the place of a pointer. */
+    /** The ray from the camera through the position of a pointer. */
     ray(event) {
         const { left, top, width, height } = this.canvas.getBoundingClientRect();
         const at = new THREE.Vector2(

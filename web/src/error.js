@@ -1,10 +1,10 @@
-/** What a call that was refused throws. The world is as it was before the call. */
+/** The error that a rejected call throws. The world is unchanged. */
 export class CairnError extends Error {
     /**
-     * @param {string} code what kind of error, as `CairnErrorCode` in index.d.ts lists them
-     * @param {string} message what was wrong, in words
-     * @param {string} field the argument or member that it is about, such as `BodyDef.mass`; may be empty
-     * @param {string} value what that was; may be empty
+     * @param {string} code the kind of error, one of `CairnErrorCode` in index.d.ts
+     * @param {string} message a description of the error
+     * @param {string} field the invalid argument or member, such as `BodyDef.mass`; may be empty
+     * @param {string} value its value; may be empty
      */
     constructor(code, message, field = '', value = '') {
         super(message);
@@ -15,7 +15,7 @@ export class CairnError extends Error {
     }
 }
 
-// In the order of the numbers of cairn_result.
+// Error codes in the order of the numbers of cairn_result.
 export const CODES = [
     'ok',
     'invalidValue',
@@ -28,7 +28,7 @@ export const CODES = [
     'other',
 ];
 
-// A value of the user's on one short line.
+// A value from the user on one short line.
 export function shown(value) {
     if (typeof value === 'string') return JSON.stringify(value.length > 60 ? value.slice(0, 60) + '…' : value);
     if (Array.isArray(value) || ArrayBuffer.isView(value))
@@ -39,7 +39,8 @@ export function shown(value) {
 }
 
 /**
- * Throws: `field` is `value`, and should be as `expected` says. Of a wrong state, `value` is a word for it.
+ * Throws a CairnError: `field` has the value `value`, but must be as `expected` says. For `wrongState`, `value` is a
+ * word that describes the state.
  * @returns {never}
  */
 export function refuse(field, value, expected, code = 'invalidValue') {

@@ -1,4 +1,5 @@
-// Single values in the module's memory. Those that write check the user's value, and name it by `where` in errors.
+// Access to single values in the module's memory. Functions that write a value check it, and use `where` as its name in
+// errors.
 import { refuse } from './error.js';
 import { M, boolOf, handleOf, indexOf, numberOf, room, stringAt, textAt, u64Of, wholeOf } from './memory.js';
 import { geometryAddress, ownedGeometry } from './geometry.js';
@@ -40,14 +41,14 @@ export function putGeometry(at, value, where) {
 
 const AXES = ['x', 'y', 'z', 'w'];
 
-// Writes the components of a vector: an object with x, y, ... or an array of as many numbers.
+// Writes the components of a vector: an object with x, y, ..., or an array of that many numbers.
 function putComponents(memory, first, value, count, where) {
     if (typeof value !== 'object' || value === null) {
         refuse(where, value, `must be {${AXES.slice(0, count).join(', ')}} or an array of ${count} numbers`);
     }
     const isArray = Array.isArray(value) || ArrayBuffer.isView(value);
     if (isArray && value.length !== count) refuse(where, value, `must have ${count} numbers`);
-    const numbers = [0, 0, 0, 0]; // to read what is the user's may run code that moves the memory
+    const numbers = [0, 0, 0, 0]; // reading the user's values may run code that moves the memory
     for (let i = 0; i < count; ++i) {
         const x = isArray ? value[i] : value[AXES[i]];
         if (typeof x !== 'number') refuse(isArray ? `${where}[${i}]` : `${where}.${AXES[i]}`, x, 'must be a number');
@@ -86,7 +87,7 @@ export function putMany(at, value, count, where, put) {
     for (let i = 0; i < count; ++i) put(at, value[i], i, `${where}[${i}]`);
 }
 
-/** A list: its address, and how many elements of `size` bytes it has. Each is written by `put(at, x, where)`. */
+/** Writes a list: its address, and its number of elements of `size` bytes; `put(at, x, where)` writes an element. */
 export function putList(at, countAt, value, size, where, put) {
     const { length } = arrayOf(value, where);
     const list = room(size * length);
@@ -124,14 +125,14 @@ export function getPosition(at) {
     return { x: f[i], y: f[i + 1], z: f[i + 2] };
 }
 export const getDVec3 = getPosition;
-/** Nine numbers, column after column. */
+/** Nine numbers in column-major order. */
 export function getMat3(at) {
     return Array.from(M.HEAPF32.subarray(at >> 2, (at >> 2) + 9));
 }
 export function getMany(at, count, size, read) {
     return Array.from({ length: count }, (_, i) => read(at + size * i));
 }
-/** The list at an address; where the module gives only its length, an empty one. */
+/** The list at an address; an empty one if the module gives only its length. */
 export function getList(at, countAt, size, read) {
     const list = M.HEAPU32[at >> 2];
     return list === 0 ? [] : getMany(list, M.HEAPU32[countAt >> 2], size, read);

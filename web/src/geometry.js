@@ -1,14 +1,14 @@
-// Hulls, meshes and height fields, whose data lies in the module.
+// Hulls, meshes and height fields, whose data are in the module's memory.
 import { refuse } from './error.js';
 import { M, check, enter, leave, listOf, numberOf, room, wholeOf } from './memory.js';
 import * as fields from './fields.js';
 import * as values from './generated/values.js';
 
-// The net for what nobody disposed of.
+// Releases geometries that were not disposed of.
 const lost = new FinalizationRegistry((address) => M._cairn_geometry_release(address));
 const SECRET = Symbol('made by Geometry');
 
-/** The data of a hull, mesh or height field: it never changes, and many shapes may be made of it. */
+/** The data of a hull, mesh or height field; they never change, and many shapes may share them. */
 export class Geometry {
     constructor(address, secret) {
         if (secret !== SECRET)
@@ -130,12 +130,12 @@ export class Geometry {
 }
 if (Symbol.dispose) Geometry.prototype[Symbol.dispose] = Geometry.prototype.dispose;
 
-/** Takes over a geometry that the module gave. */
+/** Takes ownership of a geometry that the module has returned. */
 export function ownedGeometry(address) {
     return new Geometry(address, SECRET);
 }
 
-/** The address of a geometry that the user gave. */
+/** The address of the user's geometry. */
 export function geometryAddress(value, where) {
     if (!(value instanceof Geometry)) refuse(where, value, 'must be a Geometry');
     return addressOf(value);
@@ -157,7 +157,8 @@ function made(call) {
     }
 }
 
-// Numbers of the user's in the module's memory: their address, and how many they are, a multiple of `each`.
+// Copies the user's numbers to the module's memory: returns their address and their count, which must be a multiple of
+// `each`.
 function floatsOf(list, each, where) {
     if (!Array.isArray(list) && !(list instanceof Float32Array) && !(list instanceof Float64Array)) {
         refuse(where, list, 'must be an array of numbers, a Float32Array or a Float64Array');
@@ -182,7 +183,7 @@ function indicesOf(list) {
     return [at, list.length];
 }
 
-// Materials and the numbers of those of the parts: address and count of each.
+// Materials and the material indices of the parts: address and count of each list.
 function materialsOf(materials, numbers) {
     if (!Array.isArray(materials)) refuse('materials', materials, 'must be an array of materials');
     const table = room(values.MATERIAL_BYTES * materials.length);
@@ -198,7 +199,7 @@ function materialsOf(materials, numbers) {
     return [table, materials.length, list, numbers.length];
 }
 
-// A typed array by a call that writes `count` elements of `size` bytes.
+// A typed array from a call that writes `count` elements of `size` bytes.
 function numbersOf(geometry, size, call, copy) {
     const mark = enter();
     try {

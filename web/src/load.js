@@ -1,15 +1,15 @@
-// How both entries of the package, index.js and mt.js, load their module: once, from wherever its bytes are.
+// Module loading, shared by both entries of the package, index.js and mt.js: once, from any source of its bytes.
 import { CairnError, refuse } from './error.js';
 import { M, stringAt } from './memory.js';
 
-// Not written as bundlers look for it, as what is loaded from here is the user's.
+// Not in the form that bundlers recognize, because files loaded from here are chosen by the user.
 const HERE = import.meta.url;
 
-let started = null; // the entry that was begun with, and its promise
+let started = null; // the entry that started loading, and its promise
 
 /**
- * The promise of `load()`, which is called once. Both entries have the same classes, behind which there is one module:
- * the second entry is refused.
+ * The promise of `load()`, which is called once. Both entries have the same classes, which use a single module:
+ * therefore loading a second entry throws.
  */
 export function once(entry, load) {
     if (started !== null && started.entry !== entry) {
@@ -19,14 +19,14 @@ export function once(entry, load) {
     started ??= {
         entry,
         promise: load().catch((error) => {
-            started = null; // so that another source can be tried
+            started = null; // another source can be tried
             throw error;
         }),
     };
     return started.promise;
 }
 
-/** The WebAssembly.Module of what `init` was given: an address, an answer of a server, bytes, or the module itself. */
+/** The WebAssembly.Module for the argument of `init`: a URL, a Response, bytes, or the module itself. */
 export async function compiled(source, field) {
     if (source instanceof WebAssembly.Module) return source;
     if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return fromBytes(source, field);
@@ -53,7 +53,7 @@ async function fromResponse(response, field) {
 const HINT = `where a bundler is used, see "Bundlers" in the README of cairn-physics`;
 const MAGIC = [0, 0x61, 0x73, 0x6d];
 
-// Servers of single-page applications answer with a page where they have no file, and say that all is well.
+// Servers of single-page applications answer requests for missing files with a page and a success status.
 async function fromBytes(bytes, where) {
     const view = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
     const first = new Uint8Array(view.buffer, view.byteOffset, Math.min(view.byteLength, 16));

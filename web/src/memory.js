@@ -1,19 +1,19 @@
-// The module, the part of its memory where arguments and results of a call lie, and the checks that all calls share.
+// The module, a scratch area in its memory for arguments and results of calls, and checks shared by all calls.
 import { CairnError, CODES, refuse } from './error.js';
 
-/** The module as Emscripten made it: its functions and the views of its memory. Null until `init` is done. */
+/** The Emscripten module: its functions and the views of its memory. Null until `init` has finished. */
 export let M = null;
 
-let shared = null; // its memory, if other threads may make that grow
+let shared = null; // the module's memory, if other threads may grow it
 
 export const ALL_LAYERS = 0xffffffffffffffffn;
 
 const SCRATCH_BYTES = 1 << 16;
-let scratch = 0; // the first of those bytes
-let top = 0; // the first of them that is not in use
-let taken = []; // what did not fit into them, by malloc
+let scratch = 0; // address of the scratch area
+let top = 0; // first unused address in it
+let taken = []; // allocations that did not fit into it, by malloc
 
-/** Takes a module into use. `memory`: its memory, if threads share it. */
+/** Sets the module. `memory`: its memory, if threads share it. */
 export function attach(module, memory = null) {
     M = module;
     shared = memory;
@@ -27,8 +27,8 @@ function reserve(bytes) {
     return at;
 }
 
-// When another thread has made the shared memory grow, the views that this thread has are valid, but end where it ended
-// before. Growing by this thread, and of memory that is not shared, is seen to by Emscripten.
+// When another thread has grown the shared memory, the views of this thread remain valid, but still end at the old
+// size. Emscripten updates them when this thread grows the memory, and for memory that is not shared.
 function renewViews() {
     if (shared === null || shared.buffer === M.HEAPU8.buffer) return;
     const { buffer } = shared;
@@ -41,7 +41,7 @@ function renewViews() {
 }
 
 /**
- * Begins a call. What it gives goes to `leave`; calls may be nested, as reading an argument can run code of the user's.
+ * Begins a call. Its result must be passed to `leave`. Calls may be nested, as reading an argument can run user code.
  */
 export function enter() {
     if (M === null) {
@@ -55,13 +55,13 @@ export function enter() {
     return [top, taken.length];
 }
 
-/** Ends a call: what `room` gave since `enter` is given back. */
+/** Ends a call: frees the memory that `room` has allocated since `enter`. */
 export function leave([before, count]) {
     top = before;
     while (taken.length > count) M._free(taken.pop());
 }
 
-/** Bytes for an argument or a result until the call ends, aligned for any number, all zero. */
+/** Allocates zeroed bytes for an argument or a result until the call ends, aligned for any number. */
 export function room(bytes) {
     const size = (bytes + 7) & ~7;
     if (bytes > 0x7fff0000) throw new CairnError('outOfMemory', `out of memory: ${bytes} bytes`);
@@ -76,14 +76,14 @@ export function room(bytes) {
     return at;
 }
 
-/** Room for an argument, which `put` writes. */
+/** Allocates memory for an argument, which `put` writes. */
 export function placed(bytes, put) {
     const at = room(bytes);
     put(at);
     return at;
 }
 
-/** Throws what a call that did not return CAIRN_OK had to say. */
+/** Throws the error of a call that did not return CAIRN_OK. */
 export function check(result) {
     renewViews();
     if (result === 0) return;
@@ -98,7 +98,7 @@ export function check(result) {
     );
 }
 
-// The engine names members as C does.
+// Converts names of members from C to JavaScript.
 function camelField(field) {
     return field.replaceAll('::', '.').replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
 }
@@ -116,7 +116,7 @@ export function objectOf(value, where) {
     return value;
 }
 
-/** The names of the members that an object has of its own. */
+/** The names of an object's own members. */
 export function keysOf(value, where) {
     return Object.keys(objectOf(value, where));
 }
@@ -148,7 +148,7 @@ export function boolOf(value, where) {
     return value;
 }
 
-/** The lower and the upper half of a number of 64 bits. */
+/** The lower and the upper half of a 64-bit number. */
 export function u64Of(value, where) {
     if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0)
         return [(value % 0x100000000) | 0, Math.floor(value / 0x100000000) | 0];
@@ -158,7 +158,7 @@ export function u64Of(value, where) {
     return [Number(value & 0xffffffffn) | 0, Number(value >> 32n) | 0];
 }
 
-/** The same of a handle: a bigint, or a Body. Null stands for none. */
+/** The lower and the upper half of a handle: a bigint, or a Body. Null is the null handle. */
 export function handleOf(value, where) {
     if (value === null) return [0, 0];
     if (typeof value === 'bigint') return u64Of(value, where);
@@ -169,7 +169,7 @@ export function handleOf(value, where) {
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** A text in the module's memory until the call ends: UTF-8, with a zero behind it. */
+/** Copies a string to the module's memory until the call ends: UTF-8, zero-terminated. */
 export function textAt(value, where) {
     if (typeof value !== 'string') refuse(where, value, 'must be a string');
     if (value.includes('\0')) refuse(where, value, 'must have no character 0');
@@ -181,14 +181,14 @@ export function textAt(value, where) {
 
 // --- results
 
-/** The text at an address, up to its zero. */
+/** The zero-terminated string at an address. */
 export function stringAt(at) {
     if (at === 0) return '';
     const bytes = M.HEAPU8;
     return decoder.decode(bytes.slice(at, bytes.indexOf(0, at)));
 }
 
-/** A text by a call that writes it into a buffer: `call(text, capacity, length)`. */
+/** A string from a call that writes it into a buffer: `call(text, capacity, length)`. */
 export function textOf(call) {
     const length = room(4);
     check(call(0, 0, length));
@@ -198,7 +198,7 @@ export function textOf(call) {
     return decoder.decode(M.HEAPU8.slice(text, text + bytes));
 }
 
-/** A list by a call that writes elements of `size` bytes into an array: `call(list, capacity, count)`. */
+/** A list from a call that writes elements of `size` bytes into an array: `call(list, capacity, count)`. */
 export function listOf(size, call, read) {
     const count = room(4);
     check(call(0, 0, count));

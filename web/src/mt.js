@@ -1,5 +1,4 @@
-// cairn-physics/mt: the same engine, whose steps may use several threads. docs/web.md is the manual, mt.d.ts the
-// reference.
+// cairn-physics/mt: the same engine with multithreaded steps. docs/web.md is the manual, mt.d.ts the reference.
 import createModule from '../dist/mt/cairn.js';
 import { CairnError, refuse } from './error.js';
 import { compiled, once } from './load.js';
@@ -10,11 +9,11 @@ export * from './names.js';
 
 const ENTRY = 'cairn-physics/mt';
 const OPTIONS = ['threads', 'source', 'worker'];
-const MAX_THREADS = 256; // of a world
-const DEFAULT_THREADS = 4; // at most: of further ones a scene of some thousand bodies has little
-const PAGES = { initial: 512, maximum: 65536 }; // of memory: as in web/CMakeLists.txt
+const MAX_THREADS = 256; // per world
+const DEFAULT_THREADS = 4; // maximum of the default: scenes of some thousand bodies gain little from more threads
+const PAGES = { initial: 512, maximum: 65536 }; // memory pages: as in web/CMakeLists.txt
 
-let asked = 0; // the threads of the pool
+let asked = 0; // number of threads of the pool
 
 /** Loads the module and starts its workers; every other call needs it. Further calls return the same promise. */
 export default function init(options = {}) {
@@ -38,7 +37,7 @@ function threadsOf(options) {
     return threads;
 }
 
-// Node has no `navigator` before 21.
+// Before version 21, Node has no `navigator`.
 const navigatorThreads = () => globalThis.navigator?.hardwareConcurrency ?? DEFAULT_THREADS;
 
 async function load({ threads, source, worker }) {

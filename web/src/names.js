@@ -1,4 +1,4 @@
-// What both entries of the package, index.js and mt.js, have beside `init`.
+// Exports of both entries of the package, index.js and mt.js, in addition to `init`.
 export { ALL_LAYERS } from './memory.js';
 export { CairnError } from './error.js';
 export { Geometry } from './geometry.js';

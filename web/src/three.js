@@ -1,15 +1,15 @@
-// Bodies of a world as instanced meshes of three.js.
+// The bodies of a world as instanced meshes of three.js.
 import { refuse } from './error.js';
 
 const PALETTE = [0x4e79a7, 0xf28e2b, 0xe15759, 0x76b7b2, 0x59a14f, 0xedc948, 0xb07aa1, 0xff9da7, 0x9c755f];
 const FIXED = 0xb8bcc4;
 const WATER = 0x2f7fb5;
-const FARTHEST = 1000; // m, of a fluid without end
+const FARTHEST = 1000; // extent of an infinite fluid, m
 
 /**
  * Draws the shapes of a world, and the surfaces of its fluids. `THREE` is the module of three.js, so that there is one
- * copy of it in the page. `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after
- * bodies, shapes or fluids came, went or were changed, or bodies enabled or disabled: those are not seen.
+ * copy of it in the page. Add `group` to the scene; `sync` updates all poses. Call `rebuild` after bodies, shapes or
+ * fluids were added, removed or changed, or bodies enabled or disabled: disabled bodies are not drawn.
  */
 export class WorldView {
     constructor(THREE, world) {
@@ -23,7 +23,7 @@ export class WorldView {
         this.rebuild();
     }
 
-    /** Makes the meshes anew: one for all shapes that look the same. */
+    /** Creates the meshes again: one for all shapes of the same appearance. */
     rebuild() {
         const { THREE, world } = this;
         this.clear();
@@ -53,7 +53,7 @@ export class WorldView {
         const { THREE } = this;
         const material = new THREE.MeshStandardMaterial({ roughness: 0.75, metalness: 0.05 });
         const mesh = new THREE.InstancedMesh(geometry, material, parts.length);
-        mesh.frustumCulled = false; // the bounds of an instanced mesh are not those of its instances
+        mesh.frustumCulled = false; // the bounds of an instanced mesh do not include its instances
         mesh.castShadow = mesh.receiveShadow = true;
         mesh.userData.bodies = parts.map(({ index }) => this.ids[index]);
         const color = new THREE.Color();
@@ -81,7 +81,7 @@ export class WorldView {
             const field = world.forceField(id);
             if (field.kind !== 'fluid') continue;
             const { x, y, z } = field.halfExtents;
-            // The two axes across the one that is nearest to gravity, and how far it reaches along them.
+            // The two axes perpendicular to the one closest to gravity, and the extent along them.
             const along = [Math.abs(up.x), Math.abs(up.y), Math.abs(up.z)];
             const vertical = along.indexOf(Math.max(...along));
             const corners = [];
@@ -106,13 +106,13 @@ export class WorldView {
             });
             const mesh = new THREE.Mesh(geometry, material);
             mesh.position.copy(vectorOf(THREE, field.center));
-            mesh.raycast = () => {}; // bodies are picked through it
+            mesh.raycast = () => {}; // rays pass through the surface to the bodies
             this.waters.push(mesh);
             this.group.add(mesh);
         }
     }
 
-    /** Puts everything where it is now. Throws CairnError (invalidValue) if bodies came or went since `rebuild`. */
+    /** Updates all poses. Throws CairnError (invalidValue) if bodies were added or removed since `rebuild`. */
     sync() {
         const { THREE, positions, rotations } = this;
         this.world.readBodies({ positions, rotations });
@@ -127,7 +127,7 @@ export class WorldView {
                 mesh.setMatrixAt(i, pose.compose(place, turn, one).multiply(local[i]));
             });
             mesh.instanceMatrix.needsUpdate = true;
-            mesh.boundingSphere = null; // rays look at the places of the instances anew
+            mesh.boundingSphere = null; // recomputed from the current positions when a ray is cast
         }
     }
 
@@ -156,8 +156,8 @@ function vectorOf(THREE, { x, y, z }) {
     return new THREE.Vector3(x, y, z);
 }
 
-// What two shapes that look the same have in common. Hulls, meshes and height fields are drawn one by one: to compare
-// them, all of their data would have to be read.
+// A key that is equal for shapes of the same appearance. Hulls, meshes and height fields are drawn one by one:
+// comparing them would require reading all their data.
 function keyOf(kind) {
     return kind.geometry ? Symbol() : JSON.stringify(kind);
 }

@@ -1,15 +1,15 @@
-// World, Body and Snapshot: what is written by hand beside the calls from the table.
+// World, Body and Snapshot: the hand-written part beside the generated calls.
 import { refuse } from './error.js';
 import { M, check, enter, handleOf, leave, listOf, numberOf, room, textAt, textOf, use, wholeOf } from './memory.js';
 import * as fields from './fields.js';
 import * as values from './generated/values.js';
 import { BodyCalls, WorldCalls } from './generated/calls.js';
 
-// The nets for what nobody disposed of.
+// Release worlds and snapshots that were not disposed of.
 const lostWorlds = new FinalizationRegistry((address) => M._cairn_world_destroy(address));
 const lostSnapshots = new FinalizationRegistry((address) => M._cairn_snapshot_release(address));
 
-/** Runs `call` between the begin and the end of a call. */
+/** Runs `call` between `enter` and `leave`. */
 function during(call) {
     const mark = enter();
     try {
@@ -19,7 +19,7 @@ function during(call) {
     }
 }
 
-// The whole state of a world at one moment.
+// The complete state of a world at one time.
 export class Snapshot {
     constructor(world) {
         this.address = 0;
@@ -51,7 +51,7 @@ function snapshotAddress(snapshot) {
     return snapshot.address;
 }
 
-// A body of a world by its handle.
+// A body of a world, identified by its handle.
 export class Body extends BodyCalls {
     constructor(world, id) {
         super();
@@ -70,7 +70,7 @@ export class Body extends BodyCalls {
     }
 }
 
-// Where the arrays of readBodies go: components, and the class that each must have.
+// The arrays of readBodies: the number of components, and the class that each must have.
 const COLUMNS = {
     positions: { components: 3, kind: Float64Array },
     rotations: { components: 4, kind: Float32Array },
@@ -78,7 +78,7 @@ const COLUMNS = {
     angularVelocities: { components: 3, kind: Float32Array },
 };
 
-const MAX_THREADS = 256; // as the engine has it
+const MAX_THREADS = 256; // the engine's limit
 
 export class World extends WorldCalls {
     constructor(definition = {}) {
@@ -97,7 +97,7 @@ export class World extends WorldCalls {
         this.timeStep = 1 / 60;
     }
 
-    /** Makes this object the world at an address of the module. */
+    /** Makes this object own the world at an address in the module. */
     adopt(address) {
         this.dispose();
         this.address = address;
@@ -190,7 +190,8 @@ export class World extends WorldCalls {
                     : `must be at most ${most}: init had ${M.workers + 1} threads, of which other worlds use the rest`;
             refuse('World.threads', count, expected, 'unsupported');
         }
-        // The engine takes the new workers before it gives back those it has, which there may be too few for.
+        // The engine requests new workers before it releases its current ones: there may not be enough workers for
+        // both.
         if (count >= 1 && count <= most && count !== super.threads) super.threads = 1;
         super.threads = count;
     }
@@ -324,7 +325,7 @@ export class World extends WorldCalls {
     }
 }
 
-// How many threads a world can have: the calling one, its own workers, and those that no world uses.
+// The greatest number of threads of a world: the calling thread, its own workers, and the unused ones.
 function mostThreads(world) {
     return M?.PThread === undefined ? 1 : world.threads + M.PThread.unusedWorkers.length;
 }
@@ -341,7 +342,7 @@ if (Symbol.dispose) {
     Snapshot.prototype[Symbol.dispose] = Snapshot.prototype.dispose;
 }
 
-/** The spring with which what a joint moves swings at `hertz` with that ratio to critical damping. */
+/** The spring with which a jointed body oscillates at `hertz`, with that ratio of critical damping. */
 export function springFromFrequency(hertz, dampingRatio) {
     return during(() => {
         const spring = room(values.JOINT_SPRING_BYTES);

@@ -1,4 +1,4 @@
-/* A program of somebody else's, in C99: drops a crate onto the ground and tells how high it lies. */
+/* A program in C99 that uses Cairn: it drops a crate onto the ground and prints its final height. */
 #include <cairn/cairn.h>
 
 #include <math.h>

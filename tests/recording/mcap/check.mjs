@@ -1,4 +1,5 @@
-// node check.mjs FILE STEPS: reads a recording by its index and as a stream, with all checksums, and counts its steps.
+// node check.mjs FILE STEPS: reads a recording both through its index and as a stream, verifies all checksums, and
+// counts the steps.
 import { McapIndexedReader, McapStreamReader } from "@mcap/core";
 import { loadDecompressHandlers } from "@mcap/support";
 import assert from "node:assert/strict";
@@ -18,7 +19,8 @@ function leb128(data, at) {
     }
 }
 
-// Steps by the description in the file: those that a digest of 32 bytes follows.
+// Counts steps according to the format description in the file: a step is an empty entry followed by a digest of 32
+// bytes.
 function digestsOf(data) {
     let count = 0;
     for (let [, at] = leb128(data, 0); at < data.length;) {

@@ -1,5 +1,6 @@
-// node readings.mjs FILE: what a recording has for other programs, decoded by protobuf.js from the schemas in the file
-// and compared with Foxglove's own schemas. Prints it as JSON: of each topic the number of messages and the last one.
+// node readings.mjs FILE: the messages of a recording for other programs, decoded by protobuf.js with the schemas in
+// the file and compared with Foxglove's own schemas. Prints JSON: the number of messages and the last message of each
+// topic.
 import foxglove from "@foxglove/schemas/jsonschema.js";
 import { McapIndexedReader } from "@mcap/core";
 import { loadDecompressHandlers } from "@mcap/support";
@@ -15,7 +16,7 @@ const readable = {
 };
 const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers: await loadDecompressHandlers() });
 
-// Fields of a message and of those in it are what Foxglove says, and of its kind.
+// Checks that the fields of a message, and of nested messages, exist in Foxglove's schema with the same type.
 function compare(type, schema) {
     for (const field of type.fieldsArray) {
         let known = schema.properties[field.name];

@@ -20,7 +20,7 @@ function readLines(path) {
 }
 
 async function load(path) {
-    globalThis.self ??= globalThis; // the loader asks a browser's global for URL
+    globalThis.self ??= globalThis; // the loader expects a browser's global object
     const bytes = readFileSync(path);
     const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
     return new GLTFLoader().parseAsync(buffer, "");
@@ -35,7 +35,7 @@ const nodes = await Promise.all(roots.map((index) => file.parser.getDependency("
 
 const mixer = new three.AnimationMixer(file.scene);
 const actions = file.animations.map((clip) => mixer.clipAction(clip).setLoop(three.LoopOnce, 1));
-for (const action of actions) action.clampWhenFinished = true; // the last moment stays
+for (const action of actions) action.clampWhenFinished = true; // keeps the last pose
 const position = new three.Vector3(), rotation = new three.Quaternion(), scale = new three.Vector3();
 let compared = 0, moved = 0;
 for (const line of lines) {

@@ -1,12 +1,12 @@
-// The workers whose threads the module uses, of browsers and of Node, as Emscripten's loader wants them.
+// The workers on which the module's threads run, in browsers and in Node, in the form that Emscripten's loader expects.
 import { CairnError } from '../error.js';
 
-// Not written as bundlers look for it, which would take the worker for Node into the page.
+// Not in the form that bundlers recognize: they would include the worker for Node in the page.
 const HERE = import.meta.url;
 
 const isNode = () => globalThis.process?.versions?.node !== undefined && globalThis.process.type !== 'renderer';
 
-// Both kinds begin with `new Worker`, in the form that bundlers know, and call back with messages and errors.
+// Both kinds use `new Worker` in the form that bundlers recognize, and pass on messages and errors.
 function browserWorker(address, onMessage, onError) {
     const worker =
         address === undefined
@@ -27,7 +27,7 @@ function nodeWorker(NodeWorker, address, onMessage, onError) {
 }
 
 export class WorkerPool {
-    /** A pool whose workers run the script at that address; left out: the one of the package. */
+    /** A pool whose workers run the script at that address; default: the script of the package. */
     static async of(address) {
         if (!isNode()) return new WorkerPool((...listeners) => browserWorker(address, ...listeners));
         const { Worker } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:worker_threads');
@@ -37,11 +37,11 @@ export class WorkerPool {
     constructor(start) {
         const workers = (this.workers = []);
         let fail;
-        /** Rejects when a worker cannot be started; never fulfilled. */
+        /** Rejects if a worker cannot be started; never fulfilled. */
         this.failure = new Promise((_, reject) => (fail = reject));
-        this.failure.catch(() => {}); // those who wait for it get it
+        this.failure.catch(() => {}); // callers that wait for the promise receive the error
 
-        /** What the loader makes its workers of. */
+        /** The class of which the loader creates its workers. */
         this.Worker = class {
             onmessage = null;
             onerror = null;
@@ -61,7 +61,7 @@ export class WorkerPool {
             stumble(text) {
                 const error = new CairnError('other', `cairn-physics/mt: a worker failed: ${text}`, 'worker', text);
                 fail(error);
-                if (pool.isReady) throw error; // nobody waits any more
+                if (pool.isReady) throw error; // no caller waits at this point
             }
             postMessage(message, transfer) {
                 this.worker.postMessage(message, transfer);
@@ -74,7 +74,7 @@ export class WorkerPool {
         this.isReady = false;
     }
 
-    /** When all workers have loaded the module. From then on, they do not keep Node from ending. */
+    /** Resolves when all workers have loaded the module. From then on they do not keep Node running. */
     async ready() {
         await Promise.race([Promise.all(this.workers.map((worker) => worker.loaded)), this.failure]);
         this.isReady = true;

@@ -1,8 +1,8 @@
-// A worker's side of Emscripten's threads: loads the module that the page sends, and runs threads in it, one after the
-// other. In place of the script that comes with Emscripten, which bundlers, and Node with ES modules, do not take.
+// The worker's side of Emscripten's threads: loads the module that the page sends, and runs threads in it, one after
+// the other. It replaces Emscripten's own script, which neither bundlers nor Node with ES modules accept.
 import createModule from '../../dist/mt/cairn.js';
 
-/** `listen(receive)` has `receive` called with each message of the page; `post` sends one. */
+/** `listen(receive)` must call `receive` for each message of the page; `post` sends a message. */
 export function serve(listen, post) {
     let loading = null;
     const guarded = (work) =>
@@ -30,7 +30,8 @@ function load({ wasmModule, wasmMemory }, post) {
     });
 }
 
-// The numbers are those of worker.js of Emscripten 3.1.6: neither the main thread nor a browser's, and it may block.
+// The arguments are those of worker.js of Emscripten 3.1.6: not the main thread, not the main browser thread, may
+// block.
 function run(module, { threadInfoStruct, start_routine: routine, arg, time }) {
     module.__performance_now_clock_drift = performance.now() - time;
     module.__emscripten_thread_init(threadInfoStruct, 0, 0, 1);
@@ -39,7 +40,7 @@ function run(module, { threadInfoStruct, start_routine: routine, arg, time }) {
     try {
         module.__emscripten_thread_exit(module.invokeEntryPoint(routine, arg));
     } catch (error) {
-        if (error !== 'unwind') throw error; // how pthread_exit leaves
+        if (error !== 'unwind') throw error; // thrown by pthread_exit
     }
 }
 

@@ -1,4 +1,4 @@
-// What a worker of a browser runs.
+// The script of a worker in a browser.
 import { serve } from './thread.js';
 
 serve(

@@ -1,4 +1,4 @@
-// What a worker of Node runs.
+// The script of a worker in Node.
 import { parentPort } from 'node:worker_threads';
 import { serve } from './thread.js';
 
