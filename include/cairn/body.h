@@ -1,5 +1,5 @@
 /// \file body.h
-/// Rigid bodies: what they are made from, and the light accessor to one.
+/// Rigid bodies: their definition (BodyDef), and a lightweight accessor to one body of a world (Body).
 #pragma once
 
 #include <cairn/character.h>
@@ -18,13 +18,14 @@ namespace cairn {
 class World;
 
 enum class BodyType : std::uint8_t {
-    static_,   ///< Never moves by itself.
-    kinematic, ///< Moves with the velocity it is given, and turns about its origin; nothing pushes it.
-    dynamic,   ///< Moves by forces and contacts.
+    static_, ///< Never moves by itself.
+    /// Moves with the velocities that it is given, rotating about its origin. Forces and contacts do not change them.
+    kinematic,
+    dynamic, ///< Moves by forces and contacts.
 };
 
-/// Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertia_diagonal`,
-/// stand for what cannot be moved or turned.
+/// Mass, center of mass and inertia of a body. With a `mass` of +infinity forces do not translate the body; a zero
+/// entry of `inertia_diagonal` keeps torques from rotating it about that principal axis.
 struct MassProperties {
     float mass = 1.0f;                                ///< kg, > 0; may be infinite.
     Vec3 center_of_mass{0.0f, 0.0f, 0.0f};            ///< In the body's frame, meters.
@@ -32,7 +33,7 @@ struct MassProperties {
     Quat inertia_orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Rotation from principal axes to the body's frame.
 };
 
-/// Everything needed to make a body.
+/// Everything that is needed to create a body (`World::create_body`).
 struct BodyDef {
     BodyType type = BodyType::dynamic;
     Position position{0.0, 0.0, 0.0};        ///< Origin of the body's frame (not its center of mass), meters.
@@ -40,19 +41,22 @@ struct BodyDef {
     Vec3 linear_velocity{0.0f, 0.0f, 0.0f};  ///< Of the center of mass, m/s.
     Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; ///< In world axes, rad/s.
     float linear_damping = 0.0f;             ///< 1/s, >= 0: velocity decays as v' = -damping v.
-    float angular_damping = 0.0f;            ///< 1/s, >= 0.
+    float angular_damping = 0.0f;            ///< 1/s, >= 0: the same for the angular velocity.
     float gravity_scale = 1.0f;              ///< Multiplies the world's gravity for this body; any finite value.
     bool allow_sleep = true;                 ///< false: the body and its island never fall asleep.
-    std::optional<float> mass{};             ///< kg, > 0 (+infinity: immovable). Absent: from the shapes' densities.
-    std::optional<MassProperties> mass_properties{}; ///< Overrides mass and shapes altogether.
-    std::string name{};                              ///< For people; need not be unique.
-    std::uint64_t user_data = 0;                     ///< Not touched by the engine.
-    bool enabled = true;                             ///< false: it takes no part in the world until it is enabled.
+    /// Total mass in kg, > 0 (+infinity: immovable), to which the mass properties of the shapes are scaled. Absent: the
+    /// mass follows from the densities of the shapes.
+    std::optional<float> mass{};
+    std::optional<MassProperties> mass_properties{}; ///< Used in place of `mass` and of the shapes' densities.
+    std::string name{};                              ///< For display and `World::find_body`; need not be unique.
+    std::uint64_t user_data = 0;                     ///< Stored for the application; the engine does not use it.
+    bool enabled = true; ///< false: the body does not take part in the simulation until `Body::set_enabled`.
 };
 
-/// A light accessor to one body of a world. Cheap to copy and to make (`world.body(id)`); it stays usable as
-/// long as the body lives, and every call throws `Error` (invalid_handle) after that.
-/// Setters wake the body. Vectors are in world axes, points in world space, unless a name says `local`.
+/// A lightweight accessor to one body of a world, cheap to create (`world.body(id)`) and to copy. It can be used as
+/// long as the body exists; after that, every call throws `Error` (invalid_handle). Setters wake the body. Vectors are
+/// in world axes and points in world space. Invalid values throw `Error` (invalid_value); calls that do not fit the
+/// type or the state of the body throw wrong_state.
 class Body {
   public:
     BodyId id() const noexcept { return id_; }
@@ -63,10 +67,11 @@ class Body {
     Position position() const; ///< Origin of the body's frame, meters.
     Quat rotation() const;
     Transform transform() const;
-    Position center_of_mass() const; ///< In world space, meters; of kinematic bodies, their origin, if not given.
-    Vec3 linear_velocity() const;    ///< Of the center of mass, m/s.
-    Vec3 angular_velocity() const;   ///< rad/s.
-    Vec3 velocity_at(const Position& point) const; ///< Of the body's material at a world point, m/s.
+    /// In world space, meters. For a kinematic body: its origin, unless BodyDef::mass_properties gave a center of mass.
+    Position center_of_mass() const;
+    Vec3 linear_velocity() const;                  ///< Of the center of mass, m/s.
+    Vec3 angular_velocity() const;                 ///< rad/s.
+    Vec3 velocity_at(const Position& point) const; ///< Velocity of the body's material at a point in world space, m/s.
 
     float mass() const; ///< kg; +infinity for static and kinematic bodies.
     MassProperties mass_properties() const;
@@ -76,39 +81,46 @@ class Body {
     float gravity_scale() const;
     float linear_damping() const;
     float angular_damping() const;
-    bool is_awake() const; ///< Static bodies never are; kinematic ones are while they move.
+    /// A static or disabled body never is; a kinematic body is while one of its velocities is not zero.
+    bool is_awake() const;
     bool allow_sleep() const;
     bool enabled() const;
     std::vector<ShapeId> shapes() const;
 
-    /// Teleports the body: velocities stay, contacts are found anew.
+    /// Teleports the body: its velocities stay, and its contacts are detected afresh in the next step.
     void set_transform(const Position& position, const Quat& rotation);
     void set_position(const Position& position);
     void set_rotation(const Quat& rotation);
     void set_linear_velocity(const Vec3& velocity);
     void set_angular_velocity(const Vec3& velocity);
-    /// Kinematic bodies: sets the velocities that bring the body to `target` in `seconds` (> 0).
+    /// Sets the velocities of a kinematic body such that it reaches `target` after `seconds` (> 0). It keeps these
+    /// velocities afterwards. Throws (wrong_state) for bodies of other types.
     void move_to(const Transform& target, float seconds);
     void set_gravity_scale(float scale);
     void set_damping(float linear, float angular);
     void set_allow_sleep(bool allow);
     void set_type(BodyType type);
-    /// Takes a body out of the world and puts it back, with its shapes, joints and handles as they are: for what is
-    /// used again and again, or not yet. What is disabled does not move and keeps its velocities; nothing touches it,
-    /// queries do not see it, its joints do not act, and energies and momenta are without it. All of it may be changed,
-    /// but nothing can push it: forces and impulses are refused (wrong_state). What it touched ends with a ContactEnd,
-    /// and wakes; where it is put back into something, it is pushed out as what is made there.
+    /// Takes the body out of the simulation (false) or puts it back (true), and keeps its shapes, joints and handles.
+    /// This suits bodies that are reused often, or that are needed only later. A disabled body does not move but keeps
+    /// its velocities; it has no contacts, queries do not find it, its joints do not act, and energies and momenta of
+    /// the world exclude it. Its properties may be changed, but forces and impulses are refused (wrong_state). When it
+    /// is disabled, its contacts end with a ContactEnd, and the bodies that it touched wake. If it overlaps others when
+    /// it is enabled, it is pushed out of them like a newly created body.
     void set_enabled(bool enabled);
     void set_name(std::string_view name);
-    /// Replaces the mass properties; they no longer follow the shapes. Dynamic bodies only.
+    /// Sets the mass properties, which then do not follow the shapes. Dynamic bodies only; throws (wrong_state) for
+    /// others.
     void set_mass_properties(const MassProperties& properties);
-    /// Mass properties follow the shapes' densities again, scaled to `mass` if given.
+    /// Makes the mass properties follow the densities of the shapes again, scaled to a total of `mass` (kg, > 0) if it
+    /// is given. Dynamic bodies only; throws (wrong_state) for others.
     void set_mass_from_shapes(std::optional<float> mass = std::nullopt);
     void wake();
-    /// Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before
-    /// anything moves, provided that all that touches it or is joined to it was told so, too, and all may sleep. A
-    /// level that is made asleep costs nothing until something comes; then it settles like anything that is made. What
-    /// moves or pushes the body in between wakes it, as ever.
+    /// Sets the velocities of a dynamic body to zero and puts it to sleep at the beginning of the next step, at its
+    /// present place, even in the air. This requires that `sleep` was called for all bodies of its island, that is,
+    /// also for those that it touches or is joined to, and that all of them may sleep. A level that is created asleep
+    /// costs no time until something wakes it; then it settles like newly created bodies. Calls that move or push the
+    /// body before that step wake it as usual. No effect on other types of bodies, and where WorldDef::enable_sleep is
+    /// false.
     void sleep();
 
     void add_force(const Vec3& force); ///< N, at the center of mass; acts during the next step only.
@@ -120,17 +132,19 @@ class Body {
 
     // --- characters (character.h)
     bool is_character() const;
-    CharacterDef character() const; ///< Throws (wrong_state) unless it is one.
-    /// Makes a kinematic body a character, or changes how one moves. From then on its velocities are those with which
-    /// each step moves it, and setting its linear velocity throws it: upwards, it leaves the ground.
+    CharacterDef character() const; ///< Throws (wrong_state) if the body is no character.
+    /// Makes a kinematic body a character, or changes the definition of a character. From then on each step sets the
+    /// velocities of the body to those with which it moves the character. `set_linear_velocity` then throws the
+    /// character: with an upward velocity, it leaves the ground.
     void set_character(const CharacterDef& def);
-    void remove_character(); ///< It is an ordinary kinematic body again, at rest.
+    void remove_character(); ///< Makes it an ordinary kinematic body again, at rest.
     Vec3 walk_velocity() const;
-    /// Where a character wants to go, m/s, until it is set anew: over the ground, with this speed and, seen from above,
-    /// in this direction, beside the motion of the ground itself. What of it leads up or down counts for those alone
-    /// that fly.
+    /// Sets the velocity with which a character tries to move, m/s, relative to the ground; it holds until the next
+    /// call. The character moves along the ground with this speed, in this direction as seen from above. The component
+    /// along CharacterDef::up is used only if the character flies (CharacterDef::flies).
     void set_walk_velocity(const Vec3& velocity);
-    /// In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
+    /// A character that stands on the ground leaves it in the next step with this upward speed, m/s, > 0. No effect on
+    /// a character that does not stand then.
     void jump(float speed);
     CharacterState character_state() const;
 

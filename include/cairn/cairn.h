@@ -1,5 +1,5 @@
 /// \file cairn.h
-/// The whole public API; for compilers of C, the C API (cairn/c/cairn.h).
+/// The whole public API of C++. Included from a C program, it gives the C API (cairn/c/cairn.h).
 #pragma once
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 /// \file commands.h
-/// The changes of a world as bytes: who is told of them, and how they are made again. Recordings and undoing are made
-/// of these.
+/// Commands: the calls that change a world, encoded as bytes. A listener receives them, and `World::execute` repeats
+/// them. Recordings (docs/recordings.md) and undo (history.h) are built on them.
 #pragma once
 
 #include <cairn/shape.h>
@@ -17,47 +17,50 @@ namespace cairn {
 
 class World;
 
-/// Is told of every change of a world (`World::set_command_listener`).
+/// Receives every change of a world (`World::set_command_listener`).
 class CommandListener {
   public:
     virtual ~CommandListener() = default;
-    /// A change is about to be made: its arguments were checked, and nothing but running out of memory can stop it.
-    /// `command` is the call with its arguments (`command_encoding`), valid until this returns. What this throws
-    /// reaches the caller, and the world stays as it was. The world must not be changed from here.
+    /// Called just before a change is made: its arguments have been checked, and only a lack of memory can still
+    /// prevent it. `command` is the call with its arguments, encoded as `command_encoding` describes, and valid until
+    /// this function returns. An exception that this function throws reaches the caller of the change, and the world
+    /// stays as it was. The world must not be changed from here.
     virtual void on_command(std::span<const std::byte> command) = 0;
-    /// A step has been made, of which `on_command` was told before.
+    /// Called after each step; `on_command` was called before it.
     virtual void on_step(const World&) noexcept {}
-    /// The number under which a command shall name this Hull, Mesh or HeightField: that by which a `CommandSource`
-    /// finds it again. `World::execute` adds what the shape has beside its geometry (the rounding of a hull).
+    /// Returns the number by which commands refer to this Hull, Mesh or HeightField, and by which a `CommandSource`
+    /// finds it again. The number stands for the geometry only: commands hold the other members of the shape (the
+    /// rounding of a hull), and `World::execute` applies them.
     virtual std::uint64_t number_of(const Shape& shape) = 0;
-    /// The number under which a command shall name this snapshot.
+    /// Returns the number by which commands refer to this snapshot.
     virtual std::uint64_t number_of(const Snapshot& snapshot) = 0;
 };
 
-/// Where `World::execute` finds what commands name by a number.
+/// Supplies `World::execute` with the shapes and snapshots to which commands refer by number.
 class CommandSource {
   public:
     virtual ~CommandSource() = default;
-    /// The Hull, Mesh or HeightField of that number. Throws `Error` (invalid_file) if there is none.
+    /// The Hull, Mesh or HeightField with that number. Throws `Error` (invalid_file) if there is none.
     virtual const Shape& shape(std::uint64_t number) = 0;
-    /// The snapshot of that number. Throws `Error` (invalid_file) if there is none.
+    /// The snapshot with that number. Throws `Error` (invalid_file) if there is none.
     virtual const Snapshot& snapshot(std::uint64_t number) = 0;
 };
 
-/// How commands are encoded, as JSON: rules, calls by their numbers, and the types of their arguments. A build of
-/// another version reads what this one writes, as long as it knows the calls.
+/// A description of the encoding of commands, as JSON: the rules, the numbers of the calls, and the types of their
+/// arguments. Builds of other versions can read commands of this one as long as they know the calls.
 std::string_view command_encoding() noexcept;
 
-/// Shapes as in commands, for who keeps snapshots (`SnapshotDefinitions::shapes`) in files.
+/// Encodes shapes in the same way as commands do, for programs that store snapshots (`SnapshotDefinitions::shapes`) in
+/// files.
 std::vector<std::byte> encode_shapes(std::span<const Shape> shapes, CommandListener& numbers);
-/// The shapes of `encode_shapes`. Throws `Error` (invalid_file, unsupported) if it is none of its results.
+/// Decodes what `encode_shapes` returned. Throws `Error` (invalid_file, unsupported) for other bytes.
 std::vector<Shape> decode_shapes(std::span<const std::byte> bytes, CommandSource& source);
 
-/// The call that a command is, such as "World::create_body"; empty if it is none that this build knows.
+/// The name of the call that a command encodes, such as "World::create_body"; empty if this build does not know it.
 std::string_view command_name(std::span<const std::byte> command) noexcept;
 
-/// Four sums over all bodies of a hash of place, rotation and velocities. Worlds with other sums are not the same; from
-/// the sums of one, the other can tell in which bodies they differ, if these are one or two.
+/// Four sums, over all bodies, of hashes of position, rotation and velocities. Worlds with different sums differ. If
+/// they differ in one or two bodies only, `World::bodies_that_differ` can tell which from the sums.
 struct StateDigest {
     std::array<std::uint64_t, 4> sums{}; ///< Each below 2^61 - 1.
     friend bool operator==(const StateDigest&, const StateDigest&) = default;

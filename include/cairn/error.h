@@ -1,6 +1,6 @@
 /// \file error.h
-/// The one exception type of the API. It is thrown at the call that was given a bad argument, before
-/// anything changes: the world is as it was. Nothing throws from inside a step.
+/// The exception type of the API. A call with an invalid argument throws it before anything changes: the world stays as
+/// it was. A step does not throw it once it has begun.
 #pragma once
 
 #include <stdexcept>
@@ -10,15 +10,16 @@ namespace cairn {
 
 enum class ErrorCode {
     invalid_value,  ///< An argument is NaN, infinite, or out of its range.
-    invalid_handle, ///< A handle is null, stale, or of another world.
-    wrong_state,    ///< The call is not allowed now (for example, from inside a step or a query callback).
-    invalid_file,   ///< A file or a buffer is malformed.
-    unsupported,    ///< A well-formed request for something that this build does not do.
-    io,             ///< A file could not be read or written.
+    invalid_handle, ///< A handle is null, stale, or belongs to another world.
+    /// The call is not allowed in the present state (for example, during a step, or for a body of another type).
+    wrong_state,
+    invalid_file, ///< A file or a buffer is malformed.
+    unsupported,  ///< The request is well formed, but this build does not support it.
+    io,           ///< A file could not be read or written.
 };
 
-/// What went wrong: `field` names the argument (for example `BodyDef.mass`), `value` is what it was,
-/// and `what()` says both together with what was expected.
+/// Describes an error: `field` names the argument (for example `BodyDef.mass`), `value` is its value as text, and
+/// `what()` gives both, and what was expected.
 class Error : public std::runtime_error {
   public:
     Error(ErrorCode code, std::string field, std::string value, const std::string& expected)

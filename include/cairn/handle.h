@@ -1,7 +1,7 @@
 /// \file handle.h
-/// Versioned handles. A handle names one object of one world; once that object is destroyed the handle is
-/// stale for ever: it is detected, never mistaken for a newer object in the same slot. Only `World::restore` gives
-/// handles again: those of what was made after its snapshot.
+/// Versioned handles. A handle names one object of one world. Once that object is destroyed, its handle is stale for
+/// good: calls detect it, and never mistake it for a newer object in the same slot. Only `World::restore` reissues
+/// handles: those of objects that were created after the snapshot was taken.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace cairn {
 
-/// 64-bit handle: 28 bits slot index, 20 bits generation, 16 bits world. Zero is the null handle.
-/// A slot whose generations are used up is retired, so a handle can never alias.
+/// 64-bit handle: 28 bits of slot index, 20 bits of generation, 16 bits of world number. Zero is the null handle. A
+/// slot whose generations are used up is retired, so that handles never alias.
 template <class Tag> struct Handle {
     std::uint64_t bits = 0;
 

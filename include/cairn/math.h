@@ -1,6 +1,6 @@
 /// \file math.h
-/// Vocabulary types of the public API. They are GLM's, so that an application's own GLM code needs no
-/// conversion. The engine computes with its own operations (src/math), never with GLM's functions.
+/// Vector types of the public API. They are GLM's, so that applications with GLM need no conversion. The engine
+/// computes with its own operations (src/math), never with GLM's functions.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-using Vec3 = glm::vec3;      ///< Direction, velocity, extent, force: float, SI units.
+using Vec3 = glm::vec3;      ///< Directions, velocities, extents, forces: float, SI units.
 using Position = glm::dvec3; ///< World position in meters: double, so that large worlds keep their precision.
 using Quat = glm::quat;      ///< Rotation as a unit quaternion. Constructor order is (w, x, y, z).
 using Mat3 = glm::mat3;      ///< Column-major 3x3 matrix (inertia tensors, in kg m^2).

@@ -1,6 +1,6 @@
 /// \file query.h
-/// Ray casts, shape casts, closest points and overlap tests. Exact against the shapes, read-only, and safe from several
-/// threads at a time while no step runs.
+/// Results and filters of queries: ray casts, shape casts, closest points and overlap tests. Queries use the exact
+/// shapes, do not change the world, and may run on several threads at once while no step runs.
 #pragma once
 
 #include <cairn/handle.h>
@@ -11,77 +11,80 @@
 
 namespace cairn {
 
-/// The nearest thing that a ray met.
+/// An intersection of a ray with a shape.
 struct RayHit {
     ShapeId shape;
     BodyId body;
-    Position point;  ///< On the surface, meters.
+    Position point;  ///< On the surface, meters, world space.
     Vec3 normal;     ///< Unit outward normal of the surface there.
     double distance; ///< From the ray's origin, meters.
-    /// Of a mesh: the one of the triangles of `Mesh::indices()` that it met; of a height field: twice the number of its
-    /// cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+    /// For a mesh: index of the triangle that was hit, in `Mesh::indices()`. For a height field: 2 x (index of the
+    /// cell, row by row), plus 1 for the triangle on the side of greater x. For other shapes: -1.
     int triangle = -1;
 };
 
-/// The first thing that a moving shape met.
+/// The first contact of a shape that is moved along a line.
 struct ShapeCastHit {
     ShapeId shape;
     BodyId body;
-    double fraction;   ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
-    Position point;    ///< Where they meet, meters.
-    Vec3 normal;       ///< Unit, out of the shape that was met.
-    int triangle = -1; ///< That was met; as in RayHit.
+    double fraction; ///< Fraction of the translation before the contact, 0 to 1; 0 if the shapes overlap at the start.
+    Position point;  ///< Where the two shapes touch, meters, world space.
+    Vec3 normal;     ///< Unit normal, out of the shape that was hit.
+    int triangle = -1; ///< The triangle that was hit; as in RayHit.
 };
 
-/// The surface point nearest to a given one.
+/// The point of the nearest shape that is closest to a given point.
 struct ClosestPoint {
     ShapeId shape;
     BodyId body;
-    Position point;    ///< On the surface, meters; the given point itself if that lies inside.
-    double distance;   ///< Meters; 0 inside.
-    int triangle = -1; ///< That it is on; as in RayHit.
+    Position point;    ///< On the surface, meters, world space; the given point itself if it is inside the shape.
+    double distance;   ///< Meters; 0 if the given point is inside the shape.
+    int triangle = -1; ///< The triangle on which the point lies; as in RayHit.
 };
 
-/// The trees of the broad phase: those of what is fixed, of what is awake, of shapes that are awake and large beside
-/// the others, and of what sleeps, with a tree for each island below that of all islands. Planes are in none.
+/// The trees of the broad phase: `fixed` for shapes of static bodies, `awake` for awake shapes, `large` for awake
+/// shapes that are large compared to the others, `sleeping` for sleeping shapes: a tree of all sleeping islands, below
+/// which each island has a tree of its own. Infinite planes are in none.
 enum class BroadPhaseTree : std::uint8_t { fixed, awake, large, sleeping };
 
-/// A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
-/// overlap.
+/// A node of a tree of the broad phase. Its box encloses those of its children, of which there are at most eight; the
+/// boxes of siblings may overlap.
 struct BroadPhaseNode {
-    Bounds bounds;        ///< Meters; of a shape, somewhat larger than the shape.
-    BroadPhaseTree tree;  ///< The one that it is in.
-    int depth;            ///< 0: the root of the tree.
-    int parent;           ///< Its place in the list; -1: it is a root.
-    bool is_leaf = false; ///< It is the box of one shape.
-    ShapeId shape;        ///< Of a leaf; else null.
+    Bounds bounds;        ///< Meters, world space; the box of a leaf is somewhat larger than its shape.
+    BroadPhaseTree tree;  ///< The tree to which the node belongs.
+    int depth;            ///< Levels below the root of the tree; 0: the root.
+    int parent;           ///< Index of the parent in the list of nodes; -1: the node is a root.
+    bool is_leaf = false; ///< true: the node is the box of a single shape.
+    ShapeId shape;        ///< The shape of a leaf; null for other nodes.
 };
 
-/// How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and measurements.
+/// How the solver treats a touching pair of shapes, after the last step; for visualization and measurements.
 struct SolverContact {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    /// Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns,
-    /// the lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by
-    /// one, before all others.
+    /// Color in the constraint graph. Contacts of one color share no dynamic body, so that they are solved in parallel.
+    /// Colors are solved in turn, lowest first; those of contacts with static and kinematic bodies come last. -1: no
+    /// color was free, and the contact is solved on its own, before all others.
     int color;
-    int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
+    /// Substeps of its island in the last step in which the island was awake; 0: it has not been solved yet.
+    int substeps;
 };
 
-inline constexpr std::uint64_t all_layers = ~std::uint64_t{}; ///< As they are by default.
+inline constexpr std::uint64_t all_layers = ~std::uint64_t{}; ///< All layers: the default of queries.
 
-/// Which shapes a query sees: those that pass all of it.
+/// Selects the shapes that a query can find. A shape must meet all conditions.
 struct QueryFilter {
-    std::uint64_t layers = all_layers;     ///< Those that are in any of these layers (CollisionFilter::layers).
-    std::uint64_t own_layers = all_layers; ///< Those that collide with any of these, in which the query itself is.
-    bool static_bodies = true;             ///< Those of static bodies.
-    bool kinematic_bodies = true;          ///< Those of kinematic bodies.
-    bool dynamic_bodies = true;            ///< Those of dynamic bodies.
-    bool triggers = false;                 ///< Triggers as well; they are seen like any other shape then.
-    /// Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
-    /// only the question is whether there is any.
+    std::uint64_t layers = all_layers; ///< The shape must be in one of these layers (CollisionFilter::layers).
+    /// The layers of the query itself: the shape must collide with one of them (CollisionFilter::collides_with).
+    std::uint64_t own_layers = all_layers;
+    bool static_bodies = true;    ///< true: shapes of static bodies are included.
+    bool kinematic_bodies = true; ///< true: shapes of kinematic bodies are included.
+    bool dynamic_bodies = true;   ///< true: shapes of dynamic bodies are included.
+    bool triggers = false;        ///< true: triggers are included, and found like other shapes.
+    /// true: the query may return any one result: the first that it finds instead of the nearest, and a single shape
+    /// for overlaps. Faster if it only matters whether there is any.
     bool any = false;
-    std::vector<BodyId> ignored_bodies{}; ///< Shapes of these are not seen. Each must exist.
+    std::vector<BodyId> ignored_bodies{}; ///< Shapes of these bodies are excluded. Each body must exist.
 };
 
 } // namespace cairn

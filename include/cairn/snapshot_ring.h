@@ -1,5 +1,5 @@
 /// \file snapshot_ring.h
-/// The last states of a world, to go back to: what a game over a network, or a search, does in every frame.
+/// A ring buffer of the last states of a world, for rollback in every frame, as in networked games and in searches.
 #pragma once
 
 #include <cairn/world.h>
@@ -9,8 +9,8 @@
 
 namespace cairn {
 
-/// The last states of one world. Of each, only what the next one has otherwise is kept: a body at rest takes almost
-/// nothing. Going back is faster than by snapshots, and as exact.
+/// The last states of one world. For each state only the difference from the next is stored, so that a body at rest
+/// takes almost no memory. Restoring is faster than with snapshots, and as exact.
 ///
 ///     cairn::SnapshotRing ring(8);
 ///     for (;;) {
@@ -21,27 +21,27 @@ namespace cairn {
 ///     }
 class SnapshotRing {
   public:
-    /// `frames`: how many states it keeps, at least 1; the oldest goes when there are more. Throws `Error`
-    /// (invalid_value).
+    /// `frames`: the number of states that the ring keeps, at least 1; beyond it the oldest state is dropped. Throws
+    /// `Error` (invalid_value) for 0.
     explicit SnapshotRing(std::size_t frames);
     ~SnapshotRing();
     SnapshotRing(SnapshotRing&&) noexcept;
     SnapshotRing& operator=(SnapshotRing&&) noexcept;
 
-    /// Keeps the state of a world as it is now. Throws `Error` (wrong_state) as `World::save` does; the ring is then as
-    /// it was. Where memory runs out, the ring is empty.
+    /// Stores the present state of the world. Throws `Error` (wrong_state) as `World::save` does; the ring then stays
+    /// as it was. If memory runs out, the ring is left empty.
     void push(const World& world);
-    /// Makes a world what it was when it was pushed; `back` = 0: the last time, at most `size()` - 1. What was pushed
-    /// after that is forgotten. Like `World::restore`, which a command listener is told of. Throws `Error`:
-    /// invalid_value, wrong_state; world and ring are then as they were.
+    /// Restores the world to a state that was pushed: `back` = 0 for the last one, up to `size()` - 1 for the oldest.
+    /// States pushed after it are removed. Apart from that it acts like `World::restore`, also towards a command
+    /// listener. Throws `Error` (invalid_value, wrong_state); world and ring then stay as they were.
     void restore(World& world, std::size_t back = 0);
-    void clear(); ///< Forgets all.
+    void clear(); ///< Removes all states.
 
-    std::size_t size() const noexcept;     ///< How many states it has.
-    std::size_t capacity() const noexcept; ///< As it was made for.
-    /// Bytes that a state takes beside the one after it, or of the last one: all of it, in which the others' are not
-    /// counted. Definitions, which many states share, are not counted. Throws `Error` (invalid_value) unless
-    /// `back` < `size()`.
+    std::size_t size() const noexcept;     ///< Number of states in the ring.
+    std::size_t capacity() const noexcept; ///< Greatest number of states, as given to the constructor.
+    /// Memory of one state, bytes: for the last state (`back` = 0) its full size, for the others that of the stored
+    /// difference. Definitions, which many states share, are not included. Throws `Error` (invalid_value) unless `back`
+    /// < `size()`.
     std::size_t bytes(std::size_t back) const;
 
   private:

@@ -54,7 +54,7 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
         if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
         // The result must not depend on the start of the search.
         DVec3 axis = random.below(2) ? DVec3{} : random.direction();
-        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false, 0, axis);
+        const double time = cairn::core_time_of_impact(swept(a, path_a), swept(b, path_b), false, 0, axis);
         ++(time <= 1 ? met : missed);
         for (int i = 0; i <= looks; ++i) {
             const double t = double(i) / looks;

@@ -44,7 +44,7 @@ TEST(Culling, WhatIsInThePictureIsDrawn) {
 }
 
 TEST(Culling, MostOfALargeFieldIsLeftOutFromNearby) {
-    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshLook::terrain);
+    const ShapeMesh field = make_shape_mesh(height_field_triangles(test::hills(1000, 1.0f)), MeshVisual::terrain);
     // Looks at a corner of the field.
     const OrbitCamera camera(CameraPose{{-480.0, 5.0, -480.0}, {-490.0, 2.0, -490.0}});
     const Instance instance;
