@@ -54,7 +54,7 @@ void EnergyBalance::before_step(const World& world) {
 
 glm::dvec3 EnergyBalance::mean_turning(const World& world, BodyId id) const {
     const Before* before = known(id);
-    return before ? glm::dvec3(before->turning + world.body(id).angular_velocity()) * 0.5 : glm::dvec3(0.0);
+    return before ? glm::dvec3(before->angular_velocity + world.body(id).angular_velocity()) * 0.5 : glm::dvec3(0.0);
 }
 
 glm::dvec3 EnergyBalance::mean_velocity(const World& world, BodyId id, const Position& point) const {
@@ -92,7 +92,7 @@ void EnergyBalance::add_contact(const World& world, const Contact& contact, std:
         work.friction += sign * glm::dot(friction, velocities[i]);
         if (can_be_pushed(world.body(bodies[1 - i]))) continue;
         work.scenery += sign * glm::dot(normal, velocities[1 - i]);
-        flow.brought_in += sign * glm::dot(friction + normal, velocities[1 - i]);
+        flow.external_work += sign * glm::dot(friction + normal, velocities[1 - i]);
     }
 }
 
@@ -113,14 +113,14 @@ void EnergyBalance::add_joint(const World& world, JointId id, double step_length
             sign * (glm::dot(impulse, mean_velocity(world, body, anchor)) + glm::dot(turn, mean_turning(world, body)));
         works[body.index()].impulse += sign * impulse;
         works[body.index()].joints += done;
-        flow.brought_in += done;
+        flow.external_work += done;
     }
 }
 
 EnergyFlow EnergyBalance::after_step(const World& world, double step_length, double previous) const {
     std::vector<Work> works(bodies_.size());
     EnergyFlow flow;
-    flow.brought_in = energy_ - previous;
+    flow.external_work = energy_ - previous;
     for (const Contact& contact : world.contacts()) add_contact(world, contact, works, flow);
     for (const JointId id : world.joints()) add_joint(world, id, step_length, works, flow);
     // After a collision the bodies may already have separated, and then no contact has the impulse.
@@ -147,7 +147,7 @@ EnergyFlow EnergyBalance::after_step(const World& world, double step_length, dou
         const glm::dvec3 gravity =
             glm::dvec3(world.settings().gravity) * (double(body.gravity_scale()) * mass * step_length);
         const double fields = work.is_hit ? 0.0 : glm::dot(gained - gravity - work.impulse, mean); // and damping
-        flow.brought_in += fields;
+        flow.external_work += fields;
         if (!work.touches) continue;
         const double explained = work.friction + work.joints + work.scenery + fields;
         flow.impacts -= energy_of(world, body) - before.energy - explained;

@@ -19,7 +19,7 @@ struct EnergyFlow {
     double friction = 0.0; ///< Loss by sliding friction.
     double impacts = 0.0;  ///< Loss of bodies that touch something, except by friction.
     /// Work of joints, force fields, damping, moving scenery, and changes between steps; may be < 0.
-    double brought_in = 0.0;
+    double external_work = 0.0;
 };
 
 class EnergyBalance {
@@ -33,8 +33,8 @@ class EnergyBalance {
   private:
     struct Before {
         BodyId id;
-        Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f}; // m/s, rad/s
-        double energy = 0.0;                                        // J
+        Vec3 velocity{0.0f, 0.0f, 0.0f}, angular_velocity{0.0f, 0.0f, 0.0f}; // m/s, rad/s
+        double energy = 0.0;                                                 // J
     };
     struct Work;
     const Before* known(BodyId body) const;

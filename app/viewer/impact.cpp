@@ -18,7 +18,7 @@ namespace {
 // Computes r and the quantities that depend on it, for the present pose of the body.
 void read_arm(ImpactSide& side, const Body& body, const Position& point, const Vec3& normal) {
     side.arm = Vec3(point - body.center_of_mass());
-    side.at_point = side.velocity + glm::cross(side.turning, side.arm);
+    side.at_point = side.velocity + glm::cross(side.angular_velocity, side.arm);
     if (!can_be_pushed(body)) return;
     side.inverse_mass = 1.0 / double(body.mass());
     const Vec3 turn = glm::inverse(body.world_inertia()) * glm::cross(side.arm, normal);
@@ -28,7 +28,7 @@ void read_arm(ImpactSide& side, const Body& body, const Position& point, const V
 // Equations 4.12 and 4.13, which differ in the sign of the impulse.
 void apply_formula(ImpactSide& side, const Body& body, const Vec3& impulse) {
     side.velocity_then = side.velocity;
-    side.turning_then = side.turning;
+    side.turning_then = side.angular_velocity;
     if (side.inverse_mass == 0.0) return;
     side.velocity_then += impulse * float(side.inverse_mass);
     side.turning_then += glm::inverse(body.world_inertia()) * glm::cross(side.arm, impulse);
@@ -69,7 +69,7 @@ Impact explain_impact(World& world, const KnownHit& known, float step_length) {
         const Body body = world.body(side->body);
         side->name = label_of(side->body, body.name());
         side->velocity = body.linear_velocity();
-        side->turning = body.angular_velocity();
+        side->angular_velocity = body.angular_velocity();
     }
     impact.restitution =
         restitution_between(world.shape_def(hit.shape_a).material, world.shape_def(hit.shape_b).material);

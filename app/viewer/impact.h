@@ -21,12 +21,12 @@ struct KnownHit {
 struct ImpactSide {
     BodyId body;
     std::string name;
-    double inverse_mass = 0.0;       ///< 1/kg; 0: impulses cannot move it.
-    Vec3 arm{0.0f, 0.0f, 0.0f};      ///< r: from the center of mass to the contact point, m.
-    Vec3 velocity{0.0f, 0.0f, 0.0f}; ///< v before, m/s.
-    Vec3 turning{0.0f, 0.0f, 0.0f};  ///< w before, rad/s.
-    Vec3 at_point{0.0f, 0.0f, 0.0f}; ///< Velocity of the contact point: v + w x r, m/s.
-    double turn_term = 0.0;          ///< sN ((I^-1 (r x sN)) x r), 1/kg.
+    double inverse_mass = 0.0;               ///< 1/kg; 0: impulses cannot move it.
+    Vec3 arm{0.0f, 0.0f, 0.0f};              ///< r: from the center of mass to the contact point, m.
+    Vec3 velocity{0.0f, 0.0f, 0.0f};         ///< v before, m/s.
+    Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; ///< w before, rad/s.
+    Vec3 at_point{0.0f, 0.0f, 0.0f};         ///< Velocity of the contact point: v + w x r, m/s.
+    double turn_term = 0.0;                  ///< sN ((I^-1 (r x sN)) x r), 1/kg.
     Vec3 velocity_then{0.0f, 0.0f, 0.0f}, turning_then{0.0f, 0.0f, 0.0f};   ///< After, by the formula.
     Vec3 velocity_after{0.0f, 0.0f, 0.0f}, turning_after{0.0f, 0.0f, 0.0f}; ///< After the step, in the run.
 };

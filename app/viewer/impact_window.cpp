@@ -63,7 +63,7 @@ void draw_sides(const Impact& impact) {
     add_row("m", mass(a), mass(b));
     add_row("r, m", triple_text(a.arm), triple_text(b.arm));
     add_row("v before, m/s", triple_text(a.velocity), triple_text(b.velocity));
-    add_row("w before, rad/s", triple_text(a.turning), triple_text(b.turning));
+    add_row("w before, rad/s", triple_text(a.angular_velocity), triple_text(b.angular_velocity));
     add_row("pv = v + w x r  (4.16)", triple_text(a.at_point), triple_text(b.at_point));
     add_row("sN ((I^-1 (r x sN)) x r), 1/kg", number_text(a.turn_term), number_text(b.turn_term));
     add_row("v after  (4.12, 4.13)", triple_text(a.velocity_then), triple_text(b.velocity_then));

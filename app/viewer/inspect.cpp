@@ -73,7 +73,9 @@ struct CarryOut {
         body.wake();
     }
     void operator()(const edit::Velocity& velocity) { body.set_linear_velocity(velocity.velocity); }
-    void operator()(const edit::Turning& turning) { body.set_angular_velocity(turning.turning); }
+    void operator()(const edit::Turning& angular_velocity) {
+        body.set_angular_velocity(angular_velocity.angular_velocity);
+    }
     void operator()(const edit::Trigger& trigger) {
         for (const ShapeId shape : body.shapes()) {
             ShapeDef def = world.shape_def(shape);
@@ -127,7 +129,7 @@ std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_l
     facts.rotation = body.rotation();
     facts.can_be_stretched = can_be_stretched(world, id);
     facts.velocity = body.linear_velocity();
-    facts.turning = body.angular_velocity();
+    facts.angular_velocity = body.angular_velocity();
     facts.is_awake = body.is_awake();
     facts.is_enabled = body.enabled();
     if (can_be_pushed(body)) {

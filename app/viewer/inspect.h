@@ -29,9 +29,10 @@ struct BodyFacts {
     Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Origin of the body's frame; center of mass.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
     bool is_enabled = true;
-    bool is_trigger = false;                                    ///< All shapes of the body are triggers.
-    bool can_be_stretched = false;                              ///< The body can be scaled along one axis alone.
-    Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f}; ///< Linear and angular velocity, m/s and rad/s.
+    bool is_trigger = false;       ///< All shapes of the body are triggers.
+    bool can_be_stretched = false; ///< The body can be scaled along one axis alone.
+    Vec3 velocity{0.0f, 0.0f, 0.0f},
+        angular_velocity{0.0f, 0.0f, 0.0f}; ///< Linear and angular velocity, m/s and rad/s.
     /// J; potential energy relative to the origin.
     double linear_energy = 0.0, angular_energy = 0.0, potential_energy = 0.0;
     bool is_awake = false;
@@ -87,7 +88,7 @@ struct Velocity {
     Vec3 velocity{0.0f, 0.0f, 0.0f};
 };
 struct Turning {
-    Vec3 turning{0.0f, 0.0f, 0.0f};
+    Vec3 angular_velocity{0.0f, 0.0f, 0.0f};
 };
 struct Surface {
     Material material;                 ///< For all shapes of the body ...

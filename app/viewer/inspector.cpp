@@ -82,8 +82,8 @@ void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
     if (drag_axes("velocity", edited_.velocity, 0.02f))
         controller.post(command::EditBody{facts.id, edit::Velocity{edited_.velocity}});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s; drag to change, double-click to type");
-    if (drag_axes("angular velocity", edited_.turning, 0.02f))
-        controller.post(command::EditBody{facts.id, edit::Turning{edited_.turning}});
+    if (drag_axes("angular velocity", edited_.angular_velocity, 0.02f))
+        controller.post(command::EditBody{facts.id, edit::Turning{edited_.angular_velocity}});
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("rad/s, about the axes of the world");
     fact("speed", "%.4g m/s", double(glm::length(facts.velocity)));
     if (facts.type != BodyType::dynamic) return;

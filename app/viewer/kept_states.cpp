@@ -45,7 +45,7 @@ class KeptStates::Helper {
     Helper(const Helper&) = delete;
     Helper& operator=(const Helper&) = delete;
 
-    Patch patch(Way before, recording::WholeState after) {
+    Patch patch(PatchChain before, recording::WholeState after) {
         Work work([from = std::move(before), to = std::move(after)](recording::Patcher& patcher) {
             return patcher.patch(from.end().bytes, to.bytes);
         });
@@ -83,15 +83,15 @@ class KeptStates::Helper {
 
 KeptStates::KeptStates() : tree_(least_between, greatest_share, std::numeric_limits<std::size_t>::max()) {}
 
-recording::WholeState KeptStates::Way::end() const {
+recording::WholeState KeptStates::PatchChain::end() const {
     recording::WholeState state = start;
     for (const Patch& patch : patches)
         state = shared_text(recording::patched(state.bytes, patch.get(), "a state of the timeline"));
     return state;
 }
 
-KeptStates::Way KeptStates::patches_to(std::uint64_t step) const {
-    Way way;
+KeptStates::PatchChain KeptStates::patches_to(std::uint64_t step) const {
+    PatchChain way;
     for (;;) {
         const Kept& kept = states_.at(step);
         if (const auto whole = tree_.in_memory(kept.id)) {
@@ -115,7 +115,7 @@ void KeptStates::keep(const World& world, std::uint64_t step) {
     const recording::WholeState whole{std::move(bytes), text};
     const auto difference = states_.empty() ? tree_.add_beginning(whole) : tree_.add(whole);
     kept.id = difference.id;
-    Way before;
+    PatchChain before;
     for (const auto& [at, other] : states_)
         if (other.id == difference.parent) kept.parent = at;
     if (difference.before)

@@ -69,12 +69,12 @@ class KeptStates {
         StateDigest digest;
     };
     // The patches that lead from a state in memory, or from an empty one, to another state.
-    struct Way {
+    struct PatchChain {
         recording::WholeState start;
         std::vector<Patch> patches;
         recording::WholeState end() const; // waits for the patches
     };
-    Way patches_to(std::uint64_t step) const;
+    PatchChain patches_to(std::uint64_t step) const;
 
     recording::KeyframeTree tree_;
     std::map<std::uint64_t, Kept> states_; // by step number

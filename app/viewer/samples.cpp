@@ -13,7 +13,7 @@ namespace {
 
 using enum Quantity;
 constexpr Quantity energies[] = {kinetic_energy,  potential_energy, lost_to_friction,
-                                 lost_in_impacts, brought_in,       energy_balance};
+                                 lost_in_impacts, external_work,    energy_balance};
 constexpr Quantity momenta[] = {momentum_x, momentum_y, momentum_z};
 constexpr Quantity angular_momenta[] = {angular_momentum_x, angular_momentum_y, angular_momentum_z};
 constexpr Quantity places[] = {body_x, body_y, body_z};
@@ -88,9 +88,9 @@ Sample measure(const World& world, BodyId id, std::uint64_t step, double step_le
     values[std::size_t(total_energy)] = values[0] + values[1];
     values[std::size_t(lost_to_friction)] = flow.friction;
     values[std::size_t(lost_in_impacts)] = flow.impacts;
-    values[std::size_t(brought_in)] = flow.brought_in;
+    values[std::size_t(external_work)] = flow.external_work;
     values[std::size_t(energy_balance)] =
-        values[std::size_t(total_energy)] + flow.friction + flow.impacts - flow.brought_in;
+        values[std::size_t(total_energy)] + flow.friction + flow.impacts - flow.external_work;
     set(momentum_x, world.linear_momentum());
     set(angular_momentum_x, world.angular_momentum());
     if (!id || !world.is_valid(id)) {
@@ -109,7 +109,7 @@ Sample measure(const World& world, BodyId id, std::uint64_t step, double step_le
 
 EnergyFlow flow_of(const Sample& sample) {
     return {sample.values[std::size_t(lost_to_friction)], sample.values[std::size_t(lost_in_impacts)],
-            sample.values[std::size_t(brought_in)]};
+            sample.values[std::size_t(external_work)]};
 }
 
 void SampleLog::add(const Sample& sample) {

@@ -22,7 +22,7 @@ enum class Quantity {
     total_energy,
     lost_to_friction, // since sampling began
     lost_in_impacts,
-    brought_in,
+    external_work,
     energy_balance,
     momentum_x,
     momentum_y,

@@ -359,7 +359,7 @@ void draw_solver(RenderFrame& frame, const SolverView& view) {
         const Vec3 at = pen.at(mover.center);
         if (view.shown.velocities) {
             pen.arrow(at, mover.velocity * second, velocity_color);
-            pen.arrow(at, mover.turning * (0.02f * pen.scale()), turning_color, 1.8f);
+            pen.arrow(at, mover.angular_velocity * (0.02f * pen.scale()), turning_color, 1.8f);
         }
         if (!view.shown.axes) continue;
         const Vec3 colors[] = {force_color, velocity_color, friction_color};

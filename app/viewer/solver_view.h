@@ -49,8 +49,9 @@ struct SolverView {
     };
     struct Mover {
         Position center{0.0, 0.0, 0.0};
-        Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f}; ///< Linear and angular velocity, m/s and rad/s.
-        Quat axes{1.0f, 0.0f, 0.0f, 0.0f};                          ///< Rotation from the principal axes to the world.
+        Vec3 velocity{0.0f, 0.0f, 0.0f},
+            angular_velocity{0.0f, 0.0f, 0.0f}; ///< Linear and angular velocity, m/s and rad/s.
+        Quat axes{1.0f, 0.0f, 0.0f, 0.0f};      ///< Rotation from the principal axes to the world.
         /// Half axes of the homogeneous ellipsoid with the same mass and inertia, meters.
         Vec3 half_axes{0.0f, 0.0f, 0.0f};
     };

@@ -292,7 +292,7 @@ void Stage::take_sample() {
                                                            last->values[std::size_t(Quantity::total_energy)]);
         flow.friction += more.friction;
         flow.impacts += more.impacts;
-        flow.brought_in += more.brought_in;
+        flow.external_work += more.external_work;
     }
     samples_.add(measure(scene_.world, selected_, step, clock_.time_step(), flow));
 }

@@ -338,7 +338,7 @@ void Timeline::attempt(World& world, const std::function<void()>& change) {
         change();
     } catch (...) {
         if (log_->now != known.from) {
-            log_->take_up(known);
+            log_->restore_future(known);
             seek(world, known.from);
             is_undone_ = was_undone;
         }

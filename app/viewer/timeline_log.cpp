@@ -96,7 +96,7 @@ TimelineLog::Future TimelineLog::future() const {
     return known;
 }
 
-void TimelineLog::take_up(const Future& known) {
+void TimelineLog::restore_future(const Future& known) {
     frames_.resize(std::size_t(known.from.step - first_step_) + 1);
     if (known.frames.empty()) {
         frames_.back().changes.resize(known.from.changes);

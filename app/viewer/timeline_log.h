@@ -57,7 +57,7 @@ class TimelineLog final : public CommandListener, public CommandSource {
     Future future() const;
     /// Restores a known future in place of later changes; no step may have been made since. The caller moves the world
     /// back: `now` stays.
-    void take_up(const Future& known);
+    void restore_future(const Future& known);
     /// Forgets everything before that step.
     void forget_before(std::uint64_t step);
     std::size_t bytes() const { return bytes_; }

@@ -202,7 +202,7 @@ class ConvexPair {
     GapFinder finder_;
 };
 
-Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked& asked) {
+Course course_of_convexes(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
     if (!(dot(asked.axis, asked.axis) > 0)) asked.axis = b.start - a.start;
     ConvexPair pair(a, b, span, asked.axis);
     const Convex &first = pair.first_at(span.begin), &second = pair.second_at(span.begin);
@@ -239,7 +239,7 @@ class PlanePair {
     double side_ = 1;
 };
 
-Course course_at_plane(const Mover& a, const Mover& b, Span span, const Asked& asked) {
+Course course_at_plane(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
     SweptCore core(a, span);
     const Question question = question_of(core.at(span.begin), a, asked, 0);
     return course_by(a, b, question, span, PlanePair(core, b, a.start, span.begin));
@@ -290,7 +290,7 @@ template <class F> void with_surface(const SweptShape& s, F&& f) {
 
 // The course of a shape and the front of one triangle.
 void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triangle& triangle, Span span,
-                   const Asked& asked, Course& best, bool& overlaps) {
+                   const SweepQuery& asked, Course& best, bool& overlaps) {
     const Convex& mover = core.at(span.begin);
     TrianglePair pair(core, b, triangle, span.begin, mover.center);
     if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
@@ -307,7 +307,7 @@ void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triang
 }
 
 // The course of a shape and the triangles of a mesh or height field.
-Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Asked& asked) {
+Course course_at_triangles(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
     const auto local_at = [&](double time) { // the middle of a in the surface's frame
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
@@ -378,7 +378,7 @@ bool passes_box(const Mover& ball, const Mover& box, double within) {
     return enters > leaves;
 }
 
-Course course_of(const Mover& a, const Mover& b, Span span, const Asked& asked) {
+Course course_of(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
     const ShapeType type = b.shape().geometry.type;
     if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
     if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);

@@ -186,7 +186,7 @@ inline constexpr double deeper_part = 0.25;
 // that inner cores are nearer than this share of the distance that they have when the shapes touch; if they are nearer
 // already, it is that they are nearer by the share `deeper` of the deficit (infinite: they count as overlapping).
 // `axis`: the initial search direction from one shape to the other, or 0; replaced by the last one.
-struct Asked {
+struct SweepQuery {
     double within = 0, floor_part = 0;
     DVec3& axis;
     double deeper = deeper_part;
@@ -208,7 +208,7 @@ struct Question {
     }
 };
 
-inline Question question_of(const Convex& c, const Mover& m, const Asked& asked, double depth_of_other) {
+inline Question question_of(const Convex& c, const Mover& m, const SweepQuery& asked, double depth_of_other) {
     return {tolerance_of(c, m.layer, m.half_width), asked.within, m.layer == Layer::impact,
             asked.floor_part * (depth_of(c, m.layer, m.half_width) + depth_of_other), asked.deeper};
 }

@@ -220,19 +220,19 @@ void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_
     wake_island(bodies, islands, events, island);
 }
 
-void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
-                       std::vector<std::uint32_t>& solved) {
-    if (islands.told.empty()) return;
+void apply_sleep_requests(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
+                          std::vector<std::uint32_t>& solved) {
+    if (islands.sleep_requests.empty()) return;
     bool any = false;
-    for (const std::int32_t told : islands.told) {
-        const std::int32_t i = bodies.is_dynamic(told) ? bodies.links[told].island : none;
+    for (const std::int32_t body : islands.sleep_requests) {
+        const std::int32_t i = bodies.is_dynamic(body) ? bodies.links[body].island : none;
         if (i == none || islands.all[i].position == none) continue;
         measure_rest(bodies, islands, i);
         if (islands.all[i].min_quiet_time < sleep_requested) continue;
         put_to_sleep(bodies, islands, events, i);
         any = true;
     }
-    islands.told.clear();
+    islands.sleep_requests.clear();
     if (any)
         std::erase_if(solved, [&](std::uint32_t id) { return !is_awake(bodies, islands, contacts.info[id].body_a); });
 }

@@ -19,10 +19,10 @@ void link_islands(Bodies& bodies, Islands& islands, StepEvents& events, std::int
 void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body);
 void wake_island(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t island);
 
-// Puts islands to sleep of which all bodies were told to sleep (Islands::told): after contacts have been found, and
+// Puts islands to sleep of which all bodies were told to sleep (Islands::sleep_requests): after contacts have been found, and
 // before any body has moved. Removes the contacts of these islands from `solved`.
-void put_told_to_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
-                       std::vector<std::uint32_t>& solved);
+void apply_sleep_requests(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
+                          std::vector<std::uint32_t>& solved);
 
 // Wakes bodies that may rest on a body, or on one shape, that is about to change.
 void wake_around(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,

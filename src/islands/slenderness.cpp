@@ -83,7 +83,7 @@ void add_to_extent(Extent& extent, const Extent& more) {
     extent.greatest += more.greatest;
 }
 
-float least_stable_sinking(const Extent& extent) {
+float min_buckling_penetration(const Extent& extent) {
     return sinking_of(extent, diagonal(std::max(extent.least / extent.count, 0.0)),
                       diagonal(extent.greatest / extent.count), {});
 }

@@ -56,7 +56,7 @@ float pull_by_width(const Extent& extent);
 // How far contacts may sink under a structure, m, so that it does not buckle, or a tilt takes `slow_fall` to grow by a
 // factor of e. The exact value, and a lower bound for any rotations of the bodies and any support from the sides.
 float stable_sinking(const StandingColumn& column);
-float least_stable_sinking(const Extent& extent);
+float min_buckling_penetration(const Extent& extent);
 inline constexpr float nothing_can_buckle = std::numeric_limits<float>::infinity();
 
 } // namespace cairn

@@ -49,7 +49,7 @@ IslandLoad load_of(const Island& island) {
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt) {
     if (load.has_joints) return false; // structures with joints do not sink
     const int for_loads = wanted_substeps(settings, load, dt);
-    load.stable_sinking = island.least_stable_sinking;
+    load.stable_sinking = island.min_buckling_penetration;
     return wanted_substeps(settings, load, dt) > for_loads;
 }
 

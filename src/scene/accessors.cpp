@@ -108,11 +108,11 @@ Accessors::Layout Accessors::layout(const Value& accessor, const char* type, std
     if (const auto normalized = accessor.find("normalized")) layout.normalized = normalized->boolean();
     const Value count = accessor.require("count");
     layout.count = static_cast<std::size_t>(count.whole(1, max_elements));
-    spend(std::uint64_t{layout.count} * components, count);
+    count_against_limit(std::uint64_t{layout.count} * components, count);
     return layout;
 }
 
-void Accessors::spend(std::uint64_t numbers, const Value& place) {
+void Accessors::count_against_limit(std::uint64_t numbers, const Value& place) {
     if (numbers > remaining_numbers_) {
         place.fail("must not bring the numbers of the whole file above " + std::to_string(max_accessor_numbers));
     }

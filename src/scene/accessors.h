@@ -29,7 +29,7 @@ class Accessors {
     std::vector<std::uint32_t> indices(const Value& index); // SCALAR of unsigned bytes, shorts or ints
     std::size_t count(const Value& index) const;            // number of elements of the accessor
     // Takes `numbers` off the limit `max_accessor_numbers` of the file; throws Error at `place` when it is exceeded.
-    void spend(std::uint64_t numbers, const Value& place);
+    void count_against_limit(std::uint64_t numbers, const Value& place);
     Buffers& buffers() { return buffers_; }
 
   private:

@@ -190,7 +190,7 @@ SurfaceMaterials Definitions::surface_materials(const Value& own, std::size_t pa
     const Value list = own.require("materials");
     const std::size_t count = list.size(max_surface_materials, "physics materials");
     constexpr std::size_t numbers_of_material = 7;
-    accessors.spend(numbers_of_material * count, list);
+    accessors.count_against_limit(numbers_of_material * count, list);
     SurfaceMaterials result;
     for (std::size_t i = 0; i < count; ++i) result.materials.push_back(substance(list[i]).material);
     const auto index = own.find("numbers");

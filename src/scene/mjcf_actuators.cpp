@@ -164,7 +164,7 @@ void read_mjcf_actuators(const XmlElement& root, const std::vector<double>& cont
     }
     ActuatorReader reader(model);
     for (const XmlElement& section : root.children("actuator")) {
-        for (const char* kind : kinds) section.know(kind);
+        for (const char* kind : kinds) section.mark_read(kind);
         std::size_t index = 0;
         for (const XmlElement& child : section.children()) {
             const std::string_view tag = child.tag();

@@ -252,7 +252,7 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
 void add_mjcf_constraints(const XmlElement& root, MjcfModel& model, Scene& scene) {
     ConstraintMaker maker(model, scene);
     for (const XmlElement& section : root.children("equality")) {
-        for (const char* tag : {"connect", "weld", "joint"}) section.know(tag);
+        for (const char* tag : {"connect", "weld", "joint"}) section.mark_read(tag);
         for (const XmlElement& child : section.children()) {
             const std::string_view tag = child.tag();
             const bool is_known = tag == "connect" || tag == "weld" || tag == "joint";

@@ -114,7 +114,7 @@ MjcfDefaults::MjcfDefaults(const XmlElement& root) {
 void MjcfDefaults::read(const XmlElement& element, std::size_t index) {
     for (const char* tag : {"geom", "joint", "mesh", "material", "equality", "general", "motor", "position", "velocity",
                             "intvelocity", "damper", "pair", "tendon", "default"}) {
-        element.know(tag);
+        element.mark_read(tag);
     }
     for (const XmlElement& child : element.children()) {
         if (child.tag() == "default") {

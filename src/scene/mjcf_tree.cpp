@@ -56,7 +56,7 @@ class TreeReader {
     // Reads all elements in a body, a frame or a replica.
     void below(const XmlElement& owner, const Place& place) {
         for (const char* tag : {"geom", "site", "body", "frame", "replicate", "inertial", "joint", "freejoint"}) {
-            owner.know(tag);
+            owner.mark_read(tag);
         }
         for (const XmlElement& child : owner.children()) {
             const std::string_view tag = child.tag();

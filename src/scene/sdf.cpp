@@ -34,7 +34,7 @@ class SdfReader {
         Scene scene{loaded_world({}, options_), {}, {}, {}, {}};
         const std::vector<XmlElement> worlds = root.children("world");
         if (worlds.size() > 1) worlds[1].fail("must be the only world of the file");
-        if (worlds.empty()) root.know("model");
+        if (worlds.empty()) root.mark_read("model");
         const XmlElement& owner = worlds.empty() ? root : worlds[0];
         scene.info.title = owner.text_of("name");
         if (!worlds.empty()) read_world(worlds[0], scene);

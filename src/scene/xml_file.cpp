@@ -248,10 +248,10 @@ std::optional<XmlElement> XmlElement::child(const char* name) const {
     return found.front();
 }
 
-void XmlElement::know(const char* child) const { file_->asked_elements_.insert({std::string(tag()), child}); }
+void XmlElement::mark_read(const char* child) const { file_->asked_elements_.insert({std::string(tag()), child}); }
 
 std::vector<XmlElement> XmlElement::children(const char* name) const {
-    know(name);
+    mark_read(name);
     std::vector<XmlElement> result;
     for (const XmlElement& each : children()) {
         if (each.tag() == name) result.push_back(each);

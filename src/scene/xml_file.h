@@ -65,7 +65,7 @@ class XmlElement {
     std::vector<XmlElement> children() const;
     // Returns all attributes, without counting any of them as read.
     std::vector<std::pair<std::string, XmlText>> attributes() const;
-    void know(const char* child) const; // counts the child elements as read, as `children(child)` does
+    void mark_read(const char* child) const; // counts the child elements as read, as `children(child)` does
     const tinyxml2::XMLElement* key() const { return element_; }
 
   private:

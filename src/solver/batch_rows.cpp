@@ -77,7 +77,7 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
     }
     island.weight = float(all.weight);
     if (!(all.mass > 0)) return;
-    island.least_stable_sinking = least_stable_sinking(all.extent);
+    island.min_buckling_penetration = min_buckling_penetration(all.extent);
     island.pull_by_width = pull_by_width(all.extent);
     const math::DVec3 mean = (1 / all.mass) * all.momentum;
     island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));

@@ -39,20 +39,20 @@ template <class Block> void empty_lanes(Block& b, std::uint32_t discard) {
     }
 }
 
-// Members of a block that `strike` does not read, and that are therefore not copied. New members are copied unless
+// Members of a block that `impact_pass` does not read, and that are therefore not copied. New members are copied unless
 // listed here.
-template <class Block> struct NotStruck { static constexpr std::tuple<> list{}; };
-template <> struct NotStruck<PointBlock> {
+template <class Block> struct NotInImpact { static constexpr std::tuple<> list{}; };
+template <> struct NotInImpact<PointBlock> {
     using B = PointBlock;
     static constexpr auto list = std::tuple(&B::gap, &B::impulse, &B::left_a, &B::left_b, &B::arm_a0, &B::arm_b0,
                                             &B::gap0, &B::left_linear, &B::axis0, &B::turn_axis0);
 };
-template <> struct NotStruck<TurnBlock> {
+template <> struct NotInImpact<TurnBlock> {
     using B = TurnBlock;
     static constexpr auto list =
         std::tuple(&B::error, &B::impulse, &B::left_a, &B::left_b, &B::turn0, &B::axis_a0, &B::axis_b0);
 };
-template <> struct NotStruck<AxisBlock> { // springs in limits, drives and friction give no impulses
+template <> struct NotInImpact<AxisBlock> { // springs in limits, drives and friction give no impulses
     using B = AxisBlock;
     static constexpr auto list =
         std::tuple(&B::left, &B::before, &B::limit_stiffness, &B::limit_damping, &B::limit_relative, &B::lower_impulse,
@@ -62,17 +62,17 @@ template <> struct NotStruck<AxisBlock> { // springs in limits, drives and frict
                    &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0, &B::moved_mass, &B::point_axis0,
                    &B::turn_axis0, &B::turns, &B::plain_locks, &B::direct);
 };
-template <int N> struct NotStruck<PointRows<N>> {
+template <int N> struct NotInImpact<PointRows<N>> {
     using B = PointRows<N>;
     static constexpr auto list =
         std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope);
 };
-template <> struct NotStruck<PointRows<1>> {
+template <> struct NotInImpact<PointRows<1>> {
     using B = PointRows<1>;
     static constexpr auto list = std::tuple(&B::rim_axis, &B::rim_middle, &B::rim_radius, &B::face_arm, &B::rim_lead,
                                             &B::rim_moment, &B::separation0, &B::total_impulse);
 };
-template <int N> struct NotStruck<ContactBlock<N>> { // only friction at the friction center acts
+template <int N> struct NotInImpact<ContactBlock<N>> { // only friction at the friction center acts
     using B = ContactBlock<N>;
     static constexpr auto list = std::tuple(
         &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::max_offset_change_square, &B::turning,
@@ -90,7 +90,8 @@ void take_lane(Rows (&to)[N], std::size_t lane, const Rows (&from)[N], std::size
     for (std::size_t i = 0; i < N; ++i) take_lane(to[i], lane, from[i], from_lane);
 }
 
-// Copies the members of a lane that `strike` reads. Members that the whole block shares are not copied, see form_of.
+// Copies the members of a lane that `impact_pass` reads. Members that the whole block shares are not copied, see
+// form_of.
 template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
     if constexpr (requires { typename BlockFields<Block>::Base; })
         copy_lane<typename BlockFields<Block>::Base>(to, lane, from, from_lane);
@@ -107,7 +108,7 @@ template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& 
         (
             [&] {
                 constexpr auto member = std::get<I>(BlockFields<Block>::list);
-                if constexpr (!has_field(NotStruck<Block>::list, member)) copy(member);
+                if constexpr (!has_field(NotInImpact<Block>::list, member)) copy(member);
             }(),
             ...);
     }
@@ -164,7 +165,7 @@ void add_total(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>&, co
 } // namespace
 
 void copy_listed(BatchScratch& scratch) {
-    for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
+    for_types(scratch, [](auto&, auto& in_impact) { in_impact.clear(); });
     scratch.impact.runs.clear();
     const std::int32_t ones = scratch.first_discard_row(),
                        fours = ones + std::int32_t(scratch.one_lanes.record.size() / 8);
@@ -175,19 +176,19 @@ void copy_listed(BatchScratch& scratch) {
         const std::int32_t discard = discards[std::size_t(run.type)];
         with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
     }
-    const auto renew = [&](const SolverKernels::ForPoints& k, auto& struck) {
-        k.renew_masses(struck.blocks.data(), int(struck.blocks.size()), scratch.inertia.data());
+    const auto renew = [&](const SolverKernels::ForPoints& k, auto& in_impact) {
+        k.renew_masses(in_impact.blocks.data(), int(in_impact.blocks.size()), scratch.inertia.data());
     };
     renew(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks));
     renew(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks));
 }
 
 void add_totals(BatchScratch& scratch) {
-    for_types(scratch, [](auto& blocks, auto& struck) {
-        for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
-            const std::size_t source = struck.lanes[i].source;
-            if (struck.lanes[i].group != none && struck.lanes[i].is_own)
-                add_total(blocks[source / 8], source % 8, struck.blocks[i / 8], struck.impacts[i / 8], i % 8);
+    for_types(scratch, [](auto& blocks, auto& in_impact) {
+        for (std::size_t i = 0; i < in_impact.lanes.size(); ++i) {
+            const std::size_t source = in_impact.lanes[i].source;
+            if (in_impact.lanes[i].group != none && in_impact.lanes[i].is_own)
+                add_total(blocks[source / 8], source % 8, in_impact.blocks[i / 8], in_impact.impacts[i / 8], i % 8);
         }
     });
 }

@@ -102,7 +102,7 @@ void begin_lists(const Bodies& bodies, const Joints& joints, const DirectSets& d
         find_runs(scratch);
         work.has_components = true;
     }
-    work.struck.clear(), work.all_impact_groups.clear(), work.struck_lanes.clear();
+    work.in_impact.clear(), work.all_impact_groups.clear(), work.impact_lanes.clear();
 }
 
 void empty_lists(ImpactWork& work) {
@@ -123,7 +123,7 @@ void mark_row(ImpactWork& work, std::int32_t row) {
     if (component == fixed_row || work.impact_round[component] == in_this_round) return;
     if (work.impact_round[component] == untouched) work.all_impact_groups.push_back(component);
     work.impact_round[component] = in_this_round;
-    work.struck.push_back(component);
+    work.in_impact.push_back(component);
 }
 
 template <class Block> float least_separation(const Block& b, std::size_t lane) {
@@ -174,9 +174,9 @@ void mark_hits(BatchScratch& scratch) {
 template <class Block> void list_struck(BatchScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
     ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
-        if (blocks[k].struck == 0) continue;
-        work.struck_lanes.push_back(&blocks[k].struck);
-        for (unsigned left = blocks[k].struck; left != 0; left &= left - 1) {
+        if (blocks[k].in_impact == 0) continue;
+        work.impact_lanes.push_back(&blocks[k].in_impact);
+        for (unsigned left = blocks[k].in_impact; left != 0; left &= left - 1) {
             const std::size_t lane = 8 * k + std::size_t(std::countr_zero(left));
             work.hits.push_back({scratch.row_bodies[lanes.row_a[lane]], scratch.row_bodies[lanes.row_b[lane]]});
         }
@@ -233,8 +233,8 @@ float speed_of(BatchScratch& scratch, std::int32_t row) {
 // the whole step.
 template <class Block>
 bool may_close(BatchScratch& scratch, const Block& b, std::size_t lane, std::int32_t row, std::int32_t other, float h) {
-    const bool is_struck = (b.struck >> lane & 1) != 0;
-    return is_struck || least_separation(b, lane) <= h * (speed_of(scratch, row) + speed_of(scratch, other));
+    const bool is_in_impact = (b.in_impact >> lane & 1) != 0;
+    return is_in_impact || least_separation(b, lane) <= h * (speed_of(scratch, row) + speed_of(scratch, other));
 }
 
 bool is_in_round(const ImpactWork& work, std::int32_t row) {
@@ -265,7 +265,7 @@ void list_sets(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     work.sets.clear();
     if (work.set_of_row.empty()) return;
-    for (const std::int32_t component : work.struck)
+    for (const std::int32_t component : work.in_impact)
         work.rows_of.for_each(component, [&](std::size_t row) {
             if (work.set_of_row[row] != none) work.sets.push_back(work.set_of_row[row]);
         });
@@ -365,9 +365,9 @@ void begin_impact_lists(const Bodies& bodies, const Joints& joints, const Direct
 void list_impact(BatchScratch& scratch, float h) {
     ImpactWork& work = scratch.impact;
     empty_lists(work);
-    std::sort(work.struck.begin(), work.struck.end());
+    std::sort(work.in_impact.begin(), work.in_impact.end());
     const auto for_struck_rows = [&](auto&& f) {
-        for (const std::int32_t component : work.struck)
+        for (const std::int32_t component : work.in_impact)
             work.rows_of.for_each(component, [&](std::size_t row) { f(std::int32_t(row), component); });
     };
     for_struck_rows([&](std::int32_t row, std::int32_t component) { list_row(work, row, component); });
@@ -396,7 +396,7 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
     for (ImpactWork::Group& group : work.groups) group.continues = false;
     for (const ImpactWork::Hit& hit : work.hits)
         work.groups[std::size_t(place_of_body(scratch, hit.first))].continues = true;
-    work.struck.clear();
+    work.in_impact.clear();
     for (const ImpactWork::Group& group : work.groups)
         for (std::size_t i = group.begin; i < group.end; ++i) {
             const std::int32_t row = work.rows[i], component = work.component[row];
@@ -404,14 +404,14 @@ bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoft
             if (!group.continues)
                 work.impact_round[component] = in_an_earlier_round;
             else if (row == component)
-                work.struck.push_back(component);
+                work.in_impact.push_back(component);
         }
     mark_hits(scratch);
     return !work.hits.empty();
 }
 
 void end_impact_lists(ImpactWork& work) {
-    for (std::uint8_t* const lanes : work.struck_lanes) *lanes = 0;
+    for (std::uint8_t* const lanes : work.impact_lanes) *lanes = 0;
 }
 
 } // namespace cairn

@@ -26,7 +26,7 @@ void list_impact(BatchScratch& scratch, float h);
 // Returns whether a body that took part is driven into one that did not, which then takes part in the next round.
 bool spread_impact(BatchScratch& scratch, Communicator* ranks, const ContactSoftness& softness);
 
-// Clears the `struck` marks of the blocks.
+// Clears the `in_impact` marks of the blocks.
 void end_impact_lists(ImpactWork& work);
 
 // --- union-find over rows; the root of a tree represents its set

@@ -31,19 +31,19 @@ SolverVelocity* velocities(BatchScratch& scratch) {
 
 void solve_impact_run(BatchScratch& scratch, int type, std::size_t first, int count, float h) {
     SolverVelocity* const velocity = velocities(scratch);
-    with_type(scratch, type, [&](auto&, auto& struck) {
-        auto* const blocks = struck.blocks.data() + first;
-        auto* const impacts = struck.impacts.data() + first;
+    with_type(scratch, type, [&](auto&, auto& in_impact) {
+        auto* const blocks = in_impact.blocks.data() + first;
+        auto* const impacts = in_impact.impacts.data() + first;
         if constexpr (std::is_same_v<std::remove_pointer_t<decltype(impacts)>, JointImpact>) {
             const JointKernels& k = kernels().joints;
             const JointKernels::ForRows* const rows[] = {&k.point, &k.turn, &k.axis};
-            rows[std::size_t(type)]->strike(blocks, impacts, count, velocity, 1 / h);
+            rows[std::size_t(type)]->impact_pass(blocks, impacts, count, velocity, 1 / h);
         } else {
             const SolverKernels& k = kernels().solver;
             const std::size_t points = type == four_points_type ? 4 : 1;
-            const float* const leave = struck.leave.empty() ? nullptr : struck.leave[points * first].value;
+            const float* const leave = in_impact.leave.empty() ? nullptr : in_impact.leave[points * first].value;
             (type == four_points_type ? k.four_points : k.one_point)
-                .strike(blocks, impacts, leave, count, velocity, 1 / h);
+                .impact_pass(blocks, impacts, leave, count, velocity, 1 / h);
         }
     });
 }
@@ -57,17 +57,18 @@ void solve_impact_pass(BatchScratch& scratch, ThreadPool* thread_pool, float h) 
 }
 
 // Calls f(kernels, struck blocks, points per block) for both types of contact blocks.
-template <class F> void for_struck_contacts(BatchScratch& scratch, F&& f) {
+template <class F> void for_impact_contacts(BatchScratch& scratch, F&& f) {
     f(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks), std::size_t(1));
     f(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks), std::size_t(4));
 }
 
 void find_rebounds(BatchScratch& scratch, const SolverBodies& bodies, const BounceSettings& settings) {
-    for_struck_contacts(scratch, [&](const SolverKernels::ForPoints& k, auto& struck, std::size_t points) {
-        if (struck.blocks.empty()) return;
-        struck.leave.resize(points * struck.blocks.size()), struck.meets.resize(struck.leave.size());
-        k.aim(struck.blocks.data(), struck.impacts.data(), {struck.leave[0].value, struck.meets[0].value},
-              int(struck.blocks.size()), bodies, settings);
+    for_impact_contacts(scratch, [&](const SolverKernels::ForPoints& k, auto& in_impact, std::size_t points) {
+        if (in_impact.blocks.empty()) return;
+        in_impact.leave.resize(points * in_impact.blocks.size()), in_impact.meets.resize(in_impact.leave.size());
+        k.find_rebounds(in_impact.blocks.data(), in_impact.impacts.data(),
+                        {in_impact.leave[0].value, in_impact.meets[0].value}, int(in_impact.blocks.size()), bodies,
+                        settings);
     });
 }
 
@@ -86,12 +87,12 @@ void join_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scr
 // Deactivates the lanes of settled groups.
 void retire_lanes(BatchScratch& scratch) {
     const std::vector<ImpactWork::Group>& groups = scratch.impact.groups;
-    for_types(scratch, [&](auto&, auto& struck) {
-        for (std::size_t k = 0; k < struck.impacts.size(); ++k)
-            for (unsigned left = struck.impacts[k].active; left != 0; left &= left - 1) {
+    for_types(scratch, [&](auto&, auto& in_impact) {
+        for (std::size_t k = 0; k < in_impact.impacts.size(); ++k)
+            for (unsigned left = in_impact.impacts[k].active; left != 0; left &= left - 1) {
                 const unsigned i = unsigned(std::countr_zero(left));
-                if (!groups[struck.lanes[8 * k + i].group].is_settled) continue;
-                struck.impacts[k].active = std::uint8_t(struck.impacts[k].active & ~(1u << i));
+                if (!groups[in_impact.lanes[8 * k + i].group].is_settled) continue;
+                in_impact.impacts[k].active = std::uint8_t(in_impact.impacts[k].active & ~(1u << i));
             }
     });
 }
@@ -138,16 +139,16 @@ void add_to_references(BatchScratch& scratch) {
 void correct_poses(BatchScratch& scratch, const SolverBodies& bodies) {
     ImpactWork& work = scratch.impact;
     for (ImpactWork::Group& group : work.groups) group.impulse = group.moment = 0;
-    for_struck_contacts(scratch, [&](const SolverKernels::ForPoints&, const auto& struck, std::size_t points) {
-        for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
-            if (struck.lanes[i].group == none) continue;
-            ImpactWork::Group& group = work.groups[std::size_t(struck.lanes[i].group)];
+    for_impact_contacts(scratch, [&](const SolverKernels::ForPoints&, const auto& in_impact, std::size_t points) {
+        for (std::size_t i = 0; i < in_impact.lanes.size(); ++i) {
+            if (in_impact.lanes[i].group == none) continue;
+            ImpactWork::Group& group = work.groups[std::size_t(in_impact.lanes[i].group)];
             for (std::size_t k = 0; k < points; ++k) {
                 const std::size_t place = i / 8 * points + k;
-                if (struck.leave[place].value[i % 8] == does_not_arrive) continue;
-                const double impulse = double(struck.impacts[i / 8].impulse[k][i % 8]);
+                if (in_impact.leave[place].value[i % 8] == does_not_arrive) continue;
+                const double impulse = double(in_impact.impacts[i / 8].impulse[k][i % 8]);
                 group.impulse += impulse;
-                group.moment += impulse * double(struck.meets[place].value[i % 8]);
+                group.moment += impulse * double(in_impact.meets[place].value[i % 8]);
             }
         }
     });
@@ -170,9 +171,9 @@ void correct_poses(BatchScratch& scratch, const SolverBodies& bodies) {
 
 bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                    ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
-                   const Bouncing* bounce, std::atomic<int>& struck_contacts) {
-    const auto struck = std::uint64_t(struck_contacts.exchange(0));
-    if ((scratch.border ? ranks->sum(struck) : struck) == 0) return false;
+                   const Bouncing* bounce, std::atomic<int>& impact_contacts) {
+    const auto in_impact = std::uint64_t(impact_contacts.exchange(0));
+    if ((scratch.border ? ranks->sum(in_impact) : in_impact) == 0) return false;
     begin_impact_lists(bodies, joints, direct, scratch, ranks, softness);
     const bool any_hits = !scratch.impact.hits.empty(); // bodies pushed out by penetration hit nothing
     for (int round = 0; round < max_passes; ++round) {

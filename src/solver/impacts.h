@@ -22,12 +22,12 @@ struct Bouncing {
     const BounceSettings& settings;
 };
 
-// Called after the solver has visited all rows of a batch. `struck_contacts`: nonzero if the solver left contacts of
+// Called after the solver has visited all rows of a batch. `impact_contacts`: nonzero if the solver left contacts of
 // any block to be solved here; reset to 0. `bounce`: contacts rebound by their restitution, and the contacts that they
 // hit in turn are left to the next bounce pass; null: approaches are stopped. `ranks`: for a batch that is cut. Returns
 // whether there was an impact.
 bool solve_impacts(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                    ThreadPool* thread_pool, Communicator* ranks, const ContactSoftness& softness,
-                   const Bouncing* bounce, std::atomic<int>& struck_contacts);
+                   const Bouncing* bounce, std::atomic<int>& impact_contacts);
 
 } // namespace cairn

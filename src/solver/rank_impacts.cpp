@@ -61,18 +61,18 @@ struct SharedLanes {
 
 template <class Block, class Impact>
 void append_block(const BatchScratch& scratch, const ImpactRun& run, std::size_t block,
-                  const ImpactBlocks<Block, Impact>& struck, Bytes& bytes) {
-    const Block& b = struck.blocks[block];
+                  const ImpactBlocks<Block, Impact>& in_impact, Bytes& bytes) {
+    const Block& b = in_impact.blocks[block];
     SharedLanes lanes = {};
     lanes.type = run.type, lanes.listed = run.listed;
-    lanes.active = struck.impacts[block].active;
+    lanes.active = in_impact.impacts[block].active;
     for (std::size_t i = 0; i < 8; ++i) {
         lanes.body_a[i] = lanes.body_b[i] = none;
         if ((lanes.active >> i & 1) == 0) continue;
         const std::size_t row_a = b.a[i] / row_bytes, row_b = b.b[i] / row_bytes;
         lanes.body_a[i] = scratch.row_bodies[row_a];
         if (scratch.impact.component[row_b] != fixed_row) lanes.body_b[i] = scratch.row_bodies[row_b];
-        lanes.source[i] = struck.lanes[8 * block + i].source;
+        lanes.source[i] = in_impact.lanes[8 * block + i].source;
         lanes.velocity_a[i] = scratch.velocity[row_a];
         lanes.velocity_b[i] = scratch.velocity[row_b];
     }
@@ -161,10 +161,10 @@ void find_shared_groups(ImpactWork& work) {
     std::vector<std::int32_t>& place = work.shared.groups;
     place.assign(count, none);
     std::iota(parent.begin(), parent.end(), 0);
-    for_contact_types(work, [&](auto& struck) {
-        for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
-            const std::size_t b = struck.blocks[i / 8].write_b[i % 8] / row_bytes;
-            if (struck.lanes[i].group != none && b < count) unite(parent, struck.lanes[i].group, std::int32_t(b));
+    for_contact_types(work, [&](auto& in_impact) {
+        for (std::size_t i = 0; i < in_impact.lanes.size(); ++i) {
+            const std::size_t b = in_impact.blocks[i / 8].write_b[i % 8] / row_bytes;
+            if (in_impact.lanes[i].group != none && b < count) unite(parent, in_impact.lanes[i].group, std::int32_t(b));
         }
     });
     work.rows.resize(count);
@@ -179,8 +179,8 @@ void find_shared_groups(ImpactWork& work) {
         place[row] = place[root];
     }
     group_by_part(work.groups, work.rows, work.sorted_rows, [&](std::int32_t row) { return place[row]; });
-    for_contact_types(work, [&](auto& struck) {
-        for (auto& lane : struck.lanes)
+    for_contact_types(work, [&](auto& in_impact) {
+        for (auto& lane : in_impact.lanes)
             if (lane.group != none) lane.group = place[lane.group];
     });
     work.before.clear();
@@ -206,7 +206,7 @@ void share_impact(BatchScratch& scratch, Communicator& ranks) {
     const std::vector<SharedBlock> blocks = read_blocks(all, ranks.rank());
     for (const std::int32_t row : work.rows) work.group[row] = none;
     work.runs.clear();
-    for_contact_types(work, [](auto& struck) { struck.clear(); });
+    for_contact_types(work, [](auto& in_impact) { in_impact.clear(); });
     number_bodies(blocks, work.shared);
     for (const SharedBlock& block : blocks) {
         const auto take_one = [&](auto& to) {

@@ -73,17 +73,17 @@ void sweep_colors(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* 
     });
 }
 
-// `struck`: set to the number of blocks in which a contact with jointed bodies is left to the impact passes.
+// `in_impact`: set to the number of blocks in which a contact with jointed bodies is left to the impact passes.
 void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, const SolverBodies& bodies,
-                const BounceSettings& settings, std::atomic<int>& struck) {
+                const BounceSettings& settings, std::atomic<int>& in_impact) {
     void* const changed[] = {bodies.velocity, bodies.reference, bodies.velocity_correction};
     for (int pass = 0; pass < max_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
-        struck = 0;
+        in_impact = 0;
         sweep_colors(scratch, thread_pool, ranks, changed, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             const BounceCount count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
             if (count.bounced > 0) bounced += count.bounced;
-            if (count.struck > 0) struck += count.struck;
+            if (count.in_impact > 0) in_impact += count.in_impact;
         });
         if ((scratch.border ? ranks->sum(std::uint64_t(bounced)) : std::uint64_t(bounced)) == 0) {
             if (pass > 0) refresh_all(scratch, thread_pool, bodies, settings.h);
@@ -138,7 +138,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     SolverVelocity* velocity = scratch.velocity.data();
     void* const changed[] = {velocity};
     const auto sweep = [&](auto&& kernel) { sweep_colors(scratch, thread_pool, ranks, changed, kernel); };
-    std::atomic<int> struck = 0;
+    std::atomic<int> in_impact = 0;
     scratch.impact.has_components = false;
     if (batch.bounces && batch.joint_count > 0 && stops_impacts) mark_joined(bodies, scratch);
     for (int substep = 0; substep < batch.substeps; ++substep) {
@@ -156,9 +156,10 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             });
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
         for (int pass = 0; batch.bounces && pass < max_bounce_passes; ++pass) {
-            bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce, struck);
+            bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce, in_impact);
             const Bouncing bouncing{solver_bodies, bounce};
-            if (!solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, &bouncing, struck)) break;
+            if (!solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, &bouncing, in_impact))
+                break;
             refresh_all(scratch, thread_pool, solver_bodies, h);
         }
         if (first) {
@@ -174,9 +175,9 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         solve_direct_rows(joints, direct, scratch, thread_pool, h);
         sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
-            if (count > 0) struck += count;
+            if (count > 0) in_impact += count;
         });
-        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, in_impact);
         hold_direct_bodies(joints, direct, scratch, thread_pool, h);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
@@ -190,10 +191,10 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         });
         sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
-            if (count > 0) struck += count;
+            if (count > 0) in_impact += count;
         });
         restore_end_spin(scratch, thread_pool);
-        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, struck);
+        solve_impacts(bodies, joints, direct, scratch, thread_pool, ranks, softness, nullptr, in_impact);
     }
 }
 

@@ -66,12 +66,12 @@ class Structure {
         for (auto b = work_.from_below.rbegin(); b != work_.from_below.rend(); ++b) {
             const StandingLoads::Body& body = work_.bodies[std::size_t(*b)];
             int below = 0;
-            float bore = 0;
+            float last_load = 0;
             for_each_contact(*b, [&](const StandingContact& c) {
                 const bool leads = leads_down(c, *b);
-                below += leads, bore += leads ? c.bore : 0;
+                below += leads, last_load += leads ? c.last_load : 0;
             });
-            if (bore > 0.5f * body.own && !all) continue;
+            if (last_load > 0.5f * body.own && !all) continue;
             const float load = body.weight / float(below); // below >= 1, as the body was reached from below
             for_each_contact(*b, [&](const StandingContact& c) {
                 if (!leads_down(c, *b)) return;

@@ -67,8 +67,8 @@ struct ImpactWork {
     std::array<std::vector<std::uint32_t>, block_types> run_of_lane; // index in `listed_runs`
 
     // The state of components in this impact; the next impact resets it.
-    std::vector<std::uint8_t> impact_round;              // by component: not yet, in this round, or in an earlier one
-    std::vector<std::int32_t> struck, all_impact_groups; // components of this round, and of all rounds
+    std::vector<std::uint8_t> impact_round; // by component: not yet, in this round, or in an earlier one
+    std::vector<std::int32_t> in_impact, all_impact_groups; // components of this round, and of all rounds
     // Bodies that meet: the first belongs to a group that took part, or is about to.
     struct Hit {
         std::int32_t first, other;
@@ -78,7 +78,7 @@ struct ImpactWork {
     // m/s: the greatest speed in a component, or by row for bodies that no force moves; negative: not measured yet.
     std::vector<float> speed;
     std::vector<std::int32_t> measured;      // entries of `speed` that were measured
-    std::vector<std::uint8_t*> struck_lanes; // nonzero ContactBlock::struck of blocks
+    std::vector<std::uint8_t*> impact_lanes; // nonzero ContactBlock::struck of blocks
 
     // Solver bodies that contacts and joints of this impact connect.
     struct Group {

@@ -23,7 +23,7 @@ struct Island {
     std::int32_t joint_count = 0;        // joints that belong to its bodies
     float weight = 0, greatest_load = 0; // N: of all bodies; greatest on one contact
     float greatest_demand = 0;           // m/s^2: greatest ratio of load to reduced mass of a contact
-    float least_stable_sinking = 1;      // m: see slenderness.h
+    float min_buckling_penetration = 1;  // m: see slenderness.h
     float pull_by_width = 0;             // 1/s^2: acceleration by gravity and fields / mean width of its bodies
     float agitation = 0;                 // m/s: rms speed of its bodies relative to their common motion
     float min_quiet_time = 0, greatest_quiet_time = 0;
@@ -38,7 +38,7 @@ struct Islands {
     std::vector<std::int32_t> awake;
     std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
     std::vector<std::int32_t> waking;         // keys of awake islands that the broad phase still holds as sleeping
-    std::vector<std::int32_t> told;           // bodies that were told to sleep since the last step
+    std::vector<std::int32_t> sleep_requests; // bodies that were told to sleep since the last step
 };
 
 inline bool is_awake(const Bodies& bodies, const Islands& islands, std::int32_t body) {

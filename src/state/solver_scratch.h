@@ -51,7 +51,7 @@ struct StandingContact {
     std::uint32_t id;
     std::int32_t a, b; // bodies; B: none if it does not move by forces
     bool begins;
-    float bore; // N: load in the last step
+    float last_load; // N: load in the last step
 };
 struct StandingLoads {
     std::vector<StandingContact> contacts;

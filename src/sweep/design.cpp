@@ -25,7 +25,7 @@ void sobol_point(std::uint64_t number, std::uint64_t seed, std::span<double> out
     boost::random::sobol_engine<std::uint64_t, 64> engine(out.size());
     engine.seed(number);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const std::uint64_t shift = seed == 0 ? 0 : mixed(seed, i);
+        const std::uint64_t shift = seed == 0 ? 0 : hash_pair(seed, i);
         out[i] = unit_interval(engine() ^ shift);
     }
 }
@@ -88,7 +88,7 @@ void Design::values(std::uint64_t row, std::span<double> out) const {
         return;
     case Sampling::random:
         for (std::size_t i = 0; i < count; ++i) {
-            out[i] = parameters_[i].quantile(unit_interval(mixed(mixed(seed_, row), i)));
+            out[i] = parameters_[i].quantile(unit_interval(hash_pair(hash_pair(seed_, row), i)));
         }
         return;
     case Sampling::sobol:

@@ -19,7 +19,7 @@ template <std::size_t N> double polynomial(const double (&c)[N], double x) {
 
 } // namespace
 
-std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
+std::uint64_t hash_pair(std::uint64_t a, std::uint64_t b) {
     // The finalizer of SplitMix64 (Steele, Lea and Flood, 2014), once for each number.
     std::uint64_t z = 0;
     for (const std::uint64_t word : {a, b}) {

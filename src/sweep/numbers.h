@@ -7,7 +7,7 @@
 namespace cairn::sweep {
 
 // Returns 64 pseudorandom bits as a function of two numbers.
-std::uint64_t mixed(std::uint64_t a, std::uint64_t b);
+std::uint64_t hash_pair(std::uint64_t a, std::uint64_t b);
 
 // Maps the upper 53 bits to a number strictly between 0 and 1.
 double unit_interval(std::uint64_t bits);

@@ -32,9 +32,9 @@ std::uint64_t hash_text(std::uint64_t hash, std::string_view text) {
     for (std::size_t at = 0; at < text.size(); at += 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, text.data() + at, std::min<std::size_t>(8, text.size() - at));
-        hash = mixed(hash, word);
+        hash = hash_pair(hash, word);
     }
-    return mixed(hash, text.size());
+    return hash_pair(hash, text.size());
 }
 
 // Checks that a name is an identifier, so that it can be used in expressions.
@@ -65,7 +65,7 @@ class PlanReader {
         : folder_(path.parent_path()), file_(scene::parse_gltf(bytes, path.generic_string())),
           name_(path.generic_string()), root_(file_.json, name_) {
         plan_.file = name_;
-        plan_.fingerprint = hash_text(mixed(1, 1), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        plan_.fingerprint = hash_text(hash_pair(1, 1), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         for (const char* name : {"index", "time", "outcome"}) taken_.insert(name);
     }
 

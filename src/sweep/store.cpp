@@ -62,7 +62,7 @@ void write_whole(int file, const std::vector<char>& bytes, const std::filesystem
 std::uint64_t checksum_of(std::uint64_t chunk, std::span<const double> numbers) {
     RowHash sum;
     for (const double number : numbers) sum.add(number);
-    return mixed(sum.value(), chunk);
+    return hash_pair(sum.value(), chunk);
 }
 
 } // namespace

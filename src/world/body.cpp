@@ -406,7 +406,7 @@ void Body::sleep() {
     std::erase(s.bodies.pushed, a.index());
     if (s.bodies.links[a.b].quiet_time == sleep_requested) return;
     s.bodies.links[a.b].quiet_time = sleep_requested;
-    s.islands.told.push_back(a.index());
+    s.islands.sleep_requests.push_back(a.index());
 }
 
 void Body::add_force(const Vec3& force) {

@@ -53,7 +53,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.shapes.links);
     archive.predicted(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
-    archive(s.islands.falling_asleep), archive(s.islands.waking), archive(s.islands.told);
+    archive(s.islands.falling_asleep), archive(s.islands.waking), archive(s.islands.sleep_requests);
     archive(s.characters.all);
 }
 

@@ -161,8 +161,9 @@ class StateCheck final : PairReader {
             require_sound(std::uint32_t(key) < count, {"islands.waking", k}, key, "must be the number of an island");
             key_wakes_[std::size_t(key)] = 1;
         }
-        for (std::size_t k = 0; k < islands_.told.size(); ++k)
-            require_sound(is_body(islands_.told[k]), {"islands.told", k}, islands_.told[k], "must be a body");
+        for (std::size_t k = 0; k < islands_.sleep_requests.size(); ++k)
+            require_sound(is_body(islands_.sleep_requests[k]), {"islands.sleep_requests", k},
+                          islands_.sleep_requests[k], "must be a body");
     }
 
     void check_shapes() const {

@@ -104,7 +104,7 @@ void World::Impl::make_step(float dt) {
     state.statistics.tested_pairs =
         update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
                         state.broad_phase, state.events, state.settings, step, communicator.get(), dt);
-    put_told_to_sleep(state.bodies, state.contacts, state.islands, state.events, step.solved);
+    apply_sleep_requests(state.bodies, state.contacts, state.islands, state.events, step.solved);
     push_by_fluids(fluids, step.fluids, *step.thread_pool, dt); // for bodies that have woken since
     times.narrow_phase = clock.lap();
     pack_batches(state.bodies, state.contacts, state.islands, state.fields, state.settings, step, communicator.get(),

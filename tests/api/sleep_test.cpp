@@ -383,7 +383,7 @@ TEST(Sleep, WhatWasMadeAsleepWakesWhenItLosesWhatCarriesIt) {
 // Two balls hit a body at rest in free space within one step: a sleeping body must move in the same way as one that may
 // not sleep.
 TEST(Sleep, WhatSleepsInFreeSpaceIsStruckTwiceInAStepLikeWhatIsAwake) {
-    int struck_twice = 0;
+    int in_impact_twice = 0;
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         std::mt19937 bits(seed);
         const auto uniform = [&](double least, double most) {
@@ -422,11 +422,11 @@ TEST(Sleep, WhatSleepsInFreeSpaceIsStruckTwiceInAStepLikeWhatIsAwake) {
             ends.push_back(world.body(all[0]).angular_velocity() * 0.3f);
             ends.push_back(Vec3(world.body(all[0]).position()));
         }
-        struck_twice += is_twice;
+        in_impact_twice += is_twice;
         for (std::size_t i = 0; i < ends.size() / 2; ++i)
             EXPECT_LT(glm::length(ends[i] - ends[i + ends.size() / 2]), 0.01 * speed) << "start " << seed << ", " << i;
     }
-    EXPECT_GT(struck_twice, 50);
+    EXPECT_GT(in_impact_twice, 50);
 }
 
 } // namespace

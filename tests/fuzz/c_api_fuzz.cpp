@@ -70,7 +70,7 @@ const std::map<std::string, CCallCount>& c_call_counts() {
 
 // Adds four bodies with a box each (one of them a character), a joint and a force field, so that every call has
 // something to act on.
-static void furnish(CBytes& bytes, cairn_world* world) {
+static void add_initial_bodies(CBytes& bytes, cairn_world* world) {
     const cairn_shape box = cairn_default_shape(CAIRN_SHAPE_BOX);
     for (int i = 0; i < 4; ++i) {
         cairn_body_def def = cairn_default_body_def();
@@ -93,8 +93,8 @@ static void furnish(CBytes& bytes, cairn_world* world) {
 
 CState::CState(std::span<const std::uint8_t> data) : bytes(data) {
     for (cairn_world*& world : worlds) require(cairn_world_create(nullptr, &world) == CAIRN_OK, "a world");
-    furnish(bytes, worlds[1]);
-    furnish(bytes, worlds[0]);
+    add_initial_bodies(bytes, worlds[1]);
+    add_initial_bodies(bytes, worlds[0]);
     const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::uint32_t triangles[] = {0, 2, 1, 0, 3, 2};
     const float heights[] = {0, 1, 0, 0, 0.5f, 0, 1, 0, 0};

@@ -52,7 +52,7 @@ World small_world() {
 }
 
 // Uses every part of the state, wherever its values lead.
-void live_on(World& world) {
+void use_all_state(World& world) {
     const std::vector<BodyId> bodies = world.bodies();
     for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
     (void)world.contacts();
@@ -118,7 +118,7 @@ void restore_forged(char which, const Snapshot& saved, const std::uint8_t* data,
         if (world.save().bytes != before.bytes) fail("a refused snapshot has changed the world");
         return;
     }
-    live_on(world);
+    use_all_state(world);
 }
 
 } // namespace

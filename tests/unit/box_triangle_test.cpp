@@ -83,7 +83,7 @@ Convex triangle_of(const Trial& t) {
     const auto placed = [&](cairn::math::Vec3 v) { return t.center + t.axes * cairn::math::to_double(v); };
     return cairn::make_triangle(placed(t.triangle.a), placed(t.triangle.b), placed(t.triangle.c));
 }
-Found by_the_long_way(const Trial& t) {
+Found by_general_test(const Trial& t) {
     const Convex triangle = triangle_of(t);
     Found f;
     f.contact = collide_surface(t.box, triangle, t.margin, -triangle.axes.c1, f.manifold);
@@ -106,7 +106,7 @@ TEST(BoxOnTriangle, SaysWhatTheTestOfAllConvexShapesSays) {
         const Verdict verdict = verdict_of(box, t, hit);
         ++verdicts[int(verdict)];
         if (verdict != Verdict::apart && verdict != Verdict::touching) continue;
-        const Found f = by_the_long_way(t);
+        const Found f = by_general_test(t);
         const Manifold& m = f.manifold;
         ASSERT_EQ(verdict == Verdict::touching, m.count > 0) << k;
         if (m.count == 0) continue;
@@ -147,7 +147,7 @@ TEST(BoxOnTriangle, WhatIsBeyondItsFacesIsFoundWithoutThem) {
         BoxOnTriangles box(cairn::kernels().triangles, t.box, t.center, t.axes, t.margin);
         BoxHit hit;
         if (verdict_of(box, t, hit) != Verdict::beyond_faces) continue;
-        const Found f = by_the_long_way(t);
+        const Found f = by_general_test(t);
         const Convex triangle = triangle_of(t);
         Manifold m;
         const SurfaceContact c =

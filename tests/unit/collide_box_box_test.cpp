@@ -86,7 +86,7 @@ std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, doub
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const SeparatingAxis truth = greatest_separation(a, b);
     const Tolerance tolerance = tolerance_for(a, b, truth);
-    if (said_apart(m) > truth.separation + tolerance.rounding) return "apart by more than the truth";
+    if (reported_distance(m) > truth.separation + tolerance.rounding) return "apart by more than the truth";
     if (truth.separation > margin + tolerance.rounding) return m.count == 0 ? "" : "contact of boxes out of reach";
     if (m.count == 0) return truth.separation < -tolerance.rounding ? "no contact of boxes that overlap" : "";
 
@@ -121,7 +121,7 @@ void expect_agreement(const char* name, const Pairs& pairs, int min_touching) {
         for (int i = 0; i < pairs.count(); ++i) {
             const Manifold& m = manifolds[static_cast<std::size_t>(i)];
             touching += m.count > 0;
-            apart += said_apart(m) > 0;
+            apart += reported_distance(m) > 0;
             const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
             const std::string s = disagreement(a, b, m, pairs.margin(i));
             if (s.empty()) continue;

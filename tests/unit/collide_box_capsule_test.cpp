@@ -91,7 +91,7 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m) {
     const double tolerance = rounding * at.size + uncertain + askew, prefers = preference * at.extent;
     const bool is_near = at.separation <= margin;
     if (std::fabs(at.separation - margin) > tolerance && (m.count > 0) != is_near) return "touching";
-    if (m.count == 0) return std::fabs(said_apart(m) - at.separation) <= tolerance ? "" : "distance";
+    if (m.count == 0) return std::fabs(reported_distance(m) - at.separation) <= tolerance ? "" : "distance";
     if (deepest_of(m) < at.separation - tolerance) return "too deep";
     if (deepest_of(m) > at.separation + prefers + tolerance) return "not deep enough";
     // Where the axis is near the box, rounding rotates the direction between them.

@@ -76,7 +76,7 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m, con
     const double separation = at.distance - at.reach, tolerance = rounding * at.size;
     const bool is_near = separation <= margin;
     if (std::fabs(separation - margin) > tolerance && (m.count > 0) != is_near) return "touching";
-    if (m.count == 0) return std::fabs(said_apart(m) - separation) <= tolerance ? "" : "distance";
+    if (m.count == 0) return std::fabs(reported_distance(m) - separation) <= tolerance ? "" : "distance";
     const bool is_crossing = at.distance < 1e-5 * at.size;
     if (deepest_of(m) < separation - tolerance - (is_crossing ? at.distance : 0)) return "too deep";
     if (m.features[0] == 0 && deepest_of(m) > separation + tolerance) return "not deep enough";

@@ -28,9 +28,9 @@ void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKe
         const Expected e = oracle(a, b, pairs.margin(i));
         ASSERT_EQ(flaw(m, pairs.margin(i)), "") << name << ", " << table->name << ", pair " << i;
         touching += m.count;
-        if (said_apart(m) > 0) ++apart;
+        if (reported_distance(m) > 0) ++apart;
         const double tolerance = 1e-6 * (1.0 + length(b.center - a.center) + length(b.half) + a.half[0]);
-        ASSERT_LE(said_apart(m), e.separation + tolerance) << name << ", " << table->name << ", pair " << i;
+        ASSERT_LE(reported_distance(m), e.separation + tolerance) << name << ", " << table->name << ", pair " << i;
         if (std::fabs(e.separation - pairs.margin(i)) < tolerance || !e.clear) continue;
         ASSERT_EQ(m.count, e.touching ? 1 : 0)
             << name << ", " << table->name << ", pair " << i << ", separation " << e.separation;

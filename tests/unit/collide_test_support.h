@@ -184,7 +184,9 @@ inline double deepest_of(const Manifold& m) {
 }
 
 // The lower bound of the distance that a manifold without points reports; -1e30 where it reports none.
-inline double said_apart(const Manifold& m) { return m.count == 0 && m.points[0][3] < 1e30f ? m.points[0][3] : -1e30; }
+inline double reported_distance(const Manifold& m) {
+    return m.count == 0 && m.points[0][3] < 1e30f ? m.points[0][3] : -1e30;
+}
 
 // Conditions that hold for every manifold. Returns a description of the first violation, or an empty string.
 inline std::string flaw(const Manifold& m, double margin) {

@@ -57,7 +57,7 @@ struct ForgedSnapshot : testing::Test {
         return forged;
     }
     // Steps, queries, changes and removes: uses everything that a state's numbers may lead to.
-    static void live_on(World& world) {
+    static void use_all_state(World& world) {
         for (int i = 0; i < 3; ++i) world.step(1.0f / 60);
         (void)world.contacts();
         (void)world.cast_ray({0, 10, 0}, {0, -1, 0}, 100);
@@ -162,7 +162,7 @@ TEST_F(ForgedSnapshot, OfSoundStructureWithNumbersThatLeadNowhereIsRefused) {
     }
     Snapshot same = forge([](State&) {});
     EXPECT_FALSE(is_refused(same));
-    live_on(world);
+    use_all_state(world);
 }
 
 TEST_F(ForgedSnapshot, SaysWhatWhichValueAndWhatWasExpected) {
@@ -185,7 +185,7 @@ TEST_F(ForgedSnapshot, WithAnyWordChangedIsRefusedOrLeadsNowhereElse) {
         std::memcpy(&changed.bytes[at], &value, sizeof value);
         if (!is_refused(changed)) {
             ++taken;
-            live_on(world);
+            use_all_state(world);
         }
         world.restore(before);
     }

@@ -47,14 +47,14 @@ TEST(Samples, WhatRestsPressesWithItsWeight) {
 
 // Energies at the end, and the drift of the energy balance since the start.
 struct Balance {
-    double kinetic, friction, impacts, brought_in, drift;
+    double kinetic, friction, impacts, external_work, drift;
     explicit Balance(const Stage& stage) {
         const SampleLog log = stage.state().samples;
         const Sample &start = log[0], &end = log[log.size() - 1];
         kinetic = value(end, Quantity::kinetic_energy);
         friction = value(end, Quantity::lost_to_friction);
         impacts = value(end, Quantity::lost_in_impacts);
-        brought_in = value(end, Quantity::brought_in);
+        external_work = value(end, Quantity::external_work);
         drift = value(end, Quantity::energy_balance) - value(start, Quantity::energy_balance);
     }
 };
@@ -77,7 +77,7 @@ TEST(Samples, WhatSlidesLosesItsEnergyToFriction) {
     const Balance sliding(stage);
     const double way = stage.world().body(box).position().x - start;
     const double friction = 0.6 * mass * 9.81; // N
-    EXPECT_NEAR(sliding.brought_in, 0.5 * mass * 16.0, 0.01 * mass);
+    EXPECT_NEAR(sliding.external_work, 0.5 * mass * 16.0, 0.01 * mass);
     EXPECT_NEAR(sliding.friction, friction * way, 0.02 * friction * way);
     EXPECT_NEAR(sliding.impacts, 0.0, 0.02 * friction * way);
     EXPECT_NEAR(sliding.kinetic, 0.5 * mass * 16.0 - friction * way, 0.02 * friction * way);
@@ -118,7 +118,7 @@ TEST(Samples, WhatKeysPushIsBroughtIn) {
     for (int i = 0; i < 60; ++i) stage.step();
     const double way = stage.world().body(box).position().x - start;
     const Balance balance(stage);
-    EXPECT_NEAR(balance.brought_in, 40.0 * mass * way, 0.02 * 40.0 * mass * way);
+    EXPECT_NEAR(balance.external_work, 40.0 * mass * way, 0.02 * 40.0 * mass * way);
     EXPECT_NEAR(balance.friction, 0.6 * 9.81 * mass * way, 0.03 * 0.6 * 9.81 * mass * way);
     EXPECT_NEAR(balance.drift, 0.0, 0.01 * 40.0 * mass * way);
 }

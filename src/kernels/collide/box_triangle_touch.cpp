@@ -36,12 +36,13 @@ CAIRN_INLINE Local cross(const Local& a, const Local& b) {
 CAIRN_INLINE Local operator-(const Local& a, const Local& b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
 
 // Four triangles and the box in the Local coordinates of each triangle.
-struct Seen {
+struct LocalTriangles {
     Local half, normal, corners[3];
     f64x4 height;
 };
 
-CAIRN_INLINE Seen seen_from(const int* axis, const BoxFrame& box, const TriangleBatch& batch, const int* which) {
+CAIRN_INLINE LocalTriangles to_local(const int* axis, const BoxFrame& box, const TriangleBatch& batch,
+                                     const int* which) {
     double rows[15][4], height[4];
     for (int n = 0; n < 4; ++n) {
         const int at = which[n];
@@ -53,7 +54,7 @@ CAIRN_INLINE Seen seen_from(const int* axis, const BoxFrame& box, const Triangle
             for (int c = 0; c < 3; ++c) rows[6 + 3 * c + k][n] = batch.corners[c][i][at];
         }
     }
-    Seen s;
+    LocalTriangles s;
     for (int k = 0; k < 3; ++k) {
         s.half[k] = load4(rows[k]);
         s.normal[k] = load4(rows[3 + k]);
@@ -109,7 +110,7 @@ template <int sides> CAIRN_INLINE Part cut(const f64x4 (&p)[sides], const f64x4 
 struct Deepest {
     f64x4 j, k, separation, number;
 };
-CAIRN_INLINE Deepest deepest_of(const Points& points, int count, const Seen& s, f64x4 extent) {
+CAIRN_INLINE Deepest deepest_of(const Points& points, int count, const LocalTriangles& s, f64x4 extent) {
     const f64x4 third = splat4(1.0 / 3);
     const f64x4 middle_j = (s.corners[0][1] + s.corners[1][1] + s.corners[2][1]) * third;
     const f64x4 middle_k = (s.corners[0][2] + s.corners[1][2] + s.corners[2][2]) * third;
@@ -132,7 +133,7 @@ CAIRN_INLINE Deepest deepest_of(const Points& points, int count, const Seen& s, 
 }
 
 // Whether a point is not at the borders of the triangle, as projected along its normal.
-CAIRN_INLINE mask4 is_inside(const Seen& s, const Local& foot, f64x4 extent) {
+CAIRN_INLINE mask4 is_inside(const LocalTriangles& s, const Local& foot, f64x4 extent) {
     mask4 inside = ~mask4{};
     for (int e = 0; e < 3; ++e) {
         const Local edge = s.corners[(e + 1) % 3] - s.corners[e], inward = cross(s.normal, edge);
@@ -142,7 +143,7 @@ CAIRN_INLINE mask4 is_inside(const Seen& s, const Local& foot, f64x4 extent) {
 }
 
 // Offers the corners of the box's face that are over the triangle, in the order ++, -+, --, +- around the face.
-CAIRN_INLINE void offer_corners_of_box(const Seen& s, f64x4 sign, f64x4 slack, Points& points) {
+CAIRN_INLINE void offer_corners_of_box(const LocalTriangles& s, f64x4 sign, f64x4 slack, Points& points) {
     const f64x4 ni = s.normal[0], hj = s.half[1], hk = s.half[2];
     const mask4 is_flat = abs(ni) > splat4(edge_on);
     const f64x4 around = select(ni > zero4(), one4(), -one4());
@@ -175,7 +176,7 @@ void touch_on_box(const BoxFrame& box, const TriangleBatch& batch, const int* wh
         out.axis[n] = batch.box_face[which[n]] / 2;
         signs[n] = batch.box_face[which[n]] % 2 == 0 ? 1 : -1;
     }
-    const Seen s = seen_from(out.axis, box, batch, which);
+    const LocalTriangles s = to_local(out.axis, box, batch, which);
     const f64x4 sign = load4(signs), hi = s.half[0], hj = s.half[1], hk = s.half[2], extent = splat4(box.extent);
     const f64x4 slack = splat4(2 * face_tolerance) * max(hj, hk);
     f64x4 inside[3][4], z[3];
@@ -221,7 +222,7 @@ void touch_on_triangle(const BoxFrame& box, const TriangleBatch& batch, const in
         out.axis[n] = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
         squares[n] = batch.square[at];
     }
-    const Seen s = seen_from(out.axis, box, batch, which);
+    const LocalTriangles s = to_local(out.axis, box, batch, which);
     const f64x4 ni = s.normal[0], nj = s.normal[1], nk = s.normal[2], hj = s.half[1], hk = s.half[2];
     const f64x4 face = select(ni > zero4(), -s.half[0], s.half[0]);
 

@@ -85,8 +85,8 @@ template <int N> struct BlockFields<ContactBlock<N>> {
     static constexpr auto list = std::tuple(
         &B::a, &B::b, &B::write_b, &B::center, &B::normal, &B::d, &B::mass_a, &B::mass_b, &B::inertia_a, &B::inertia_b,
         &B::moved_moment, &B::moved, &B::isotropic, &B::rolls, &B::bounces, &B::round, &B::turns, &B::rims_a,
-        &B::rims_b, &B::rounds, &B::axes_a, &B::axes_b, &B::round_arms, &B::rounds_moved, &B::joined, &B::struck,
-        &B::struck_once, &B::struck_twice, &B::d0, &B::d_touch, &B::found, &B::radius_a, &B::radius_b,
+        &B::rims_b, &B::rounds, &B::axes_a, &B::axes_b, &B::round_arms, &B::rounds_moved, &B::joined, &B::in_impact,
+        &B::in_impact_once, &B::in_impact_twice, &B::d0, &B::d_touch, &B::found, &B::radius_a, &B::radius_b,
         &B::max_offset_change_square, &B::turning, &B::sliding, &B::tangent, &B::tangent_mass, &B::torsion_mass,
         &B::torsion_coupling, &B::friction, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
         &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse, &B::restitution);

@@ -25,7 +25,7 @@ namespace {
 constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of one bouncing contact
 
 // The contact at the moment of impact.
-template <int N> struct Meeting {
+template <int N> struct ImpactState {
     Vec3x8 normal, d; // d: from B's center of mass to A's
     Vec3x8 center;    // arm of the friction center, for A
     Vec3x8 arm_a[N];  // r_i x normal
@@ -71,24 +71,25 @@ CAIRN_INLINE TwoTwists carried_over(const SolverBodies& bodies, const std::uint3
 }
 
 // Drives of the two bodies, and corrections of the velocities that move their poses.
-struct Surroundings {
+struct DrivesAndCorrections {
     Velocityx8 drive_a, drive_b, other_a, other_b; // other: corrections so far
 };
 
 // The normal velocity of a point, from velocities of the two bodies or from corrections of them.
-template <int N> CAIRN_INLINE f32x8 velocity_of(const Meeting<N>& m, int i, const Velocityx8& a, const Velocityx8& b) {
+template <int N>
+CAIRN_INLINE f32x8 velocity_of(const ImpactState<N>& m, int i, const Velocityx8& a, const Velocityx8& b) {
     return dot(m.normal, b.v - a.v) + (dot(m.arm_b[i], b.w) - dot(m.arm_a[i], a.w));
 }
 
-template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Velocityx8& b, Meeting<N>& m) {
+template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Velocityx8& b, ImpactState<N>& m) {
     for (int i = 0; i < N; ++i) m.v[i] = velocity_of(m, i, a, b);
 }
 
 // The contact at the start of the substep.
 template <int N>
-CAIRN_INLINE Meeting<N> impact_state_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a,
-                                         const Velocityx8& b) {
-    Meeting<N> m;
+CAIRN_INLINE ImpactState<N> impact_state_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a,
+                                             const Velocityx8& b) {
+    ImpactState<N> m;
     m.normal = load3(block.normal);
     m.d = d;
     m.center = load3(block.center);
@@ -104,8 +105,8 @@ CAIRN_INLINE Meeting<N> impact_state_now(const ContactBlock<N>& block, Vec3x8 d,
 
 // The rebound velocity of a point.
 template <int N>
-CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& m, int i, const Surroundings& around,
-                                const BounceSettings& settings) {
+CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const ImpactState<N>& m, int i,
+                                const DrivesAndCorrections& around, const BounceSettings& settings) {
     const f32x8 acceleration = max((dot(m.arm_a[i], around.drive_a.w) - dot(m.arm_b[i], around.drive_b.w) -
                                     dot(m.normal, around.drive_b.v - around.drive_a.v)) *
                                        splat(1.0f / settings.h),
@@ -142,9 +143,10 @@ template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block
 }
 
 template <int N>
-CAIRN_INLINE Meeting<N> impact_state_later(const ContactBlock<N>& block, const Meeting<N>& now, const Velocityx8& a,
-                                           const Velocityx8& b, const Surroundings& around, float h) {
-    Meeting<N> m = now;
+CAIRN_INLINE ImpactState<N> impact_state_later(const ContactBlock<N>& block, const ImpactState<N>& now,
+                                               const Velocityx8& a, const Velocityx8& b,
+                                               const DrivesAndCorrections& around, float h) {
+    ImpactState<N> m = now;
     const Vec3x8 passed = splat(h) * (around.other_a.v - around.other_b.v) - (splat(h) * now.correction) * (a.v - b.v);
     m.d = now.d + passed;
     const Vec3x8 shift = turn_to_impact(block, m.d - d_of_normal(block), m.normal);
@@ -160,8 +162,8 @@ CAIRN_INLINE Meeting<N> impact_state_later(const ContactBlock<N>& block, const M
 
 // The impulses that give the arriving points their rebound velocities: Gauss-Seidel with the couplings at the impact.
 template <int N>
-CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, const f32x8* target, const mask8* arrives,
-                                f32x8* impulse) {
+CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, ImpactState<N>& m, const f32x8* target,
+                                const mask8* arrives, f32x8* impulse) {
     const f32x8 mass = load(block.mass_a) + load(block.mass_b);
     f32x8 k[N][N], inverse[N];
     for (int i = 0; i < N; ++i) {
@@ -180,7 +182,7 @@ CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, con
 
 // Points that reach the surface within this substep, faster than the threshold.
 template <int N>
-CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, const TwoTwists& carried,
+CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const ImpactState<N>& m, const TwoTwists& carried,
                             const BounceSettings& settings, mask8* arrives) {
     mask8 lanes = zero() > one();
     for (int i = 0; i < N; ++i) {
@@ -195,7 +197,7 @@ CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, c
 
 // The arm for A of the load of an impact. `torque_a`: the sum of impulse times arm.
 template <int N>
-CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 sum, Vec3x8 torque_a) {
+CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const ImpactState<N>& m, f32x8 sum, Vec3x8 torque_a) {
     if constexpr (N == 1) return m.center;
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const mask8 bears = sum > zero();
@@ -205,7 +207,7 @@ CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& 
 
 // Coulomb friction of the impact itself, at its load, with an initial impulse of zero.
 template <int N>
-CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
+CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const ImpactState<N>& m, f32x8 load_sum,
                                     const Velocityx8& a, const Velocityx8& b) {
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, m.center) + cross(b.w, m.d);
@@ -257,13 +259,13 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     if (!block.bounces) return false;
     const TwoTwists free = free_velocities(bodies, block.a, block.b),
                     carried = carried_over(bodies, block.a, block.b, free);
-    Meeting<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
+    ImpactState<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
     mask8 arrives[N];
     mask8 may_bounce = arriving(block, now, carried, settings, arrives);
     if (!any(may_bounce)) return false;
     if (block.joined) {
         const mask8 joined = mask_from_bits(block.joined);
-        block.struck = std::uint8_t(block.struck | bits(may_bounce & joined));
+        block.in_impact = std::uint8_t(block.in_impact | bits(may_bounce & joined));
         may_bounce = and_not(may_bounce, joined);
         if (!any(may_bounce)) return false;
     }
@@ -272,9 +274,9 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     now = impact_state_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), free.a, free.b);
     if (!any(may_bounce & arriving(block, now, carried, settings, arrives))) return false;
     for (int i = 0; i < N; ++i) arrives[i] = arrives[i] & may_bounce;
-    const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
-                                 gather_twist(bodies.velocity_correction, block.a),
-                                 gather_twist(bodies.velocity_correction, block.b)};
+    const DrivesAndCorrections around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
+                                         gather_twist(bodies.velocity_correction, block.a),
+                                         gather_twist(bodies.velocity_correction, block.b)};
     f32x8 change = zero(), correction = zero(), target[N], impulse[N], sum = zero();
     for (int i = 0; i < N; ++i) {
         const Rebound r = rebound_of(block, now, i, around, settings);
@@ -283,7 +285,7 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     }
     // The bodies meet within the substep: the correction takes back none to all of the change of velocity.
     now.correction = clamp(correction / max(change, splat(1e-20f)), splat(-1.0f), zero());
-    Meeting<N> m = impact_state_later(block, now, free.a, free.b, around, settings.h);
+    ImpactState<N> m = impact_state_later(block, now, free.a, free.b, around, settings.h);
     mask8 bounces = zero() > one();
     for (int i = 0; i < N; ++i) {
         arrives[i] = arrives[i] & (m.v[i] < splat(-settings.threshold));
@@ -332,14 +334,14 @@ BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies,
     BounceCount blocks_that{0, 0};
     for (int k = 0; k < count; ++k) {
         blocks_that.bounced += bounce_block<N>(all[k], bodies, settings);
-        blocks_that.struck += all[k].struck != 0;
+        blocks_that.in_impact += all[k].in_impact != 0;
     }
     return blocks_that;
 }
 
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed, int count, const SolverBodies& bodies,
-                  const BounceSettings& settings) {
+void find_contact_rebounds(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
+                           const SolverBodies& bodies, const BounceSettings& settings) {
     auto* all = static_cast<const ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k) {
@@ -347,7 +349,7 @@ void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed
         const f32x8 restitution = load(block.restitution);
         const TwoTwists free = free_velocities(bodies, block.a, block.b),
                         carried = carried_over(bodies, block.a, block.b, free);
-        const Meeting<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
+        const ImpactState<N> now = impact_state_now(block, load3(block.d), free.a, free.b);
         const Velocityx8 other_a = gather_twist(bodies.velocity_correction, block.a),
                          other_b = gather_twist(bodies.velocity_correction, block.b);
         mask8 arrives[N];
@@ -374,10 +376,10 @@ void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed
     }
 }
 
-template void aim_contacts<1>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
-                              const BounceSettings&);
-template void aim_contacts<4>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
-                              const BounceSettings&);
+template void find_contact_rebounds<1>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
+                                       const BounceSettings&);
+template void find_contact_rebounds<4>(const void*, void*, const ReboundTargets&, int, const SolverBodies&,
+                                       const BounceSettings&);
 template BounceCount bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
 template BounceCount bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
 

@@ -174,7 +174,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         block.b[i] = ids[i] >= 0 ? std::uint32_t(row_b[i]) * row_bytes : discard;
         block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : discard;
     }
-    block.moved = block.joined = block.struck = block.struck_once = block.struck_twice = 0;
+    block.moved = block.joined = block.in_impact = block.in_impact_once = block.in_impact_twice = 0;
     const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
     Vec3x8 normal, d;
     f32x8 friction, restitution;

@@ -6,98 +6,11 @@
 // so sweeps over the points use four numbers per point alone (see Rows), and the bodies change once:
 //   vA -= n S/mA, vB += n S/mB, wA -= IA^-1 T, wB += IB^-1 (T + S c),  S = sum d_i, T = sum j_i d_i.
 #include "kernels/solve/friction.h"
+#include "kernels/solve/separations.h"
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
-
-// The smallest change of d that is followed, as a fraction of the greatest (the square root of
-// max_offset_change_square).
-constexpr float min_offset_change = 2.5e-6f;
-
-// Updates d to the current poses, so that impulses act on both bodies at one point of the world and angular momentum is
-// conserved while the bodies pass each other. The impulses that are carried into the next substep acted with the old d;
-// the moment on B that they lack since is applied by the next `solve`. Lanes whose bodies have not moved are left
-// unchanged: the result of a lane must not depend on the other contacts of its block.
-template <int N, class Among>
-CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
-    const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
-    const f32x8 limit = load(block.max_offset_change_square);
-    Vec3x8 d = load3(block.d0) + passed, change = d - old;
-    mask8 moves = among(dot(change, change) > splat(min_offset_change * min_offset_change) * limit);
-    if (has_rounds(block)) moves = and_not(moves, mask_from_bits(block.rounds));
-    if (!any(moves)) return;
-    // The couplings K are those of d_touch: d is followed only as far from it as they still hold.
-    const Vec3x8 beyond = d - fitting;
-    const f32x8 square = dot(beyond, beyond);
-    const mask8 far = square > limit;
-    if (any(far)) {
-        d = select(far, fitting + sqrt(limit / select(far, square, one())) * beyond, d);
-        change = d - old;
-    }
-    store3(block.d, select(moves, d, old));
-    f32x8 carried = zero();
-    for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
-    const f32x8 p1 = load(block.tangent_impulse[0]), p2 = load(block.tangent_impulse[1]);
-    if (all((carried == zero()) & (p1 == zero()) & (p2 == zero()))) return;
-    const Vec3x8 p = p1 * load3(block.tangent) + p2 * second_tangent(block, normal);
-    const Vec3x8 moment = select(moves, cross(change, carried * normal + p), zero3());
-    store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
-    block.moved = 1;
-}
-
-// Current separations, from the motion of both bodies since the start of the step. Exact: the normal, not the anchors,
-// is rotated back, and by differences so that no digits cancel: with
-//   delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
-//   s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n), with d = d_touch, as for the couplings.
-// This is for arms at the start of the step. The arms of a contact that was found at the time f have since rotated by
-// the rotation u(t) of the step minus that up to f. Its second-order part,
-//   u x (u x r) / 2 - (u_f x (u x r) + u x (u_f x r)) / 2,
-// is, with u_f = u(t) f / t, that of delta times 1 - 2 f / t (`bend`). The rotation need not be uniform: at the start
-// of the step and at f the result is exact. The surface of a sphere does not rotate with its body: only its center, a
-// radius R from the contact point, is a point of the body. Rotating the material point would lift it by R (1 - cos),
-// and a rolling ball would lose its load; R (delta.n) per sphere removes that.
-template <int N>
-CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal,
-                                      float inverse_elapsed, f32x8* s, RoundTouch& round) {
-    const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
-    f32x8 on_rounds = zero();
-    if constexpr (N == 1)
-        if (has_rounds(block)) {
-            round = round_touch_at(block, a, b, a.dx - b.dx, normal);
-            s[0] = on_rounds = load(block.separation0[0]) + round.grown;
-            if (is_all_round(block)) return store(block.separation[0], s[0]);
-        }
-    const f32x8 bend = one() - splat(2 * inverse_elapsed) * load(block.found);
-    const Vec3x8 delta_a = turned_back_difference(a.dq, normal, bend),
-                 delta_b = turned_back_difference(b.dq, normal, bend);
-    const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
-    f32x8 common = -dot(normal, passed);
-    if (block.turns) {
-        const float elapsed = 1 / inverse_elapsed;
-        common += splat(elapsed * elapsed) * bend * load(block.sliding);
-    }
-    f32x8 on_rims = zero();
-    if constexpr (N == 1)
-        if (has_rims(block)) on_rims = rim_separations(block, normal, a.dq, b.dq, delta_a, delta_b, common);
-    common += dot(delta_b, load3(block.d_touch));
-    if (N == 1 || block.round)
-        common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
-    const Vec3x8 e = cross(difference, normal);
-    const f32x8 f = dot(difference, normal);
-    for (int i = 0; i < N; ++i) {
-        f32x8 height;
-        if constexpr (N == 1)
-            height = dot(load3(block.center), normal);
-        else
-            height = load(block.height[i]);
-        s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
-        if (has_rims(block)) s[i] = select(mask_from_bits(block.rims_a | block.rims_b), on_rims, s[i]);
-        if (has_rounds(block)) s[i] = select(mask_from_bits(block.rounds), on_rounds, s[i]);
-        store(block.separation[i], s[i]);
-    }
-    refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });
-}
 
 // After bounces: adds to d the displacement by this substep's velocity corrections, if either body has bounced.
 template <int N>
@@ -279,23 +192,23 @@ CAIRN_INLINE int defer_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
     if (!any(jolts)) return 0;
     f32x8 v[N];
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
-    mask8 struck = mask_from_bits(0);
+    mask8 in_impact = mask_from_bits(0);
     f32x8 carried = zero();
     for (int i = 0; i < N; ++i) {
         carried += rows.old[i];
         const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
-        struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
+        in_impact = in_impact | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
     }
     // No impact: a contact that already carries this impulse, or was hit twice in this step (something drives it).
     // Twice is usual: in solve, which lets the contact close its gap, and in relax, once it is closed.
-    struck = and_not(struck & jolts & (sum > carried), mask_from_bits(block.struck_twice));
-    if (!any(struck)) return 0;
-    block.struck_twice = std::uint8_t(block.struck_twice | (block.struck_once & bits(struck)));
-    block.struck_once = std::uint8_t(block.struck_once | bits(struck));
-    block.struck = std::uint8_t(block.struck | bits(struck));
-    sum = select(struck, zero(), sum);
-    torque = select(struck, zero3(), torque);
-    for (int i = 0; i < N; ++i) rows.impulse[i] = select(struck, rows.old[i], rows.impulse[i]);
+    in_impact = and_not(in_impact & jolts & (sum > carried), mask_from_bits(block.in_impact_twice));
+    if (!any(in_impact)) return 0;
+    block.in_impact_twice = std::uint8_t(block.in_impact_twice | (block.in_impact_once & bits(in_impact)));
+    block.in_impact_once = std::uint8_t(block.in_impact_once | bits(in_impact));
+    block.in_impact = std::uint8_t(block.in_impact | bits(in_impact));
+    sum = select(in_impact, zero(), sum);
+    torque = select(in_impact, zero3(), torque);
+    for (int i = 0; i < N; ++i) rows.impulse[i] = select(in_impact, rows.old[i], rows.impulse[i]);
     return 1;
 }
 
@@ -311,20 +224,20 @@ CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, con
         sum += d;
         torque = torque + d * arm_of(block, normal, i);
     }
-    int struck = 0;
-    if constexpr (Watched) struck = defer_impacts<N>(block, normal, sum, torque, rows, softness);
-    if (struck)
+    int in_impact = 0;
+    if constexpr (Watched) in_impact = defer_impacts<N>(block, normal, sum, torque, rows, softness);
+    if (in_impact)
         for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     scatter_velocity(velocity, block.a, rows.a);
     scatter_velocity(velocity, block.write_b, rows.b);
-    return struck;
+    return in_impact;
 }
 
 template <int N, int M, bool Watched>
 CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
     Rows<N> rows[M];
-    int struck = 0;
+    int in_impact = 0;
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) begin_solve<N>(blocks[m], velocity, softness, rows[m]);
     mask8 idle = is_idle(rows[0]);
@@ -334,8 +247,8 @@ CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, c
     for (int m = 0; m < M; ++m) blocks[m].moved = 0;
     sweep_points<N, M, true>(blocks, rows);
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) struck += end_solve<N, Watched>(blocks[m], velocity, softness, rows[m]);
-    return struck;
+    for (int m = 0; m < M; ++m) in_impact += end_solve<N, Watched>(blocks[m], velocity, softness, rows[m]);
+    return in_impact;
 }
 
 // The number of blocks that solve and relax process interleaved. In WebAssembly one: with several, engines keep nearly
@@ -350,11 +263,11 @@ constexpr int solved_together = 4, relaxed_together = 2;
 // is closed no faster than within one substep.
 template <int N, bool Watched>
 int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
-    int k = 0, struck = 0;
+    int k = 0, in_impact = 0;
     for (; k + solved_together <= count; k += solved_together)
-        struck += solve_some<N, solved_together, Watched>(all + k, velocity, softness);
-    for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
-    return struck;
+        in_impact += solve_some<N, solved_together, Watched>(all + k, velocity, softness);
+    for (; k < count; ++k) in_impact += solve_some<N, 1, Watched>(all + k, velocity, softness);
+    return in_impact;
 }
 // Batches without treatment of impacts use code without the test for them, which costs registers.
 bool looks_for_impacts(const ContactSoftness& softness) { return softness.impact_speed < 1e20f; }
@@ -404,7 +317,7 @@ template <int N> CAIRN_INLINE mask8 is_frictionless(const ContactBlock<N>& block
 
 template <int N, bool Watched>
 CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const ContactSoftness& softness,
-                                   Rows<N>& rows, int& struck) {
+                                   Rows<N>& rows, int& in_impact) {
     PointSums sums = {zero(), zero(), zero3()};
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
@@ -417,7 +330,7 @@ CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const 
         add_point(block, normal, i, impulse, sums);
     }
     if (Watched && defer_impacts<N>(block, normal, sum, torque, rows, softness)) {
-        ++struck;
+        ++in_impact;
         sums = {zero(), zero(), zero3()};
         for (int i = 0; i < N; ++i) {
             const f32x8 impulse = rows.impulse[i], too_much = load(block.impulse[i]) - impulse;
@@ -441,7 +354,7 @@ CAIRN_INLINE void follow_rims(ContactBlock<N>& block, const SolverBodies& bodies
 
 template <int N, int M, bool Watched>
 CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
-    int struck = 0;
+    int in_impact = 0;
     Rows<N> rows[M];
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, softness, rows[m]);
@@ -455,7 +368,7 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     PointSums sums[M];
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m)
-        sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
+        sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], in_impact);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m)
         solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), softness, rows[m].a, rows[m].b);
@@ -467,16 +380,16 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
         scatter_velocity(bodies.velocity, block.a, rows[m].a);
         scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
     }
-    return struck;
+    return in_impact;
 }
 
 template <int N, bool Watched>
 int relax_all(ContactBlock<N>* all, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
-    int k = 0, struck = 0;
+    int k = 0, in_impact = 0;
     for (; k + relaxed_together <= count; k += relaxed_together)
-        struck += relax_some<N, relaxed_together, Watched>(all + k, bodies, softness);
-    if (k < count) struck += relax_some<N, 1, Watched>(all + k, bodies, softness);
-    return struck;
+        in_impact += relax_some<N, relaxed_together, Watched>(all + k, bodies, softness);
+    if (k < count) in_impact += relax_some<N, 1, Watched>(all + k, bodies, softness);
+    return in_impact;
 }
 template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
@@ -485,8 +398,16 @@ template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, 
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>,      warm_start<N>,   solve<N>,           relax<N>,        renew_masses<N>,
-            solve_impact_contacts<N>, aim_contacts<N>, bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
+    return {prepare_contacts<N>,
+            warm_start<N>,
+            solve<N>,
+            relax<N>,
+            renew_masses<N>,
+            solve_impact_contacts<N>,
+            find_contact_rebounds<N>,
+            bounce_contacts<N>,
+            refresh_arms<N>,
+            store_contacts<N>};
 }
 
 } // namespace

@@ -473,7 +473,7 @@ CAIRN_INLINE void strike_block(AxisBlock& b, JointImpact& impact, SolverVelocity
     apply<Turns>(b, j, d, e);
     scatter_moved<Turns>(velocity, all_of(b), e);
 }
-void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
+void impact_pass(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
     auto* all = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (!impacts[k].active || !all[k].has_limits) continue;
@@ -483,6 +483,6 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
 
 } // namespace
 
-JointKernels::ForRows axis_kernels() { return {warm_start, solve, relax, strike}; }
+JointKernels::ForRows axis_kernels() { return {warm_start, solve, relax, impact_pass}; }
 
 } // namespace cairn::CAIRN_ISA

@@ -149,7 +149,7 @@ struct JointKernels {
         void (*solve)(const JointBlocks& run, SolverVelocity* velocity, const JointSoftness& softness);
         void (*relax)(const JointBlocks& run, const SolverBodies& bodies, const JointSoftness& softness);
         // One pass of an impact. `blocks`: an array of the block type of these rows.
-        void (*strike)(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h);
+        void (*impact_pass)(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h);
     } point, turn, axis;
 };
 

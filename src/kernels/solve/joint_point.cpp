@@ -232,7 +232,7 @@ void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftne
     });
 }
 
-void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+void impact_pass(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
     auto* all = static_cast<PointBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (!impacts[k].active) continue;
@@ -253,7 +253,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
 
 } // namespace
 
-JointKernels::ForRows point_kernels() { return {warm_start, solve, relax, strike}; }
+JointKernels::ForRows point_kernels() { return {warm_start, solve, relax, impact_pass}; }
 
 JointKernels joint_kernels() { return {point_kernels(), turn_kernels(), axis_kernels()}; }
 

@@ -96,7 +96,7 @@ void relax(const JointBlocks& run, const SolverBodies& bodies, const JointSoftne
     });
 }
 
-void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+void impact_pass(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
     auto* all = static_cast<TurnBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (!impacts[k].active) continue;
@@ -112,6 +112,6 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
 
 } // namespace
 
-JointKernels::ForRows turn_kernels() { return {warm_start, solve, relax, strike}; }
+JointKernels::ForRows turn_kernels() { return {warm_start, solve, relax, impact_pass}; }
 
 } // namespace cairn::CAIRN_ISA

@@ -18,8 +18,8 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
 template <int N>
 BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N>
-void aim_contacts(const void* blocks, void* impacts, const ReboundTargets& aimed, int count, const SolverBodies& bodies,
-                  const BounceSettings& settings);
+void find_contact_rebounds(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
+                           const SolverBodies& bodies, const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
 template <int N>
 void solve_impact_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,

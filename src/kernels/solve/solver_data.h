@@ -127,21 +127,21 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float normal[3][8];
     float d[3][8]; // x_A - x_B at the latest poses
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float moved_moment[3][8];               // on B: the moment that the impulses carried over lack because d has
-                                            // changed
-    std::uint8_t moved;                     // whether the next solve has to apply moved_moment
-    std::uint8_t isotropic;                 // all inertia tensors are multiples of 1: only their xx are stored
-    std::uint8_t rolls;                     // any rolling resistance
-    std::uint8_t bounces;                   // any restitution
-    std::uint8_t round;                     // any round surface
-    std::uint8_t turns;                     // lane bits: contact points move within the step
-    std::uint8_t rims_a, rims_b;            // lane bits: the point is followed over a face, as a point of A or of B
-    std::uint8_t rounds, axes_a, axes_b;    // lane bits: both surfaces are round; A or B is round about an axis
-    std::uint8_t round_arms;                // of `rounds`: a center of curvature is not a center of mass
-    std::uint8_t rounds_moved;              // of `rounds`: `turning` holds an impulse
-    std::uint8_t joined;                    // lane bits: a body is jointed; such contacts bounce in an impact
-    std::uint8_t struck;                    // lane bits: left to the passes of an impact
-    std::uint8_t struck_once, struck_twice; // lane bits: so left once, or twice, in this step
+    float moved_moment[3][8];            // on B: the moment that the impulses carried over lack because d has
+                                         // changed
+    std::uint8_t moved;                  // whether the next solve has to apply moved_moment
+    std::uint8_t isotropic;              // all inertia tensors are multiples of 1: only their xx are stored
+    std::uint8_t rolls;                  // any rolling resistance
+    std::uint8_t bounces;                // any restitution
+    std::uint8_t round;                  // any round surface
+    std::uint8_t turns;                  // lane bits: contact points move within the step
+    std::uint8_t rims_a, rims_b;         // lane bits: the point is followed over a face, as a point of A or of B
+    std::uint8_t rounds, axes_a, axes_b; // lane bits: both surfaces are round; A or B is round about an axis
+    std::uint8_t round_arms;             // of `rounds`: a center of curvature is not a center of mass
+    std::uint8_t rounds_moved;           // of `rounds`: `turning` holds an impulse
+    std::uint8_t joined;                 // lane bits: a body is jointed; such contacts bounce in an impact
+    std::uint8_t in_impact;              // lane bits: left to the passes of an impact
+    std::uint8_t in_impact_once, in_impact_twice; // lane bits: so left once, or twice, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
     float d_touch[3][8];            // d at the moment at which the contact was found, for which the couplings hold; two
@@ -218,7 +218,7 @@ struct BounceSettings {
 
 // Numbers of blocks that bounced, and of blocks with lanes that are left to the passes of an impact.
 struct BounceCount {
-    int bounced, struck;
+    int bounced, in_impact;
 };
 
 // Rebounds of the contacts that bounce in an impact, 8 values per point of a block. does_not_arrive marks points that
@@ -270,13 +270,13 @@ struct SolverKernels {
         // Recomputes the effective masses and couplings with the current inertia.
         void (*renew_masses)(void* blocks, int count, const SolverInertia* inertia);
         // One pass of an impact. `impacts`: an array of ContactImpact, parallel to the blocks; `leave`: as written by
-        // `aim`; null: nothing bounces.
-        void (*strike)(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
-                       float inverse_h);
+        // `find_rebounds`; null: nothing bounces.
+        void (*impact_pass)(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+                            float inverse_h);
         // Before the first pass: computes the rebound speeds of arriving contacts. Contacts with restitution that do
         // not arrive take no part: they may bounce next, as the balls of a cradle do one after the other.
-        void (*aim)(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
-                    const SolverBodies& bodies, const BounceSettings& settings);
+        void (*find_rebounds)(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
+                              const SolverBodies& bodies, const BounceSettings& settings);
         BounceCount (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         // `free_correction`: velocity_correction as it was before the bounces.
         void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction,
