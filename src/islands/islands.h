@@ -19,8 +19,8 @@ void link_islands(Bodies& bodies, Islands& islands, StepEvents& events, std::int
 void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body);
 void wake_island(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t island);
 
-// Puts islands to sleep of which all bodies were told to sleep (Islands::sleep_requests): after contacts have been found, and
-// before any body has moved. Removes the contacts of these islands from `solved`.
+// Puts islands to sleep of which all bodies were told to sleep (Islands::sleep_requests): after contacts have been
+// found, and before any body has moved. Removes the contacts of these islands from `solved`.
 void apply_sleep_requests(Bodies& bodies, const Contacts& contacts, Islands& islands, StepEvents& events,
                           std::vector<std::uint32_t>& solved);
 
