@@ -136,7 +136,7 @@ struct SweepScratch {
     std::vector<std::uint64_t> listed;                 // pairs of one mover, by both shapes, its own first; sorted
     std::vector<std::vector<NearShape>> near_in_chunk; // by chunk of a parallel loop
     std::vector<ImpactPoint> points;                   // of one impact
-    std::vector<StruckBody> in_impact;                 // of one impact, as are the following
+    std::vector<StruckBody> struck;                    // of one impact, as are the following
     std::vector<ImpactBody> struck_motions;
     std::vector<ImpactPair> touching;
     ImpactBuffer impact;
