@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const Vec3& v : mesh.vertices) {
             if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) std::abort();
         }
-        const scene::Surface look = scene::look_of(mesh, {1.0, -2.0, 3.0});
+        const scene::Surface look = scene::visual_surface(mesh, {1.0, -2.0, 3.0});
         if (look.indices.size() != mesh.indices.size()) std::abort();
         for (const std::uint32_t index : look.indices) {
             if (index >= look.vertices.size()) std::abort();

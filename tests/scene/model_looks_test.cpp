@@ -195,7 +195,7 @@ TEST_F(ModelLooks, OfObjFilesThatMakeNoSenseChangeNoTriangles) {
         const std::string text = start + rest;
         const scene::MeshFile mesh = scene::read_obj(std::as_bytes(std::span(text)), "a.obj");
         EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2})) << rest;
-        const scene::Surface look = scene::look_of(mesh, glm::dvec3(1.0));
+        const scene::Surface look = scene::visual_surface(mesh, glm::dvec3(1.0));
         EXPECT_EQ(look.vertices.size(), 3u) << rest;
         EXPECT_TRUE(look.coordinates.empty() || look.coordinates.size() == 3) << rest;
         for (const glm::vec2& at : look.coordinates) EXPECT_TRUE(std::isfinite(at.x) && std::isfinite(at.y)) << rest;
