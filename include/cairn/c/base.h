@@ -64,28 +64,28 @@ typedef struct cairn_force_field_id {
     uint64_t bits;
 } cairn_force_field_id;
 
-/// The version of the binary interface that the library has: CAIRN_ABI_VERSION of the headers that it was built with.
-/// It grows when programs must be compiled anew.
+/// The version of the library's binary interface: CAIRN_ABI_VERSION of the headers with which it was built. It
+/// increases when programs must be recompiled.
 CAIRN_C_API int cairn_abi_version(void);
 
 /// The version of the library, such as "0.1.0".
 CAIRN_C_API const char* cairn_version(void);
 
-/// Which instruction set the kernels of this process use: "avx512", "avx2", "sse2", "neon", "simd128" or "scalar".
+/// The instruction set that the kernels of this process use: "avx512", "avx2", "sse2", "neon", "simd128" or "scalar".
 /// Results do not depend on it.
 CAIRN_C_API const char* cairn_instruction_set(void);
 
-/// The number of threads that this machine runs at a time, 1 to 256: a good argument for `cairn_world_set_threads`.
+/// The number of hardware threads of this machine, 1 to 256: a good argument for `cairn_world_set_threads`.
 CAIRN_C_API int cairn_hardware_threads(void);
 
-/// What the last call on this thread that failed had to say: which argument, what it was, what was expected. Empty if
-/// none has. Valid until the next call on this thread.
+/// The message of the last failed call on this thread: the argument, its value, and what was expected. Empty if no call
+/// failed. Valid until the next call on this thread.
 CAIRN_C_API const char* cairn_last_error(void);
 
-/// The argument that the last error was about, such as "BodyDef.mass"; may be empty.
+/// The argument to which the last error on this thread refers, such as "BodyDef.mass"; may be empty.
 CAIRN_C_API const char* cairn_last_error_field(void);
 
-/// What that argument was; may be empty.
+/// The value of that argument as text; may be empty.
 CAIRN_C_API const char* cairn_last_error_value(void);
 
 #ifdef __cplusplus
