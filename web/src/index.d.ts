@@ -892,7 +892,7 @@ export interface JointEvent {
     force: number;
     /** N m: torque at which it broke. */
     torque: number;
-    /** `JointDef.userData` of the joint. */
+    /** The `userData` from the definition of the joint. */
     userData: bigint;
 }
 
@@ -961,7 +961,7 @@ export interface WorldDef {
     sleepTime?: number;
     /** m/s, >= 0: slower impacts do not bounce. */
     restitutionSpeed?: number;
-    /** m/s, >= 0: least approach speed for a ContactHit. */
+    /** m/s, >= 0: least approach speed for a hit event. */
     hitSpeed?: number;
     /** m/s, > 0: greatest speed at which overlapping shapes are pushed apart. */
     recoverySpeed?: number;

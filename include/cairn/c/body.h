@@ -115,19 +115,19 @@ CAIRN_C_API cairn_result cairn_world_destroy_body(cairn_world* world, cairn_body
 /// Whether the handle names a body that exists.
 CAIRN_C_API bool cairn_body_is_valid(const cairn_world* world, cairn_body_id body);
 
-/// All bodies, in order of slot index. `count` gets how many there are; the first `capacity` of them are written.
-/// Errors: wrong_state.
+/// All bodies, in order of slot index. `count` receives their number; the first `capacity` of them are written. Errors:
+/// wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_bodies(const cairn_world* world, cairn_body_id* bodies, size_t capacity,
                                                 size_t* count);
 
-/// The first body with that name. `found` gets whether there is any. Errors: wrong_state.
+/// The first body with that name. `found` receives whether there is one. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_find_body(const cairn_world* world, const char* name, cairn_body_id* result,
                                                bool* found);
 
 /// How the body moves. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_type(const cairn_world* world, cairn_body_id body, cairn_body_type* type);
 
-/// The name of the body, as in `BodyDef.name`. `length` gets its length without the final zero; what has no room in
+/// The name of the body, as in `BodyDef.name`. `length` receives its length without the terminating zero; text beyond
 /// `capacity` bytes is cut off. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_name(const cairn_world* world, cairn_body_id body, char* text, size_t capacity,
                                              size_t* length);
@@ -204,7 +204,7 @@ CAIRN_C_API cairn_result cairn_body_get_allow_sleep(const cairn_world* world, ca
 /// Whether the body takes part in the simulation. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_enabled(const cairn_world* world, cairn_body_id body, bool* enabled);
 
-/// The shapes of the body, oldest first. `count` gets how many there are; the first `capacity` of them are written.
+/// The shapes of the body, oldest first. `count` receives their number; the first `capacity` of them are written.
 /// Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_shapes(const cairn_world* world, cairn_body_id body, cairn_shape_id* shapes,
                                                size_t capacity, size_t* count);

@@ -75,7 +75,7 @@ typedef struct cairn_joint_event {
     bool broke; ///< true: it exceeded its break force or torque; false: one of its bodies was destroyed.
     float force; ///< N: force at which it broke.
     float torque; ///< N m: torque at which it broke.
-    uint64_t user_data; ///< `JointDef.user_data` of the joint.
+    uint64_t user_data; ///< The `user_data` from the definition of the joint.
 } cairn_joint_event;
 
 /// A body fell asleep or woke up.
@@ -108,43 +108,43 @@ typedef struct cairn_contact {
     int surface_material;
 } cairn_contact;
 
-/// Pairs of shapes that began to touch in the last step. `count` gets how many there are; the first `capacity` of them
+/// Pairs of shapes that began to touch in the last step. `count` receives their number; the first `capacity` of them
 /// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_begins(const cairn_world* world, cairn_contact_begin* contact_begins,
                                                         size_t capacity, size_t* count);
 
-/// Pairs of shapes that ceased to touch in the last step. `count` gets how many there are; the first `capacity` of them
+/// Pairs of shapes that ceased to touch in the last step. `count` receives their number; the first `capacity` of them
 /// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_ends(const cairn_world* world, cairn_contact_end* contact_ends,
                                                       size_t capacity, size_t* count);
 
 /// Pairs of shapes that hit each other in the last step with an approach speed of at least `WorldDef.hit_speed`.
-/// `count` gets how many there are; the first `capacity` of them are written. Errors: wrong_state.
+/// `count` receives their number; the first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_hits(const cairn_world* world, cairn_contact_hit* contact_hits,
                                                       size_t capacity, size_t* count);
 
-/// Shapes that entered or left triggers in the last step. `count` gets how many there are; the first `capacity` of them
+/// Shapes that entered or left triggers in the last step. `count` receives their number; the first `capacity` of them
 /// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_trigger_events(const cairn_world* world, cairn_trigger_event* trigger_events,
                                                         size_t capacity, size_t* count);
 
-/// Joints that broke, or of which a body was destroyed, in the last step or since then. `count` gets how many there
-/// are; the first `capacity` of them are written. Errors: wrong_state.
+/// Joints that broke, or of which a body was destroyed, in the last step or since then. `count` receives their number;
+/// the first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joint_events(const cairn_world* world, cairn_joint_event* joint_events,
                                                       size_t capacity, size_t* count);
 
-/// Bodies that fell asleep or woke up in the last step. `count` gets how many there are; the first `capacity` of them
-/// are written. Errors: wrong_state.
+/// Bodies that fell asleep or woke up in the last step. `count` receives their number; the first `capacity` of them are
+/// written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_sleep_events(const cairn_world* world, cairn_sleep_event* sleep_events,
                                                       size_t capacity, size_t* count);
 
-/// The contact manifolds of all touching pairs of shapes. `count` gets how many there are; the first `capacity` of them
+/// The contact manifolds of all touching pairs of shapes. `count` receives their number; the first `capacity` of them
 /// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contacts(const cairn_world* world, cairn_contact* contacts, size_t capacity,
                                                   size_t* count);
 
-/// The contact manifolds of one body. `count` gets how many there are; the first `capacity` of them are written.
-/// Errors: invalid_handle, wrong_state.
+/// The contact manifolds of one body. `count` receives their number; the first `capacity` of them are written. Errors:
+/// invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_contacts(const cairn_world* world, cairn_body_id body, cairn_contact* contacts,
                                                  size_t capacity, size_t* count);
 

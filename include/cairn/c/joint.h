@@ -77,7 +77,7 @@ CAIRN_C_API cairn_joint_control cairn_default_joint_control(void);
 
 /// B keeps its position and rotation relative to A.
 typedef struct cairn_fixed_joint {
-    int unused; ///< Structs of C have a member.
+    int unused; ///< Not used: a C struct needs a member.
 } cairn_fixed_joint;
 CAIRN_C_API cairn_fixed_joint cairn_default_fixed_joint(void);
 
@@ -252,7 +252,7 @@ typedef struct cairn_joint {
         unsigned char reserved[512];
     } as; ///< The member that `kind` names.
 } cairn_joint;
-/// The default of a kind; of an unknown one the first.
+/// The default values of a kind; those of the first kind if `kind` is unknown.
 CAIRN_C_API cairn_joint cairn_default_joint(cairn_joint_kind kind);
 
 /// Everything that is needed to create a joint. Begin from `cairn_default_joint_def()`.
@@ -326,22 +326,22 @@ CAIRN_C_API cairn_result cairn_world_set_joint_enabled(cairn_world* world, cairn
 CAIRN_C_API cairn_result cairn_world_get_joint_state(const cairn_world* world, cairn_joint_id joint,
                                                      cairn_joint_state* joint_state);
 
-/// All joints, in order of slot index. `count` gets how many there are; the first `capacity` of them are written.
-/// Errors: wrong_state.
+/// All joints, in order of slot index. `count` receives their number; the first `capacity` of them are written. Errors:
+/// wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joints(const cairn_world* world, cairn_joint_id* joints, size_t capacity,
                                                 size_t* count);
 
-/// The joints of one body, oldest first. `count` gets how many there are; the first `capacity` of them are written.
+/// The joints of one body, oldest first. `count` receives their number; the first `capacity` of them are written.
 /// Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_joints(const cairn_world* world, cairn_body_id body, cairn_joint_id* joints,
                                                size_t capacity, size_t* count);
 
-/// The first joint with that name. `found` gets whether there is any. Errors: wrong_state.
+/// The first joint with that name. `found` receives whether there is one. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_find_joint(const cairn_world* world, const char* name, cairn_joint_id* result,
                                                 bool* found);
 
-/// The name of a joint, which `cairn_world_get_joint_def` omits. `length` gets its length without the final zero; what
-/// has no room in `capacity` bytes is cut off. Errors: invalid_handle, wrong_state.
+/// The name of a joint, which `cairn_world_get_joint_def` omits. `length` receives its length without the terminating
+/// zero; text beyond `capacity` bytes is cut off. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_joint_get_name(const cairn_world* world, cairn_joint_id joint, char* text,
                                               size_t capacity, size_t* length);
 

@@ -125,14 +125,14 @@ CAIRN_C_API cairn_query_filter cairn_default_query_filter(void);
 
 /// The nearest intersection of a ray with a shape within `max_distance` (meters). `direction` need not have unit
 /// length. A ray that starts inside a shape does not hit that shape; only one that starts below an infinite plane hits
-/// it, at distance 0. `found` gets whether there is any. Null for `filter`: the default. Errors: invalid_handle,
+/// it, at distance 0. `found` receives whether there is one. Null for `filter`: the default. Errors: invalid_handle,
 /// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_ray(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
                                               double max_distance, const cairn_query_filter* filter,
                                               cairn_ray_hit* result, bool* found);
 
-/// The intersections of the ray with all shapes within `max_distance` (meters), nearest first. `count` gets how many
-/// there are; the first `capacity` of them are written. Null for `filter`: the default. Errors: invalid_handle,
+/// The intersections of the ray with all shapes within `max_distance` (meters), nearest first. `count` receives their
+/// number; the first `capacity` of them are written. Null for `filter`: the default. Errors: invalid_handle,
 /// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_ray_all(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
                                                   double max_distance, const cairn_query_filter* filter,
@@ -142,7 +142,7 @@ CAIRN_C_API cairn_result cairn_world_cast_ray_all(const cairn_world* world, cair
 /// rotation. The accuracy is a millionth of the size of the smaller shape. If they overlap at the start, the fraction
 /// is 0, and point and normal are those of the smallest separating translation; if several shapes overlap, the one with
 /// the lowest slot index is returned. Planes, meshes and height fields are hit from outside only, and cannot be cast
-/// (invalid_value). `found` gets whether there is any. Null for `filter`: the default. Errors: invalid_handle,
+/// (invalid_value). `found` receives whether there is one. Null for `filter`: the default. Errors: invalid_handle,
 /// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_cast_shape(const cairn_world* world, const cairn_shape* shape,
                                                 cairn_transform start, cairn_vec3 translation,
@@ -150,7 +150,7 @@ CAIRN_C_API cairn_result cairn_world_cast_shape(const cairn_world* world, const 
                                                 bool* found);
 
 /// The shape nearest to a point, at most `max_distance` (meters, >= 0) away. Points below a plane are inside it; meshes
-/// and height fields have no inside. `found` gets whether there is any. Null for `filter`: the default. Errors:
+/// and height fields have no inside. `found` receives whether there is one. Null for `filter`: the default. Errors:
 /// invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_closest_point(const cairn_world* world, cairn_position point, double max_distance,
                                                    const cairn_query_filter* filter, cairn_closest_point* result,
@@ -159,32 +159,32 @@ CAIRN_C_API cairn_result cairn_world_closest_point(const cairn_world* world, cai
 /// All shapes that have a point in common with the given shape at `pose` (touching counts), in order of slot index. A
 /// plane is solid below. Rectangles, strips, double-sided planes, meshes and height fields are surfaces without
 /// thickness: a shape that touches or crosses them from any side overlaps them; a shape entirely below does not. Two
-/// surfaces never overlap. `count` gets how many there are; the first `capacity` of them are written. Null for
-/// `filter`: the default. Errors: invalid_handle, invalid_value, wrong_state.
+/// surfaces never overlap. `count` receives their number; the first `capacity` of them are written. Null for `filter`:
+/// the default. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_overlap(const cairn_world* world, const cairn_shape* shape, cairn_transform pose,
                                              const cairn_query_filter* filter, cairn_shape_id* result, size_t capacity,
                                              size_t* count);
 
-/// Shapes whose tight bounds overlap the box, in order of slot index. `count` gets how many there are; the first
+/// Shapes whose tight bounds overlap the box, in order of slot index. `count` receives their number; the first
 /// `capacity` of them are written. Null for `filter`: the default. Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds,
                                                     const cairn_query_filter* filter, cairn_shape_id* result,
                                                     size_t capacity, size_t* count);
 
 /// The present nodes of the broad phase down to `max_depth` (>= 0), in order of depth, at most `max_count` (>= 0): for
-/// visualization, and to find out why a scene is slow. `count` gets how many there are; the first `capacity` of them
-/// are written. Errors: invalid_value, wrong_state.
+/// visualization, and to find out why a scene is slow. `count` receives their number; the first `capacity` of them are
+/// written. Errors: invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_broad_phase_nodes(const cairn_world* world, int max_depth, int max_count,
                                                        cairn_broad_phase_node* result, size_t capacity, size_t* count);
 
-/// How each touching pair of shapes is solved, in the order of `world_get_contacts`. `count` gets how many there are;
-/// the first `capacity` of them are written. Errors: wrong_state.
+/// How each touching pair of shapes is solved, in the order of `world_get_contacts`. `count` receives their number; the
+/// first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_solver_contacts(const cairn_world* world, cairn_solver_contact* result,
                                                      size_t capacity, size_t* count);
 
 /// The contents of the world as lines, for programs with their own renderer: bodies in order of slot index, then
 /// contacts, then joints. There is a line for each edge, which takes time for large meshes and height fields. `count`
-/// gets how many there are; the first `capacity` of them are written. Null for `what`: the default. Errors:
+/// receives their number; the first `capacity` of them are written. Null for `what`: the default. Errors:
 /// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_debug_lines(const cairn_world* world, const cairn_debug_lines_def* what,
                                                  cairn_debug_line* result, size_t capacity, size_t* count);

@@ -172,7 +172,7 @@ typedef struct cairn_shape {
         unsigned char reserved[96];
     } as; ///< The member that `kind` names.
 } cairn_shape;
-/// The default of a kind; of an unknown one the first.
+/// The default values of a kind; those of the first kind if `kind` is unknown.
 CAIRN_C_API cairn_shape cairn_default_shape(cairn_shape_kind kind);
 
 /// Adds a shape to a body and, unless its mass properties were given, updates these. A dynamic body whose shapes have

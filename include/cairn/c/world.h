@@ -44,7 +44,7 @@ typedef struct cairn_world_def {
     float sleep_speed; ///< m/s, >= 0: a body is at rest if no point of its surface is faster.
     float sleep_time; ///< s, >= 0: time at rest before an island falls asleep, unless its speed grows steadily.
     float restitution_speed; ///< m/s, >= 0: slower impacts do not bounce.
-    float hit_speed; ///< m/s, >= 0: least approach speed for a ContactHit.
+    float hit_speed; ///< m/s, >= 0: least approach speed for a hit event.
     float recovery_speed; ///< m/s, > 0: greatest speed at which overlapping shapes are pushed apart.
     /// m/s, > 0, at most 1e15: higher speeds are reduced to this, and counted (`Statistics.clamped_speeds`).
     float max_linear_speed;
@@ -188,7 +188,7 @@ CAIRN_C_API cairn_result cairn_world_remove_force_field(cairn_world* world, cair
 CAIRN_C_API cairn_result cairn_world_get_force_field(const cairn_world* world, cairn_force_field_id id,
                                                      cairn_force_field* force_field);
 
-/// All force fields, in order of slot index. `count` gets how many there are; the first `capacity` of them are written.
+/// All force fields, in order of slot index. `count` receives their number; the first `capacity` of them are written.
 /// Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_force_fields(const cairn_world* world, cairn_force_field_id* force_fields,
                                                       size_t capacity, size_t* count);

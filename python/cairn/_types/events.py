@@ -7,7 +7,6 @@ from typing import Sequence
 
 from .._cairn import BodyId, JointId, ShapeId
 from .shape import ShapeDef
-from .joint import JointDef
 from ._members import lists_members
 from ._vector import Vector
 
@@ -106,7 +105,7 @@ class JointEvent:
     torque: float = 0.0
     """N m: torque at which it broke."""
     user_data: int = 0
-    """`JointDef.user_data` of the joint."""
+    """The `user_data` from the definition of the joint."""
 
 
 @lists_members

@@ -57,8 +57,8 @@ class JointSpring:
 
     @staticmethod
     def from_frequency(hertz: float, damping_ratio: float) -> "JointSpring":
-        """The spring with which what the joint moves swings at `hertz` (> 0) with that ratio to critical damping (>=
-        0).
+        """The spring with which the bodies oscillate at a natural frequency of `hertz` (Hz, > 0), with that damping
+        ratio (>= 0; 1: critical damping).
         """
         return JointSpring(*_spring_from_frequency(hertz, damping_ratio), True)
 

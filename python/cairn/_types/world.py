@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass, field
 
-from .events import Contact, ContactHit
+from .events import Contact
 from ._members import lists_members
 from ._vector import Vector
 
@@ -58,7 +58,7 @@ class WorldDef:
     restitution_speed: float = 0.02
     """m/s, >= 0: slower impacts do not bounce."""
     hit_speed: float = 1.0
-    """m/s, >= 0: least approach speed for a ContactHit."""
+    """m/s, >= 0: least approach speed for a hit event."""
     recovery_speed: float = 3.0
     """m/s, > 0: greatest speed at which overlapping shapes are pushed apart."""
     max_linear_speed: float = 2000.0
