@@ -240,7 +240,7 @@ export interface Material {
     staticFriction?: number;
     /** Coulomb coefficient while it slides, >= 0. */
     dynamicFriction?: number;
-    /** Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic). (0 to 1) */
+    /** Ratio of rebound to approach speed, 0 to 1; 0: no bounce, 1: elastic. */
     restitution?: number;
     /** Lever arm of the rolling resistance torque in meters, >= 0. */
     rollingFriction?: number;
@@ -420,9 +420,9 @@ export interface JointSpring {
 
 /** Limits of a position, m or rad. `lower` = `upper` holds it at one value. */
 export interface JointRange {
-    /** lower <= upper; -infinity: no bound on that side. (m or rad) */
+    /** m or rad, lower <= upper; -infinity: no bound on that side. */
     lower?: number;
-    /** lower <= upper; +infinity: no bound on that side. (m or rad) */
+    /** m or rad, lower <= upper; +infinity: no bound on that side. */
     upper?: number;
     /** Pulls back a position that is beyond a bound; Left out: the limit is rigid. */
     spring?: JointSpring | null;
@@ -942,8 +942,8 @@ export interface WorldDef {
     /** Acceleration of gravity, m/s^2, finite. */
     gravity?: Vec3Like;
     /**
-     * Number of solver substeps in a step, 1 to 256; or 0: as many as are needed for substeps of at most 1/360 s (6 at
-     * 60 Hz, 2 at 240 Hz). (0 to 256)
+     * Number of solver substeps in a step, 0 to 256. 0: as many as are needed for substeps of at most 1/360 s (6 at 60
+     * Hz, 2 at 240 Hz).
      */
     substeps?: number;
     /**

@@ -47,8 +47,8 @@ CAIRN_C_API cairn_joint_spring cairn_default_joint_spring(void);
 
 /// Limits of a position, m or rad. `lower` = `upper` holds it at one value.
 typedef struct cairn_joint_range {
-    float lower; ///< lower <= upper; -infinity: no bound on that side. (m or rad)
-    float upper; ///< lower <= upper; +infinity: no bound on that side. (m or rad)
+    float lower; ///< m or rad, lower <= upper; -infinity: no bound on that side.
+    float upper; ///< m or rad, lower <= upper; +infinity: no bound on that side.
     bool has_spring; ///< Whether `spring` is given.
     cairn_joint_spring spring; ///< Pulls back a position that is beyond a bound; absent: the limit is rigid.
 } cairn_joint_range;

@@ -103,7 +103,7 @@ CAIRN_C_API cairn_height_field cairn_default_height_field(void);
 typedef struct cairn_material {
     float static_friction; ///< Coulomb coefficient while the contact sticks, >= 0.
     float dynamic_friction; ///< Coulomb coefficient while it slides, >= 0.
-    float restitution; ///< Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic). (0 to 1)
+    float restitution; ///< Ratio of rebound to approach speed, 0 to 1; 0: no bounce, 1: elastic.
     float rolling_friction; ///< Lever arm of the rolling resistance torque in meters, >= 0.
     /// Radius of the contact patch in meters, >= 0: a spinning one-point contact feels a torque of at most friction x
     /// normal force x this radius. With 0, a ball that spins about the contact normal never comes to rest.

@@ -33,8 +33,8 @@ enum {
 typedef struct cairn_world_def {
     uint32_t struct_size; ///< Bytes, as `cairn_default_world_def` sets it.
     cairn_vec3 gravity; ///< Acceleration of gravity, m/s^2, finite.
-    /// Number of solver substeps in a step, 1 to 256; or 0: as many as are needed for substeps of at most 1/360 s (6 at
-    /// 60 Hz, 2 at 240 Hz). (0 to 256)
+    /// Number of solver substeps in a step, 0 to 256. 0: as many as are needed for substeps of at most 1/360 s (6 at 60
+    /// Hz, 2 at 240 Hz).
     int substeps;
     /// true: more substeps for islands that need them: with joints (substeps of at most 1/660 s), high mass ratios,
     /// tall stacks, or bodies less than 10 cm wide.

@@ -69,9 +69,9 @@ class JointRange:
     """Limits of a position, m or rad. `lower` = `upper` holds it at one value."""
 
     lower: float = 0.0
-    """lower <= upper; -infinity: no bound on that side. (m or rad)"""
+    """m or rad, lower <= upper; -infinity: no bound on that side."""
     upper: float = 0.0
-    """lower <= upper; +infinity: no bound on that side. (m or rad)"""
+    """m or rad, lower <= upper; +infinity: no bound on that side."""
     spring: JointSpring | None = None
     """Pulls back a position that is beyond a bound; None: the limit is rigid."""
 

@@ -115,7 +115,7 @@ class Material:
     dynamic_friction: float = 0.6
     """Coulomb coefficient while it slides, >= 0."""
     restitution: float = 0.0
-    """Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic). (0 to 1)"""
+    """Ratio of rebound to approach speed, 0 to 1; 0: no bounce, 1: elastic."""
     rolling_friction: float = 0.0
     """Lever arm of the rolling resistance torque in meters, >= 0."""
     torsional_friction: float = 0.001

@@ -40,8 +40,8 @@ class WorldDef:
     gravity: Vector = (0.0, -9.81, 0.0)
     """Acceleration of gravity, m/s^2, finite."""
     substeps: int = 0
-    """Number of solver substeps in a step, 1 to 256; or 0: as many as are needed for substeps of at most 1/360 s (6 at
-    60 Hz, 2 at 240 Hz). (0 to 256)
+    """Number of solver substeps in a step, 0 to 256. 0: as many as are needed for substeps of at most 1/360 s (6 at 60
+    Hz, 2 at 240 Hz).
     """
     adaptive_substeps: bool = True
     """True: more substeps for islands that need them: with joints (substeps of at most 1/660 s), high mass ratios, tall
