@@ -212,7 +212,8 @@ def header(table, group):
     if group == "base":
         text += BASE.format(abi=ABI_VERSION) + "\n"
         for name, what in HANDLES.items():
-            text += comment(f"Names {what} of a world; zero: null. Once that object is destroyed, its handle is stale, and no new object gets it.")
+            text += comment(f"Names {what} of a world; zero: null. Once that object is destroyed, its handle is stale. No new "
+                            "object gets the same handle, except after `cairn_world_restore`.")
             text += f"typedef struct {c_name(name)} {{\n    uint64_t bits;\n}} {c_name(name)};\n\n"
     if group == "math":
         text += MATH + "\n"

@@ -46,24 +46,26 @@ typedef struct cairn_geometry cairn_geometry;
 /// The complete state of a world at one time, to which it can be restored.
 typedef struct cairn_snapshot cairn_snapshot;
 
-/// Names a body of a world; zero: null. Once that object is destroyed, its handle is stale, and no new object gets it.
+/// Names a body of a world; zero: null. Once that object is destroyed, its handle is stale. No new object gets the same
+/// handle, except after `cairn_world_restore`.
 typedef struct cairn_body_id {
     uint64_t bits;
 } cairn_body_id;
 
-/// Names a shape on a body of a world; zero: null. Once that object is destroyed, its handle is stale, and no new
-/// object gets it.
+/// Names a shape on a body of a world; zero: null. Once that object is destroyed, its handle is stale. No new object
+/// gets the same handle, except after `cairn_world_restore`.
 typedef struct cairn_shape_id {
     uint64_t bits;
 } cairn_shape_id;
 
-/// Names a joint of a world; zero: null. Once that object is destroyed, its handle is stale, and no new object gets it.
+/// Names a joint of a world; zero: null. Once that object is destroyed, its handle is stale. No new object gets the
+/// same handle, except after `cairn_world_restore`.
 typedef struct cairn_joint_id {
     uint64_t bits;
 } cairn_joint_id;
 
-/// Names a force field of a world; zero: null. Once that object is destroyed, its handle is stale, and no new object
-/// gets it.
+/// Names a force field of a world; zero: null. Once that object is destroyed, its handle is stale. No new object gets
+/// the same handle, except after `cairn_world_restore`.
 typedef struct cairn_force_field_id {
     uint64_t bits;
 } cairn_force_field_id;
