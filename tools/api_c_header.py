@@ -17,26 +17,28 @@ BASE = '''#if defined(_WIN32) && defined(CAIRN_C_BUILDING)
 /// The version of the binary interface that these headers describe; see `cairn_abi_version`.
 #define CAIRN_ABI_VERSION {abi}
 
-/// What came of a call. Where it is not CAIRN_OK, nothing has changed, and `cairn_last_error` says what was wrong.
+/// The result of a call. If it is not CAIRN_OK, nothing has changed, and `cairn_last_error` describes the error.
 typedef int32_t cairn_result;
 enum {{
     CAIRN_OK = 0,
     CAIRN_ERROR_INVALID_VALUE = 1,  ///< An argument is null, NaN, infinite, or out of its range.
-    CAIRN_ERROR_INVALID_HANDLE = 2, ///< A handle is null, stale, or of another world.
-    CAIRN_ERROR_WRONG_STATE = 3,    ///< The call is not allowed now (for example, while another thread is in a step).
+    CAIRN_ERROR_INVALID_HANDLE = 2, ///< A handle is null, stale, or belongs to another world.
+    /// The call is not allowed in the present state (for example, during a step, or for a body of another type).
+    CAIRN_ERROR_WRONG_STATE = 3,
     CAIRN_ERROR_INVALID_FILE = 4,   ///< A file or a buffer is malformed.
-    CAIRN_ERROR_UNSUPPORTED = 5,    ///< A well-formed request for something that this build does not do.
+    CAIRN_ERROR_UNSUPPORTED = 5,    ///< The request is well formed, but this build does not support it.
     CAIRN_ERROR_IO = 6,             ///< A file could not be read or written.
-    CAIRN_ERROR_OUT_OF_MEMORY = 7,  ///< Memory ran out. The world is as it was, or refuses all until it is restored.
-    CAIRN_ERROR_OTHER = 8           ///< What none of the above says; `cairn_last_error` has the text.
+    /// Memory ran out. The world is as it was, or refuses all calls (wrong_state) until it is restored.
+    CAIRN_ERROR_OUT_OF_MEMORY = 7,
+    CAIRN_ERROR_OTHER = 8           ///< Any other error; `cairn_last_error` has its text.
 }};
 
-/// A world of rigid bodies. One world must not be used by two threads at a time, except for the functions that take it
-/// as const, which may run on many threads while no other does.
+/// A world of rigid bodies. One world must not be used by two threads at the same time, except for functions that take
+/// it as const, which may run on many threads while no other function uses it.
 typedef struct cairn_world cairn_world;
-/// The data of a hull, mesh or height field. It never changes, and may be used in many shapes, worlds and threads.
+/// The data of a hull, mesh or height field. It never changes, and may be used by many shapes, worlds and threads.
 typedef struct cairn_geometry cairn_geometry;
-/// The state of a world at one moment.
+/// The complete state of a world at one time, to which it can be restored.
 typedef struct cairn_snapshot cairn_snapshot;
 '''
 
@@ -44,7 +46,7 @@ MATH = '''typedef struct cairn_vec2 {
     float x, y;
 } cairn_vec2;
 
-/// Direction, velocity, extent, force: SI units.
+/// Directions, velocities, extents, forces: float, SI units.
 typedef struct cairn_vec3 {
     float x, y, z;
 } cairn_vec3;
@@ -56,12 +58,12 @@ typedef struct cairn_dvec3 {
 /// World position in meters: double, so that large worlds keep their precision.
 typedef cairn_dvec3 cairn_position;
 
-/// Rotation as a unit quaternion; no rotation is 0, 0, 0, 1.
+/// Rotation as a unit quaternion; the identity is 0, 0, 0, 1.
 typedef struct cairn_quat {
     float x, y, z, w;
 } cairn_quat;
 
-/// A 3x3 matrix, column after column.
+/// A 3x3 matrix, stored by columns (inertia tensors, in kg m^2).
 typedef struct cairn_mat3 {
     float columns[3][3];
 } cairn_mat3;
@@ -110,7 +112,7 @@ def struct_text(struct):
         for code, member_doc in member_lines(member):
             text += beside(code, member_doc)
     if not struct.fields:
-        text += beside("    int unused;", "Structs of C have a member.")
+        text += beside("    int unused;", "Not used: a C struct needs a member.")
     text += f"}} {name};\n"
     if struct.is_input or struct.versioned:
         text += f"CAIRN_C_API {name} cairn_default_{snake(struct.name)}(void);\n"
@@ -127,7 +129,7 @@ def variant_text(variant):
     for alternative in variant.alternatives:
         text += f"        {c_name(alternative.type)} {alternative.name};\n"
     text += f"        unsigned char reserved[{variant.reserved}];\n    }} as; ///< The member that `kind` names.\n}} {name};\n"
-    text += comment("The default of a kind; of an unknown one the first.")
+    text += comment("The default values of a kind; those of the first kind if `kind` is unknown.")
     return text + f"CAIRN_C_API {name} cairn_default_{snake(variant.name)}({name}_kind kind);\n\n"
 
 
@@ -180,11 +182,11 @@ def function_text(function):
     doc = described(function)
     kind = function.returns
     if kind.endswith("[]"):
-        doc += " `count` gets how many there are; the first `capacity` of them are written."
+        doc += " `count` receives their number; the first `capacity` of them are written."
     elif kind == "string":
-        doc += " `length` gets its length without the final zero; what has no room in `capacity` bytes is cut off."
+        doc += " `length` receives its length without the terminating zero; text beyond `capacity` bytes is cut off."
     elif kind.endswith("?"):
-        doc += " `found` gets whether there is any."
+        doc += " `found` receives whether there is one."
     for arg in function.args:
         if arg.type.endswith("?"):
             doc += f" Null for `{arg.name}`: absent."
@@ -210,7 +212,8 @@ def header(table, group):
     if group == "base":
         text += BASE.format(abi=ABI_VERSION) + "\n"
         for name, what in HANDLES.items():
-            text += comment(f"Names {what} of a world; all zero: none. Stale once that is gone, and never the name of another.")
+            text += comment(f"Names {what} of a world; zero: null. Once that object is destroyed, its handle is stale. No new "
+                            "object gets the same handle, except after `cairn_world_restore`.")
             text += f"typedef struct {c_name(name)} {{\n    uint64_t bits;\n}} {c_name(name)};\n\n"
     if group == "math":
         text += MATH + "\n"

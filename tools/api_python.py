@@ -110,8 +110,8 @@ def struct_class(table, struct, members):
         out += f"    {member.name}: {annotation} = {default}\n" + (docstring(doc, "    ") if doc else "")
     if struct.name == "JointSpring":
         out += '\n    @staticmethod\n    def from_frequency(hertz: float, damping_ratio: float) -> "JointSpring":\n'
-        out += docstring("The spring with which what the joint moves swings at `hertz` (> 0) with that ratio to critical "
-                         "damping (>= 0).", "        ")
+        out += docstring("The spring with which the bodies oscillate at a natural frequency of `hertz` (Hz, > 0), with that "
+                         "damping ratio (>= 0; 1: critical damping).", "        ")
         out += "        return JointSpring(*_spring_from_frequency(hertz, damping_ratio), True)\n"
     return out
 

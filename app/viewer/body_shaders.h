@@ -34,26 +34,27 @@ layout(location = 3) in vec4 a_position;  // w: emphasis
 layout(location = 4) in vec4 a_rotation;
 layout(location = 5) in vec4 a_half_size; // w: pattern
 layout(location = 6) in vec4 a_color;
-layout(location = 7) in vec3 a_tint;      // of vertices that have a color of their own; else white
+layout(location = 7) in vec3 a_tint;      // color of the vertex; white if the mesh has none
 uniform mat4 u_clip_from_world;
-uniform vec4 u_viewer; // from where balls are seen: the eye and 1, or the direction towards it or a light and 0
+uniform vec4 u_viewer; // viewpoint of balls: eye and 1; or direction to the eye or to a light, and 0
 out vec3 v_world;
-out vec3 v_normal;       // of balls: the place on the cap, from the center, in radii
-out vec3 v_local;        // of balls: the radius
-out vec3 v_local_normal; // of boxes: half of the edges
+out vec3 v_normal;       // balls: point of the cap, relative to the center, in radii
+out vec3 v_local;        // balls: radius
+out vec3 v_local_normal; // boxes: half extents
 out vec4 v_color;
 out float v_pattern;
-out vec2 v_texel;        // of what has a texture: the place in it
+out vec2 v_texel;        // texture coordinates
 flat out vec4 v_rotation;
 
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-// Two balls and the cone that touches both. On it the normal's height is (lower - upper radius) / distance: there each
-// ball's part begins. Where one ball holds the other, it is all that is left.
+// A capsule: two balls and the cone tangent to both. The y of the normal on the cone is (lower - upper radius) /
+// distance of the centers. This is also the height, in radii above its center, of each ball's seam with the cone. If
+// one ball contains the other, only the larger one remains.
 void place_capsule(vec3 size, out vec3 place, out vec3 normal) {
     float end = a_corner.y;
-    // Away from the axis and up: where the ball's part begins, in the middle, and at the pole. The middle comes from
-    // the formulas of half angles; asin() is good to four digits only on some drivers.
+    // Unit vectors (away from the axis, up) at the seam, halfway to the pole, and at the pole. The second uses the
+    // half-angle formulas, because asin() is accurate to only four digits on some drivers.
     float height = clamp((size.x - size.z) / (2.0 * size.y), -1.0, 1.0);
     vec2 seam = vec2(sqrt(1.0 - height * height), height);
     vec2 middle = vec2(sqrt(0.5 - 0.5 * end * height), end * sqrt(0.5 + 0.5 * end * height));
@@ -67,20 +68,20 @@ void place_cylinder(vec3 size, out vec3 place, out vec3 normal) {
     float end = a_corner.y;
     float radius = end < 0.0 ? size.x : size.z;
     float bevel = min(0.07 * min(size.y, max(size.x, size.z)), radius);
-    vec2 upwards = normalize(vec2(size.z - size.x, 2.0 * size.y)); // along the side, away from the axis and up
+    vec2 upwards = normalize(vec2(size.z - size.x, 2.0 * size.y)); // along the side: (away from the axis, up)
     vec2 profile = vec2(radius, end * size.y);
     if (a_inset.x > 1.5) {
         profile -= end * bevel * upwards;
         normal = vec3(a_normal.x * upwards.y, -upwards.x, a_normal.z * upwards.y);
     } else {
-        profile.x -= bevel; // the middle has no direction from the axis
+        profile.x -= bevel; // in the middle of the disk `a_corner` is 0
         normal = a_normal;
     }
     place = vec3(a_corner.x * profile.x, profile.y, a_corner.z * profile.x);
 }
 
-// The direction from a ball's center to a point of the cap that is seen of it: `a_corner` is the way around the cap's
-// middle in x and y, and in z how far from there to the rim. From within the ball nothing is seen.
+// The direction from a ball's center to a point of its visible cap. `a_corner`: direction around the cap's center in
+// x and y, distance from there to the rim (0 to 1) in z. From inside the ball the cap is empty.
 vec3 cap_direction(vec3 center, float radius) {
     vec3 towards = u_viewer.xyz - u_viewer.w * center;
     float distance = length(towards), rim = u_viewer.w * min(radius / distance, 1.0);
@@ -128,19 +129,19 @@ in vec2 v_texel;
 flat in vec4 v_rotation;
 uniform sampler2D u_texture;
 uniform float u_alpha_cutoff;
-uniform sampler2D u_normals;    // these of what has a finish
+uniform sampler2D u_normals;    // this and the next five: bodies with a finish only
 uniform float u_normal_scale;
 uniform sampler2D u_rough;
 uniform vec2 u_rough_metal;
 uniform sampler2D u_glows;
 uniform vec3 u_glow;
 uniform float u_grid;
-uniform float u_spacing; // of the finer lines of the grid, meters
-uniform float u_fade;    // distance at which large surfaces have half become sky, meters
-uniform float u_opacity; // 1, or that of ghosts, which are paler, too
+uniform float u_spacing; // spacing of the finer grid lines, meters
+uniform float u_fade;    // distance at which large surfaces are blended half with the sky, meters
+uniform float u_opacity; // 1; less for ghosts, which are also paler
 out vec4 o_color;
 
-// Eight panels, alternately lighter and darker, so that rolling can be seen.
+// Eight panels, alternately lighter and darker, which make rolling visible.
 float panels(vec3 side) {
     vec3 panel = clamp(side / max(fwidth(side), vec3(1e-5)), -1.0, 1.0);
     return 1.0 - 0.13 * v_pattern * (1.0 - panel.x * panel.y * panel.z);
@@ -150,8 +151,8 @@ float grid_at(vec2 place) { return max(0.5 * grid_line(place, 1.0), grid_line(pl
 
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-// On capsules and cylinders the normal leans away from the axis exactly as the place does. Between the corners of a
-// triangle that holds only roughly, and near the tip of a cone not at all.
+// The normal of a capsule or cylinder lies in the plane through the axis and the point. The interpolated normal lies
+// there only roughly, and near the tip of a cone not at all, so its horizontal direction is taken from the point.
 vec3 round_normal() {
     float away = length(v_local.xz);
     if (away <= 0.0) return v_normal;
@@ -159,8 +160,8 @@ vec3 round_normal() {
     return rotate(v_rotation, vec3(lean.x, v_local_normal.y, lean.y));
 }
 
-// Boxes are shaded as if their edges were rounded: within a bevel of an edge the normal leans over it; where the bevel
-// is narrower than a pixel, within a pixel and accordingly less.
+// Boxes are shaded as if their edges were rounded: within the width of a bevel the normal tilts over the edge. A bevel
+// narrower than a pixel is widened to one pixel, and the tilt reduced by the same factor.
 vec3 box_normal() {
     vec3 size = v_local_normal;
     float bevel = 0.07 * min(size.x, min(size.y, size.z));
@@ -170,7 +171,7 @@ vec3 box_normal() {
     return rotate(v_rotation, face + lean * (1.0 - abs(face)));
 }
 
-// Moves a point of a ball's cap, which is flat between its corners, along the ray onto the ball.
+// Moves a point of a ball's cap, which is flat between its vertices, along the view ray onto the ball.
 void meet_ball(inout vec3 world, inout vec3 normal) {
     vec3 along = -towards_viewer(world);
     float middle = dot(normal, along), way = sqrt(max(middle * middle + 1.0 - dot(normal, normal), 0.0)) + middle;
@@ -178,15 +179,15 @@ void meet_ball(inout vec3 world, inout vec3 normal) {
     world -= along * (way * v_local.x);
 }
 
-// A grid on whatever side the surface faces most.
+// A grid in the coordinate plane that the surface faces most.
 float surface_grid(vec3 place, vec3 facing) {
     vec3 size = abs(facing);
     if (size.y >= max(size.x, size.z)) return grid_at(place.xz);
     return size.x > size.z ? grid_at(place.zy) : grid_at(place.xy);
 }
 
-// The normal of a surface as its picture of normals has it. Which way the picture lies is seen from how its
-// coordinates change over the pixel, so that meshes need no tangents (Mikkelsen 2020, "Surface Gradient").
+// The normal from the normal map. The tangent frame follows from the screen-space derivatives of the texture
+// coordinates, so that meshes need no tangents (Mikkelsen 2020, "Surface Gradient").
 vec3 mapped_normal(vec3 world, vec3 normal) {
     vec3 along_x = dFdx(world), along_y = dFdy(world);
     vec2 texel_x = dFdx(v_texel), texel_y = dFdy(v_texel);
@@ -200,12 +201,13 @@ vec3 mapped_normal(vec3 world, vec3 normal) {
     return normalize(lean.x * right - lean.y * down + max(lean.z, 1e-3) * normal);
 }
 
-// Blinn's highlight with as much light in it whatever its width is, as a part of what a white surface throws back.
+// Normalized Blinn-Phong highlight: its total light does not depend on its width. Relative to the light that a white
+// surface reflects.
 vec3 highlight(vec3 normal, vec3 half_way, vec3 mirror, float power) {
     return mirror * ((power + 8.0) * 0.125 * pow(max(dot(normal, half_way), 1e-4), power));
 }
 
-// A surface with roughness and metalness: 4 % of the light is mirrored, and all of a metal's, in its color.
+// A surface with roughness and metalness: dielectrics mirror 4 % of the light, metals all of it, in their color.
 vec3 shade_finished(vec3 world, vec3 normal, vec3 color, vec2 rough) {
     vec3 to_eye = towards_viewer(world);
     float roughness = clamp(rough.x, 0.06, 1.0), slope = roughness * roughness;
@@ -261,13 +263,13 @@ void main() {
         if (texel.a < u_alpha_cutoff) discard;
         color *= mix(vec3(1.0), texel.rgb, v_pattern);
     }
-    if (c_kind >= 6 && !gl_FrontFacing) { // from behind
+    if (c_kind >= 6 && !gl_FrontFacing) { // seen from behind
         normal = -normal;
         if (c_kind < 8) color *= 0.6;
     }
     vec3 to_eye = towards_viewer(world);
     vec3 shaded;
-    if (c_kind == 10) { // of colors that say something no finish is seen
+    if (c_kind == 10) { // colors that show data (pattern 0) hide the finish
         vec2 rough = u_rough_metal * texture(u_rough, v_texel).gb;
         if (v_pattern > 0.0) normal = mapped_normal(world, normal);
         shaded = shade_finished(world, normal, color, mix(vec2(0.42, 0.0), rough, v_pattern));

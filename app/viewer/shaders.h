@@ -15,24 +15,24 @@ inline constexpr const char* web_header = "#version 300 es\n"
 /// Lighting, sky, shadows and tone mapping, shared by the fragment shaders.
 inline constexpr const char* lighting = R"(
 uniform vec3 u_eye;
-uniform vec4 u_viewer; // the eye and 1, or the direction towards it and 0 where rays are parallel
+uniform vec4 u_viewer; // eye and 1; or, for parallel rays, direction to the eye, and 0
 uniform vec3 u_to_light;
-uniform vec3 u_sun;             // color of a white surface that faces that light
-const int c_max_lamps = 8;      // what shines without a shadow
+uniform vec3 u_sun;             // color of a white surface that faces the sun
+const int c_max_lamps = 8;      // lamps cast no shadows
 uniform int u_lamp_count;
-uniform vec4 u_lamp_place[c_max_lamps]; // and 1, or the direction towards it and 0
-uniform vec4 u_lamp_color[c_max_lamps]; // and 1 over the square of its range
-uniform vec4 u_lamp_axis[c_max_lamps];  // what a cone adds to, by the cosine to its axis; of others 0 and 1
+uniform vec4 u_lamp_place[c_max_lamps]; // position and 1; or direction to the lamp, and 0
+uniform vec4 u_lamp_color[c_max_lamps]; // w: 1 / range^2; 0: unlimited
+uniform vec4 u_lamp_axis[c_max_lamps];  // spot: scaled axis and offset; others: 0 and 1
 uniform mat4 u_shadow_from_world;
-uniform float u_shadow_texel;   // size of one texel of the shadow map in the world
-uniform float u_shadow_step;    // and in the map itself
+uniform float u_shadow_texel;   // size of a texel of the shadow map, meters
+uniform float u_shadow_step;    // the same in texture coordinates
 uniform float u_shadow_strength;
-uniform int u_shadow_rings;     // 2: how often lit_fraction() looks, at most
+uniform int u_shadow_rings;     // 2: greatest number of sample rings in lit_fraction()
 uniform sampler2DShadow u_shadow_map;
 
 vec3 towards_viewer(vec3 world) { return normalize(u_viewer.xyz - u_viewer.w * world); }
 
-// Squares and square roots stand for powers throughout: they cost a software renderer a tenth of pow().
+// Squares and square roots replace pow() in this file: they cost a software renderer a tenth of it.
 vec3 sky_color(vec3 direction) {
     vec3 color = mix(vec3(0.62, 0.74, 0.84), vec3(0.09, 0.22, 0.46), sqrt(clamp(direction.y, 0.0, 1.0)));
     float towards_sun = max(dot(direction, u_to_light), 0.0);
@@ -48,9 +48,10 @@ float lit_around(vec3 place, vec2 offset) {
            texture(u_shadow_map, place + vec3(offset.y, -offset.x, 0.0));
 }
 
-// The fraction of the sun that reaches a point: comparisons, each already smoothed over four texels, on two rings.
-// Where the outer ones agree the inner ones would too, so only the edges of shadows cost both. It is a loop of unknown
-// length because software renderers go through both sides of an "if", but leave a loop when every pixel has.
+// The fraction of the sunlight that reaches a point, from depth comparisons on two rings, each smoothed over four
+// texels. If all comparisons of the outer ring agree, the inner ring is skipped, so that only edges of shadows cost
+// both. A loop with a uniform bound, because software renderers execute both branches of an "if", but leave a loop once
+// all pixels have left it.
 float lit_fraction(vec3 world, vec3 normal) {
     float slope = clamp(1.0 - dot(normal, u_to_light), 0.0, 1.0);
     vec3 place = (u_shadow_from_world * vec4(world + normal * u_shadow_texel * (0.8 + 2.2 * slope), 1.0)).xyz;
@@ -68,7 +69,8 @@ float lit_fraction(vec3 world, vec3 normal) {
     return 1.0 - (1.0 - lit / compared) * inside * u_shadow_strength;
 }
 
-// What of a lamp reaches a point, and the direction to it, by KHR_lights_punctual's laws of distance and cone.
+// The light of a lamp at a point, and the direction to the lamp: attenuation by distance and cone as in
+// KHR_lights_punctual.
 vec3 lamp_light(int i, vec3 world, out vec3 to_lamp) {
     vec3 way = u_lamp_place[i].xyz - u_lamp_place[i].w * world;
     float square = max(dot(way, way), 1e-4);
@@ -91,9 +93,9 @@ vec3 shade_by_lamps(vec3 world, vec3 normal, vec3 to_eye, vec3 color, float glos
     return sum;
 }
 
-const vec3 c_mirrored_sun = vec3(0.4865, 0.49985, 0.53395); // a little whiter
+const vec3 c_mirrored_sun = vec3(0.4865, 0.49985, 0.53395); // makes highlights a little whiter than the sun
 
-// What comes from sky and ground.
+// Ambient light from sky and ground.
 vec3 light_around(vec3 normal) {
     return mix(vec3(0.22, 0.21, 0.20), vec3(0.36, 0.43, 0.54), 0.5 + 0.5 * normal.y);
 }
@@ -105,7 +107,7 @@ vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
     vec3 sun = u_sun * (facing * lit);
     vec3 around = light_around(normal);
     float shine = max(dot(normal, normalize(to_eye + u_to_light)), 0.0);
-    shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; // to the 64th
+    shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; // 64th power
     float edge = 1.0 - max(dot(normal, to_eye), 0.0);
     edge *= edge;
     float up = clamp(0.5 + reflect(-to_eye, normal).y, 0.0, 1.0);
@@ -115,7 +117,7 @@ vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
            shade_by_lamps(world, normal, to_eye, color, gloss);
 }
 
-// Narkowicz's fit of the ACES film curve, then the display's own curve (a fit of sRGB by roots, within 0.3 %).
+// Tone mapping: Narkowicz's fit of the ACES film curve; then sRGB encoding (a fit by roots, within 0.3 %).
 vec3 to_display(vec3 color) {
     color *= 0.80;
     color = clamp(color * (2.51 * color + 0.03) / (color * (2.43 * color + 0.59) + 0.14), 0.0, 1.0);
@@ -123,10 +125,10 @@ vec3 to_display(vec3 color) {
     return clamp(0.585122381 * root + 0.783140355 * fourth - 0.368262736 * sqrt(fourth), 0.0, 1.0);
 }
 
-// A pixel and, in alpha, its brightness, by which smoothing finds edges.
+// A pixel, with its brightness in alpha, which the edge smoothing uses.
 vec4 pixel_of(vec3 color) { return vec4(color, dot(color, vec3(0.299, 0.587, 0.114))); }
 
-// How much of a line of a grid with lines at every whole number covers this pixel.
+// Coverage of this pixel by a grid line `pixels` wide; the lines are at integer coordinates.
 float grid_line(vec2 place, float pixels) {
     vec2 width = max(fwidth(place), vec2(1e-6));
     vec2 line = clamp(0.5 * pixels + 0.5 - abs(fract(place - 0.5) - 0.5) / width, 0.0, 1.0);
@@ -155,12 +157,12 @@ in vec3 v_world;
 uniform vec3 u_normal;
 uniform vec3 u_axis_x;
 uniform vec3 u_axis_z;
-uniform vec3 u_point;        // a point of the plane ...
-uniform vec2 u_grid_offset;  // ... and where it lies on the grid, meters
+uniform vec3 u_point;        // a point of the plane
+uniform vec2 u_grid_offset;  // grid coordinates of that point, meters
 uniform vec3 u_ground_color;
 uniform float u_grid;
-uniform float u_spacing;     // of the finer lines, meters
-uniform float u_fade;        // distance at which the ground has half become sky, meters
+uniform float u_spacing;     // spacing of the finer lines, meters
+uniform float u_fade;        // distance at which the ground is blended half with the sky, meters
 out vec4 o_color;
 
 void main() {
@@ -206,8 +208,8 @@ void main() { gl_Position = vec4(a_corner.x, a_corner.z, 0.0, 1.0); }
 /// the blending weight of the neighbor's color. (The idea of morphological antialiasing, Reshetov 2009.)
 inline constexpr const char* smoothing_fragment = R"(
 uniform sampler2D u_picture;
-uniform ivec2 u_corner; // of the picture in the window
-uniform int u_reach;    // pixels that an edge is followed each way, at most
+uniform ivec2 u_corner; // origin of the picture in the window, pixels
+uniform int u_reach;    // greatest distance to which an edge is followed in each direction, pixels
 out vec4 o_color;
 
 float brightness(ivec2 place) { return texelFetch(u_picture, place, 0).a; }
@@ -228,7 +230,7 @@ void main() {
     ivec2 across = (forwards ? 1 : -1) * ivec2(along.y, along.x);
     float other = lies_flat ? (forwards ? up : down) : (forwards ? right : left);
     float middle = 0.5 * (color.a + other), side = color.a - middle;
-    vec2 ends = vec2(float(u_reach) + 0.5), stops = vec2(0.0); // pixels to the ends; how the mean differs there
+    vec2 ends = vec2(float(u_reach) + 0.5), stops = vec2(0.0); // pixels to the ends; mean there, relative to middle
     bvec2 found = bvec2(plain);
     for (int i = 1; i <= u_reach; ++i) {
         ivec2 ahead = clamp(inner + i * along, ivec2(1), last - 1);
@@ -247,7 +249,7 @@ void main() {
         }
         if (found.x && found.y) break;
     }
-    // At the nearer end the edge steps to this pixel's side, or away from it.
+    // The neighbor's color is blended in only if the edge steps towards this pixel's side at its nearer end.
     float stop = ends.x < ends.y ? stops.x : stops.y;
     float share = plain || stop * side >= 0.0 ? 0.0 : max(0.5 - min(ends.x, ends.y) / (ends.x + ends.y), 0.0);
     o_color = mix(color, texelFetch(u_picture, inner + across, 0), share);

@@ -69,43 +69,47 @@ type CompleteMember<T> =
     : Complete<T>;
 
 /**
- * How the coefficients of two touching materials become one. Where the two materials disagree on the rule, the stronger
- * one counts, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies). `average`: The mean of
- * both. `minimum`: The smaller one. `maximum`: The greater one. `multiply`: The product of both.
+ * How the coefficients of two materials in contact are combined into one. If their rules differ, the one with
+ * precedence applies, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies). `average`: The
+ * mean of both coefficients. `minimum`: The smaller coefficient. `maximum`: The greater coefficient. `multiply`: The
+ * product of both coefficients.
  */
 export type CombineRule = 'average' | 'minimum' | 'maximum' | 'multiply';
 
 /**
- * How a body moves. `static`: Never moves by itself. `kinematic`: Moves with the velocity it is given, and turns about
- * its origin; nothing pushes it. `dynamic`: Moves by forces and contacts.
+ * How a body moves. `static`: Never moves by itself. `kinematic`: Moves with the velocities that it is given, rotating
+ * about its origin. Forces and contacts do not change them. `dynamic`: Moves by forces and contacts.
  */
 export type BodyType = 'static' | 'kinematic' | 'dynamic';
 
 /**
- * What a character is on. `none`: It is in the air, or flies. `steep`: It slides down something steeper than
- * `CharacterDef.maxSlope`. `ground`: It stands.
+ * What supports a character. `none`: The character is in the air, or flies. `steep`: It slides down a slope steeper
+ * than `CharacterDef.maxSlope`. `ground`: It stands on the ground.
  */
 export type CharacterSupport = 'none' | 'steep' | 'ground';
 
 /**
- * What a limit or drive of a general joint is about. `linear`: A distance along axes. `angular`: An angle about axes.
+ * Whether a limit or drive of a general joint acts on a distance or on an angle. `linear`: A distance along axes.
+ * `angular`: An angle about axes.
  */
 export type JointAxis = 'linear' | 'angular';
 
 /**
- * How a joint is solved. Both give the same motion; they differ in cost and stiffness. `automatic`: Direct in chains,
- * machines, robots whose angles servos hold, and under high mass ratios as long as it pays, and where it hangs together
- * with joints that are asked to be direct; else iterative. `iterative`: 8 joints at a time, one after the other, with
- * the contacts. For nets and heaps of many joints. `direct`: All direct joints that hang together at once. With their
- * motors, springs, friction and limits. For chains, machines, robots, and what must not give at all. Gears, racks and
- * pulleys stay iterative; so do all of a net of thousands of joints, whose factorization would not end.
+ * How a joint is solved. Both solvers give the same motion; they differ in cost and stiffness. `automatic`: The engine
+ * chooses. It solves directly: chains, machines, robots with servo-driven angles, and joints under high mass ratios, as
+ * long as this is not too expensive; and all joints that connect to joints with `direct`. All others are iterative.
+ * `iterative`: Joints are solved in turn (eight at a time, in SIMD lanes), together with the contacts. For nets, and
+ * heaps of many joints. `direct`: All direct joints that connect bodies are solved as one system of equations,
+ * including their motors, springs, friction and limits. For chains, machines, robots, and joints that must not yield.
+ * Gears, racks and pulleys remain iterative, and so do all joints of a net of thousands, whose factorization would take
+ * far too long.
  */
 export type JointSolver = 'automatic' | 'iterative' | 'direct';
 
 /**
- * The trees of the broad phase. Planes are in none. `fixed`: Of what is fixed. `awake`: Of what is awake. `large`: Of
- * what is awake and large beside the others. `sleeping`: Of what sleeps, with a tree for each island below that of all
- * islands.
+ * The trees of the broad phase. Infinite planes are in none. `fixed`: Shapes of static bodies. `awake`: Awake shapes.
+ * `large`: Awake shapes that are large compared to the others. `sleeping`: Sleeping shapes: a tree of all sleeping
+ * islands, below which each island has a tree of its own.
  */
 export type BroadPhaseTree = 'fixed' | 'awake' | 'large' | 'sleeping';
 
@@ -117,9 +121,8 @@ export type BroadPhaseTree = 'fixed' | 'awake' | 'large' | 'sleeping';
 export type Integrator = 'semiImplicitEuler' | 'explicitEuler' | 'rk4';
 
 /**
- * What a force field does. `uniform`: The same everywhere, along `direction`. `radial`: Towards `center`, `strength` x
- * distance^`exponent`. `fluid`: A fluid with a level surface through `center`, which flows with the velocity
- * `direction`.
+ * The kind of a force field. `uniform`: `direction` at every place. `radial`: `strength` x distance^`exponent`, towards
+ * `center`. `fluid`: A fluid with a level surface through `center`, which flows with the velocity `direction`.
  */
 export type ForceFieldKind = 'uniform' | 'radial' | 'fluid';
 
@@ -141,41 +144,41 @@ export interface Bounds {
 
 /** A ball around the shape's origin. `radius` in meters, > 0. */
 export interface Sphere {
-    /** Meters, > 0. */
+    /** Radius in meters, > 0. */
     radius?: number;
 }
 
 /**
- * A box around the shape's origin. `halfExtents` in meters, each > 0. A Box, a Cylinder or a Hull with `rounding` r > 0
- * is that solid plus a ball of radius r: all that is within r of the sharp solid (its Minkowski sum with the ball). It
- * is larger by r on every side, its faces stay flat, and its edges and corners are round with radius r. To keep the
- * outer size, take r off the half extents.
+ * A box around the shape's origin. `halfExtents` in meters, each > 0. A Box, Cylinder or Hull with `rounding` r > 0 is
+ * the Minkowski sum of the sharp solid and a ball of radius r: all points within a distance r of the sharp solid. It is
+ * larger by r on every side; its faces stay flat, and its edges and corners are rounded with radius r. To keep the
+ * outer size, subtract r from the half extents.
  */
 export interface Box {
-    /** Meters, each > 0, of the sharp box: the rounding comes on top. */
+    /** Half extents of the sharp box, meters, each > 0; the rounding adds to them. */
     halfExtents?: Vec3Like;
     /** Meters, >= 0: radius of the ball that is added to the sharp box. */
     rounding?: number;
 }
 
 /**
- * A plane through the shape's origin; solid is the side away from `normal`. Without `halfExtents` it is an infinite
- * half-space. With them it is a rectangle, `halfExtents[0]` along the shape's `tangent` and `halfExtents[1]` along
- * normal x tangent; the rectangle is one-sided, and pushes along its normal whatever is above it or has sunk in so that
- * a part of it is still above. Where one half extent is infinite, it is a strip: without ends along that axis.
- * Double-sided, it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the
- * side where its center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays
- * and casts meet a sheet from either side, and nothing is inside of it. Planes have no mass: they may only be added to
- * static and kinematic bodies.
+ * A plane through the shape's origin, solid on the side opposite to `normal`. Without `halfExtents` it is an infinite
+ * half-space. With them it is a rectangle: `halfExtents[0]` along `tangent`, `halfExtents[1]` along normal x tangent. A
+ * rectangle is one-sided: it pushes shapes along its normal that are above it, or that have sunk into it and are still
+ * partly above. With one infinite half extent it is a strip, without ends along that axis. A double-sided plane is a
+ * sheet without thickness that collides on both sides: an infinite one pushes a body to the side on which its center of
+ * mass is; a rectangle or strip pushes a shape to the side on which the middle of that shape is. Rays and casts hit a
+ * sheet from both sides, and no point is inside of it. Planes have no mass, and may only be added to static and
+ * kinematic bodies.
  */
 export interface Plane {
     /** Any non-zero finite vector; it is normalized. */
     normal?: Vec3Like;
-    /** Only for the rectangle; made orthogonal to `normal`. */
+    /** Direction of `halfExtents[0]`; it is made orthogonal to `normal`. Used only by rectangles and strips. */
     tangent?: Vec3Like;
-    /** Meters, each > 0, one may be infinite; absent for an infinite plane. */
+    /** Meters, each > 0; one may be infinite. Left out: an infinite plane. */
     halfExtents?: Vec2Like | null;
-    /** A sheet that holds things on both sides. */
+    /** true: the plane is a sheet that collides on both sides. */
     doubleSided?: boolean;
 }
 
@@ -184,46 +187,50 @@ export interface Plane {
  * (`radiusTop` >= 0).
  */
 export interface Capsule {
-    /** Meters, > 0, along the y axis. */
+    /** Half the distance between the centers of the balls, meters, > 0. */
     halfHeight?: number;
-    /** Of both balls, or of the lower one if `radiusTop` is given. (m, > 0) */
+    /** Radius of both balls, or of the lower one if `radiusTop` is given, meters, > 0. */
     radius?: number;
-    /** Of the upper ball: a tapered capsule. (m, >= 0) */
+    /** Radius of the upper ball, meters, >= 0, for a tapered capsule; Left out: `radius`. */
     radiusTop?: number | null;
 }
 
 /**
- * A solid cylinder around the shape's y axis, from -halfHeight to +halfHeight. Meters, all > 0 (`radiusTop` >= 0);
- * without its rounding.
+ * A solid cylinder around the shape's y axis, from -halfHeight to +halfHeight. Meters, all > 0 (`radiusTop` >= 0); the
+ * rounding adds to these sizes.
  */
 export interface Cylinder {
-    /** Meters, > 0, along the y axis. */
+    /** Half the length along the y axis, meters, > 0. */
     halfHeight?: number;
-    /** At both ends, or at the lower end if `radiusTop` is given. (m, > 0) */
+    /** Radius at both ends, or at the lower end if `radiusTop` is given, meters, > 0. */
     radius?: number;
-    /** At the upper end: a tapered cylinder, or with 0 a cone. (m, >= 0) */
+    /** Radius at the upper end, meters, >= 0, for a tapered cylinder, or a cone if it is 0; Left out: `radius`. */
     radiusTop?: number | null;
     /** Meters, >= 0: radius of the ball that is added to the sharp cylinder. */
     rounding?: number;
 }
 
-/** A convex polyhedron. */
+/** A convex polyhedron. Its vertices never change. */
 export interface Hull {
-    /** Made by `cairnGeometryCreateHull`. */
+    /** A hull created by `cairnGeometryCreateHull`. */
     geometry: Geometry;
     /** Meters, >= 0: radius of the ball that is added to the sharp polyhedron. */
     rounding?: number;
 }
 
-/** A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise. */
+/**
+ * A triangle mesh, for static and kinematic bodies. The solid side of a triangle is the one from which its vertices
+ * appear clockwise: a shape that has sunk below a triangle and is still partly above it is pushed out along the normal.
+ * Walls may be arbitrarily thin: a sheet that has triangles facing both ways collides on both sides.
+ */
 export interface Mesh {
-    /** Made by `cairnGeometryCreateMesh`. */
+    /** A mesh created by `cairnGeometryCreateMesh`. */
     geometry: Geometry;
 }
 
 /** A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies. */
 export interface HeightField {
-    /** Made by `cairnGeometryCreateHeightField`. */
+    /** A height field created by `cairnGeometryCreateHeightField`. */
     geometry: Geometry;
 }
 
@@ -233,26 +240,26 @@ export interface Material {
     staticFriction?: number;
     /** Coulomb coefficient while it slides, >= 0. */
     dynamicFriction?: number;
-    /** Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic). (0 to 1) */
+    /** Ratio of rebound to approach speed, 0 to 1; 0: no bounce, 1: elastic. */
     restitution?: number;
     /** Lever arm of the rolling resistance torque in meters, >= 0. */
     rollingFriction?: number;
     /**
      * Radius of the contact patch in meters, >= 0: a spinning one-point contact feels a torque of at most friction x
-     * normal force x this radius. Without any, a ball that spins upright never comes to rest.
+     * normal force x this radius. With 0, a ball that spins about the contact normal never comes to rest.
      */
     torsionalFriction?: number;
-    /** How its friction and the other material's become one. */
+    /** How its friction coefficients are combined with those of the other material. */
     frictionCombine?: CombineRule;
-    /** How its restitution and the other material's become one. */
+    /** How its restitution is combined with that of the other material. */
     restitutionCombine?: CombineRule;
 }
 
-/** Which shapes meet: two do if each is in a layer that the other collides with. */
+/** Decides which shapes collide: two shapes do if each is in a layer with which the other collides. */
 export interface CollisionFilter {
-    /** The layers that the shape is in, one bit each. */
+    /** Layers to which the shape belongs, one bit for each. */
     layers?: bigint | number;
-    /** The layers that it collides with. */
+    /** Layers with which the shape collides. */
     collidesWith?: bigint | number;
 }
 
@@ -262,38 +269,42 @@ export interface ShapeDef {
     position?: Vec3Like;
     /** Orientation in the body's frame; normalized, must not be zero. */
     rotation?: QuatLike;
-    /** kg/m^3, >= 0; 0 adds no mass. Ignored by planes. */
+    /** kg/m^3, >= 0; with 0 the shape adds no mass. Not used for planes. */
     density?: number;
-    /** Of its surface. */
+    /** Friction and restitution of its surface. */
     material?: Material;
-    /** What it meets. */
+    /** Decides with which shapes it collides. */
     filter?: CollisionFilter;
-    /** A trigger touches nothing: it only reports what overlaps it (trigger events). */
+    /**
+     * true: the shape is a trigger. It has no contacts, and only reports shapes that overlap it
+     * (`World.triggerEvents`).
+     */
     isTrigger?: boolean;
     /**
-     * m/s, in the shape's frame: the surface moves with it like a conveyor belt, beside the motion of the body. Only
-     * its part along the surface counts. Static and kinematic bodies only.
+     * m/s, in the shape's frame: velocity of the surface relative to the body, as of a conveyor belt. Only its
+     * component along the surface counts. Static and kinematic bodies only.
      */
     surfaceVelocity?: Vec3Like;
-    /** Not touched by the engine. */
+    /** Stored for the application; the engine does not use it. */
     userData?: bigint | number;
     /**
-     * A direction in the shape's frame, of any length. Not zero: the shape holds only what came from there. What is not
-     * wholly beyond it in that direction when the two meet goes through it, until it is: onto such a platform one jumps
-     * from below. Static and kinematic bodies only; infinite planes, meshes and height fields have none. Rays, casts
-     * and other queries meet it from all sides.
+     * A direction in the shape's frame, of any length; zero: none. Otherwise the shape is a one-way platform: it
+     * collides only with shapes that come from that side. A shape that is not entirely on that side when the two meet
+     * passes through until it is, so that one can jump onto the platform from below. Static and kinematic bodies only;
+     * infinite planes, meshes and height fields cannot be one-way. Rays, casts and other queries find the shape from
+     * all sides.
      */
     oneWay?: Vec3Like;
 }
 
 /**
- * Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertiaDiagonal`, stand for
- * what cannot be moved or turned.
+ * Mass, center of mass and inertia of a body. With a `mass` of +infinity forces do not translate the body; a zero entry
+ * of `inertiaDiagonal` keeps torques from rotating it about that principal axis.
  */
 export interface MassProperties {
     /** kg, > 0; may be infinite. */
     mass?: number;
-    /** In the body's frame, meters. */
+    /** Center of mass in the body's frame, meters. */
     centerOfMass?: Vec3Like;
     /** Principal moments about the center of mass, kg m^2. */
     inertiaDiagonal?: Vec3Like;
@@ -301,482 +312,501 @@ export interface MassProperties {
     inertiaOrientation?: QuatLike;
 }
 
-/** Everything needed to make a body. */
+/** Everything that is needed to create a body. */
 export interface BodyDef {
     /** How it moves. */
     type?: BodyType;
     /** Origin of the body's frame (not its center of mass), meters. */
     position?: Vec3Like;
-    /** Normalized on entry; must not be zero. */
+    /** Rotation of the body's frame. Normalized on entry; must not be zero. */
     rotation?: QuatLike;
-    /** Of the center of mass, m/s. */
+    /** Velocity of the center of mass, m/s. */
     linearVelocity?: Vec3Like;
-    /** In world axes, rad/s. */
+    /** Angular velocity in world axes, rad/s. */
     angularVelocity?: Vec3Like;
     /** 1/s, >= 0: velocity decays as v' = -damping v. */
     linearDamping?: number;
-    /** 1/s, >= 0. */
+    /** 1/s, >= 0: the same for the angular velocity. */
     angularDamping?: number;
     /** Multiplies the world's gravity for this body; any finite value. */
     gravityScale?: number;
     /** false: the body and its island never fall asleep. */
     allowSleep?: boolean;
-    /** kg, > 0 (+infinity: immovable). Left out: from the shapes' densities. */
+    /**
+     * Total mass in kg, > 0 (+infinity: immovable), to which the mass properties of the shapes are scaled. Left out:
+     * the mass follows from the densities of the shapes.
+     */
     mass?: number | null;
-    /** Overrides mass and shapes altogether. */
+    /** Used in place of `mass` and of the shapes' densities. */
     massProperties?: MassProperties | null;
-    /** For people; need not be unique. */
+    /** For display and `World.findBody`; need not be unique. */
     name?: string;
-    /** Not touched by the engine. */
+    /** Stored for the application; the engine does not use it. */
     userData?: bigint | number;
-    /** false: it takes no part in the world until it is enabled. */
+    /** false: the body does not take part in the simulation until it is enabled. */
     enabled?: boolean;
 }
 
 /**
  * How a character moves. A character is a kinematic body that is moved at the beginning of each step: it slides along
- * walls, climbs steps, stands on slopes, falls, is carried by what it stands on, and never passes through anything that
- * its shapes collide with. Its shapes must be convex to count; a capsule along `up` is usual. It does not turn by
- * itself, but for what it stands on.
+ * walls, climbs steps, stands on slopes, falls, is carried by the body on which it stands, and never passes through
+ * anything that its shapes collide with. Only its convex shapes count; a capsule along `up` is usual. It rotates with
+ * the body on which it stands (about `up`), and otherwise only if the application rotates it.
  */
 export interface CharacterDef {
-    /** Away from the ground; any non-zero vector, it is normalized. */
+    /** Direction away from the ground: any non-zero vector; it is normalized. */
     up?: Vec3Like;
-    /** rad, 0 to 1.57: it slides down what is steeper, and does not walk up there. */
+    /**
+     * rad, 0 to 1.57: greatest slope on which the character stands. It slides down steeper slopes and does not walk up
+     * them.
+     */
     maxSlope?: number;
-    /** m, >= 0: it climbs steps up to this height; 0: none. */
+    /** m, >= 0: greatest height of a step that it climbs; 0: it climbs none. */
     stepHeight?: number;
-    /** m, >= 0: it stays on ground that falls away by up to this in a step. */
+    /**
+     * m, >= 0: it stays on the ground where this drops by up to this distance within a time step, as on stairs
+     * downwards.
+     */
     stickDistance?: number;
-    /** m, 1e-4 to 1: the distance that it keeps from everything. */
+    /** m, 1e-4 to 1: the distance that it keeps from all other shapes. */
     skin?: number;
-    /** kg, >= 0: what dynamic bodies feel that it stands on, lands on or jumps off. */
+    /** kg, >= 0: the mass with which it acts on dynamic bodies on which it stands or lands, or from which it jumps. */
     mass?: number;
-    /** N, >= 0: it pushes dynamic bodies out of its way with no more than this. */
+    /** N, >= 0: greatest force with which it pushes dynamic bodies that are in its way. */
     maxPushForce?: number;
-    /** m/s^2, >= 0: how fast its velocity follows the wanted one in the air. */
+    /** m/s^2, >= 0: greatest acceleration towards the walk velocity while it is in the air. */
     airAcceleration?: number;
     /**
-     * It moves with the wanted velocity in all directions, without gravity, ground and steps: for swimming, ladders,
-     * flying.
+     * true: it moves with the walk velocity in all three directions, and gravity, ground and steps do not act on it:
+     * for swimming, ladders, flying.
      */
     flies?: boolean;
 }
 
-/** How a character moves, as it stood after the last step. */
+/** The motion and support of a character after the last step. */
 export interface CharacterState {
-    /** What it is on. */
+    /** What supports the character. */
     support: CharacterSupport;
     /**
-     * m/s, in world axes, that of the ground included. Unlike the velocity of its body, which is by how much the last
-     * step moved it, it is without steps that were climbed, and in the air it is that at the end of the step.
+     * m/s, in world axes, including the velocity of the ground. It differs from the velocity of the body, which is the
+     * displacement in the last step divided by its duration: it excludes the height of stairs that were climbed, and in
+     * the air it is the velocity at the end of the step.
      */
     velocity: Vec3;
-    /** What it is on; null in the air, and when that was removed. */
+    /** The shape on which it stands or slides; null in the air, and if that shape was removed. */
     groundShape: ShapeId;
-    /** Its body. */
+    /** The body of that shape. */
     groundBody: BodyId;
-    /** Where it touches that, m; valid unless `support` is none. */
+    /** Where the character touches that shape, m, world space; valid unless `support` is none. */
     groundPoint: Vec3;
-    /** Unit, out of it; likewise. */
+    /** Unit normal there, out of the ground; valid unless `support` is none. */
     groundNormal: Vec3;
-    /** m/s, of its material there; likewise. */
+    /** m/s: velocity of the ground's material there; valid unless `support` is none. */
     groundVelocity: Vec3;
 }
 
-/** A damped spring. It is stepped implicitly: any stiffness is stable. */
+/** A damped spring. It is integrated implicitly, so that any stiffness is stable. */
 export interface JointSpring {
     /** N/m or N m/rad, >= 0. */
     stiffness?: number;
     /** N s/m or N m s/rad, >= 0. */
     damping?: number;
     /**
-     * true: both are per unit of the mass (or moment of inertia) that the joint moves along that axis, so that the
-     * motion, not the force, is given.
+     * true: stiffness (1/s^2) and damping (1/s) are per unit of the mass (or moment of inertia) that the joint moves
+     * along that axis: they set the motion, whatever the mass. false: they set the force.
      */
     isAcceleration?: boolean;
 }
 
-/** The range of a position, m or rad. `lower` = `upper` holds it at one value. */
+/** Limits of a position, m or rad. `lower` = `upper` holds it at one value. */
 export interface JointRange {
-    /** lower <= upper; -infinity and +infinity for no bound. (m or rad) */
+    /** m or rad, lower <= upper; -infinity: no bound on that side. */
     lower?: number;
-    /** lower <= upper; -infinity and +infinity for no bound. (m or rad) */
+    /** m or rad, lower <= upper; +infinity: no bound on that side. */
     upper?: number;
-    /** Pushes back from beyond a bound; Left out: rigid. */
+    /** Pulls back a position that is beyond a bound; Left out: the limit is rigid. */
     spring?: JointSpring | null;
 }
 
-/** What drives an axis: with a spring, towards `position` and `velocity`; without one, it holds the velocity. */
+/**
+ * Drives an axis. With a spring it pulls towards `position` and `velocity`; without one it keeps the velocity, as far
+ * as `maxForce` allows.
+ */
 export interface JointMotor {
-    /** m/s or rad/s. */
+    /** m/s or rad/s: target velocity. */
     velocity?: number;
-    /** m or rad; only with a spring. */
+    /** m or rad: target position; used only with a spring. */
     position?: number;
-    /** Left out: the motor holds its velocity. */
+    /** Left out: the motor keeps its velocity. */
     spring?: JointSpring | null;
-    /** N or N m, >= 0. */
+    /** N or N m, >= 0: greatest force or torque of the motor. */
     maxForce?: number;
 }
 
-/** All that can act along one axis of a joint. */
+/** Limits, motor and friction of one axis of a joint. By default the axis is free. */
 export interface JointControl {
     /** Left out: no limits. */
     limits?: JointRange | null;
     /** Left out: no motor. */
     motor?: JointMotor | null;
-    /** N or N m, >= 0: dry friction, which holds until it is overcome. */
+    /** N or N m, >= 0: dry friction. The axis moves only under a greater force or torque. */
     friction?: number;
 }
 
-/** B keeps its place and rotation against A. */
+/** B keeps its position and rotation relative to A. */
 export interface FixedJoint {
 }
 
-/** The origins of the frames coincide; B turns freely. */
+/** The origins of the two frames coincide; B rotates freely about that point, within the limits. */
 export interface BallJoint {
-    /** rad, 0 to pi: greatest angle between the x axes of the two frames. */
+    /** rad, 0 to pi: greatest angle between the x axes of the two frames (swing limit); Left out: none. */
     coneAngle?: number | null;
-    /** Of the angle about the x axis, -pi to pi. */
+    /** rad, -pi to pi: limits of the angle about the x axis; Left out: none. */
     twist?: JointRange | null;
-    /** N m about each axis, >= 0. */
+    /** N m, >= 0: friction torque about each axis. */
     friction?: number;
 }
 
 /**
- * B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
- * it; without any it is between -pi and pi.
+ * B rotates about the x axis of A. While a limit, motor or friction acts on the angle, it counts full turns; otherwise
+ * it is between -pi and pi.
  */
 export interface HingeJoint {
-    /** About the x axis of A. */
+    /** Angle about the x axis of A. */
     angle?: JointControl;
 }
 
-/** B moves along the x axis of A without turning. */
+/** B moves along the x axis of A and does not rotate relative to A. */
 export interface SliderJoint {
-    /** Along the x axis of A. */
+    /** Translation along the x axis of A. */
     translation?: JointControl;
 }
 
-/** B moves along the x axis of A and turns about it. */
+/** B moves along the x axis of A and rotates about it. */
 export interface CylindricalJoint {
-    /** Along the x axis of A. */
+    /** Translation along the x axis of A. */
     translation?: JointControl;
-    /** About the x axis of A. */
+    /** Angle about the x axis of A. */
     angle?: JointControl;
 }
 
-/** A cross of two axes at a right angle: A turns about its x axis, B about its y axis (a Cardan joint). */
+/**
+ * A universal (Cardan) joint: a cross with two axes at a right angle, the x axis of A and the y axis of B, about which
+ * the bodies rotate.
+ */
 export interface UniversalJoint {
-    /** About the x axis of A. */
+    /** Rotation about the x axis of A. */
     first?: JointControl;
-    /** About the y axis of B. */
+    /** Rotation about the y axis of B. */
     second?: JointControl;
 }
 
 /**
- * The distance between the origins of the frames. A rod has lower = upper, a rope lower = 0, a spring a motor with a
- * spring at its length at rest.
+ * Controls the distance (m) between the origins of the two frames. For a rod, set limits with lower = upper; for a
+ * rope, lower = 0; for a spring, a motor with a spring and `position` = its rest length.
  */
 export interface DistanceJoint {
-    /** Between the origins of the frames. */
+    /** Distance between the origins of the two frames. */
     distance?: JointControl;
 }
 
 /**
- * A wheel B under a car A. The wheel moves along the x axis of A (the suspension), turns about it (the steering) and
- * spins about its own y axis.
+ * A wheel B under a car A. The wheel moves along the x axis of A (suspension), rotates about it (steering), and spins
+ * about its own y axis.
  */
 export interface WheelJoint {
-    /** Along the x axis of A. */
+    /** Translation along the x axis of A. */
     suspension?: JointControl;
-    /** Left out: the wheel does not steer. */
+    /** Angle about the x axis of A. Left out: the wheel does not steer. */
     steering?: JointControl | null;
-    /** About the y axis of the wheel. */
+    /** Rotation about the y axis of the wheel. */
     spin?: JointControl;
 }
 
-/** A servo that moves B to a place and rotation in the frame of A. */
+/** A servo that pulls B to a target position and rotation in the frame of A. */
 export interface ServoJoint {
-    /** Of the origin of frame B in frame A, meters. */
+    /** Target of the origin of frame B, in frame A, meters. */
     position?: Vec3Like;
-    /** Of frame B in frame A; normalized. */
+    /** Target of the rotation of frame B in frame A; normalized. */
     rotation?: QuatLike;
-    /** The spring that pulls B to its place. */
+    /** Spring that pulls B to the target position. */
     linear?: JointSpring;
-    /** The spring that turns B to its rotation. */
+    /** Spring that rotates B to the target rotation. */
     angular?: JointSpring;
-    /** N along each axis, >= 0. */
+    /** N, >= 0: greatest force along each axis. */
     maxForce?: number;
-    /** N m about each axis, >= 0. */
+    /** N m, >= 0: greatest torque about each axis. */
     maxTorque?: number;
 }
 
 /**
- * Two turning bodies in mesh: (rate of A about its frame's x axis) + ratio x (rate of B about its own) = 0. With teeth
- * in mesh on the outside of both, about parallel axes, ratio = teeth of B / teeth of A. Rates are those against the
- * world: the bodies that carry the axles must not turn about them.
+ * Two meshing gears: (angular speed of A about the x axis of its frame) + ratio x (angular speed of B about that of its
+ * frame) = 0. For external gears on parallel axes, ratio = teeth of B / teeth of A. Angular speeds are relative to the
+ * world, so the bodies that carry the axles must not rotate about them.
  */
 export interface GearJoint {
-    /** Not 0. */
+    /** Not 0; negative: both rotate in the same sense. */
     ratio?: number;
 }
 
 /**
- * A pinion A on a rack B: (translation of B along its frame's x axis) = radius x (angle of A about its frame's x axis),
- * as against the world.
+ * A pinion A on a rack B: (translation of B along the x axis of its frame) = radius x (angle of A about the x axis of
+ * its frame), both relative to the world.
  */
 export interface RackJoint {
-    /** m, not 0; negative for the other sense. */
+    /** m, not 0; negative: the rack moves in the opposite sense. */
     radius?: number;
 }
 
 /** A rope over two fixed pulleys: length at A + ratio x length at B <= length. */
 export interface PulleyJoint {
-    /** World points from which the bodies hang. */
+    /** The pulley on the side of A, meters, world space. */
     groundA?: Vec3Like;
-    /** World points from which the bodies hang. */
+    /** The pulley on the side of B, meters, world space. */
     groundB?: Vec3Like;
-    /** > 0: of a block and tackle. */
+    /** > 0: ratio of the block and tackle on the side of B. */
     ratio?: number;
-    /** m, > 0; Left out: what it is when the joint is made, which `World.jointDef` then has. */
+    /** m, > 0; Left out: the length when the joint is created, which `World.jointDef` then returns. */
     length?: number | null;
 }
 
 /**
- * Keeps a distance (m) or an angle (rad) between the two frames in a range. With one axis: along or about it; with two:
- * from the line of the remaining axis, or of the cone about it; with three: of points, or any turn.
+ * Limits a distance (m) or an angle (rad) between the two frames. With one axis it is the position along, or the angle
+ * about, that axis. With two axes it is the distance from the line of the third axis, or the angle between the third
+ * axes of both frames (a cone). With three axes it is the distance of the two origins, or the angle of the whole
+ * rotation.
  */
 export interface JointLimit {
-    /** Whether it is about distances or angles. */
+    /** Whether it limits a distance or an angle. */
     kind?: JointAxis;
-    /** x, y and z of frame A; one to three of them. */
+    /** Which of the axes x, y and z of frame A; one to three of them. */
     axes?: readonly (boolean)[];
-    /** Left out: no bound on that side. min <= max. */
+    /** m or rad, min <= max; Left out: no bound on that side. */
     min?: number | null;
-    /** Left out: no bound on that side. min <= max. */
+    /** m or rad, min <= max; Left out: no bound on that side. */
     max?: number | null;
     /** N/m or N m/rad, >= 0; Left out: rigid. */
     stiffness?: number | null;
-    /** N s/m or N m s/rad, >= 0; with a stiffness only. */
+    /** N s/m or N m s/rad, >= 0; used only with a stiffness. */
     damping?: number;
 }
 
 /**
- * A damped spring or motor along or about one axis: pushes with stiffness x (positionTarget - position) + damping x
- * (velocityTarget - velocity).
+ * A damped spring or motor along or about one axis. Its force (or torque) is stiffness x (positionTarget - position) +
+ * damping x (velocityTarget - velocity).
  */
 export interface JointDrive {
-    /** Whether it is about distances or angles. */
+    /** Whether it drives a distance or an angle. */
     kind?: JointAxis;
-    /** true: the above is an acceleration; false: a force or torque. */
+    /** true: the formula gives an acceleration; false: a force or torque. */
     isAcceleration?: boolean;
-    /** 0, 1 or 2, of frame A. */
+    /** 0, 1 or 2: x, y or z of frame A. */
     axis?: number;
-    /** N or N m, >= 0; Left out: no bound. */
+    /** N or N m, >= 0: greatest force or torque; Left out: no bound. */
     maxForce?: number | null;
-    /** Where the spring pulls to. (m or rad) */
+    /** m or rad: target position of the spring. */
     positionTarget?: number;
-    /** What the damping aims at. (m/s or rad/s) */
+    /** m/s or rad/s: target velocity of the damping. */
     velocityTarget?: number;
-    /** Of the spring, >= 0. (N/m or N m/rad) */
+    /** N/m or N m/rad, >= 0: stiffness of the spring. */
     stiffness?: number;
-    /** Of the spring, >= 0. (N s/m or N m s/rad) */
+    /** N s/m or N m s/rad, >= 0: damping of the spring. */
     damping?: number;
 }
 
 /**
- * The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, and any of them limited or driven. At
- * most eight limits and drives that are not plain locks.
+ * The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, any of which may have limits and
+ * drives. It may have at most eight limits and drives, not counting limits that just lock axes.
  */
 export interface GeneralJoint {
-    /** What is kept in a range. */
+    /** Limits of distances and angles. */
     limits?: readonly (JointLimit)[];
-    /** What is driven. */
+    /** Drives of distances and angles. */
     drives?: readonly (JointDrive)[];
 }
 
-/** Everything needed to make a joint. */
+/** Everything that is needed to create a joint. */
 export interface JointDef {
-    /** Null: the world. At least one must be dynamic; not the same body. */
+    /** Null: the world. The two bodies must differ, and at least one must be dynamic. */
     bodyA?: BodyId | Body | null;
-    /** Null: the world. At least one must be dynamic; not the same body. */
+    /** Null: the world. The two bodies must differ, and at least one must be dynamic. */
     bodyB?: BodyId | Body | null;
-    /** In the frames of the bodies; of the world, in its own. */
+    /** Pose of the joint's frame relative to the frame of body A, or relative to the world. */
     frameA?: Transform;
-    /** In the frames of the bodies; of the world, in its own. */
+    /** Pose of the joint's frame relative to the frame of body B, or relative to the world. */
     frameB?: Transform;
-    /** What kind of joint, and how it is limited and driven. */
+    /** The type of joint, with its limits, motors and springs. */
     joint?: Joint;
-    /** Whether the two bodies collide with each other. */
+    /** true: the two bodies collide with each other. */
     enableCollision?: boolean;
-    /** N, > 0: the joint breaks beyond it. */
+    /** N, > 0: the joint breaks if its mean force in a step exceeds this. */
     breakForce?: number;
-    /** N m, > 0. */
+    /** N m, > 0: the joint breaks if its mean torque in a step exceeds this. */
     breakTorque?: number;
-    /** How it is solved. */
+    /** How the joint is solved. */
     solver?: JointSolver;
-    /** For people; need not be unique. */
+    /** For display and `World.findJoint`; need not be unique. */
     name?: string;
-    /** Not touched by the engine. */
+    /** Stored for the application; the engine does not use it. */
     userData?: bigint | number;
-    /** false: it acts on nothing, as if it were not there. */
+    /** false: the joint does not act until `World.setJointEnabled`. */
     enabled?: boolean;
 }
 
-/** What a joint did in the last step. */
+/** Forces, positions and errors of a joint in the last step. */
 export interface JointState {
     /** N: mean force on B, world axes. */
     force: Vec3;
     /** N m: mean torque on B about the origin of its frame, world axes. */
     torque: Vec3;
     /**
-     * The positions of its axes (m or rad), in the order of the fields of its type: of a hinge the angle, of a
-     * cylindrical joint translation and angle, of a general joint those of its limits and drives that are not plain
-     * locks.
+     * Positions of its axes (m or rad), in the order of the members of its type: for a hinge its angle; for a
+     * cylindrical joint translation and angle; for a general joint one for each of its limits and drives, except limits
+     * that just lock axes.
      */
     positions: number[];
-    /** How many of `positions` there are. */
+    /** Number of valid elements of `positions`. */
     positionCount: number;
-    /** m: how far the points that it holds together are apart. */
+    /** m: distance between the points that the joint holds together. */
     linearError: number;
-    /** rad: how far B has turned about the axes that it locks. */
+    /** rad: rotation of B about the axes that the joint locks. */
     angularError: number;
 }
 
-/** The nearest thing that a ray met. */
+/** An intersection of a ray with a shape. */
 export interface RayHit {
     shape: ShapeId;
     body: BodyId;
-    /** On the surface, meters. */
+    /** On the surface, meters, world space. */
     point: Vec3;
     /** Unit outward normal of the surface there. */
     normal: Vec3;
-    /** From the ray's origin, meters. */
+    /** Distance from the ray's origin, meters. */
     distance: number;
     /**
-     * Of a mesh: the one of its triangles that the ray met, in the order of its indices; of a height field: twice the
-     * number of its cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+     * For a mesh: index of the triangle that was hit, in the order of the mesh's indices. For a height field: 2 x
+     * (index of the cell, row by row), plus 1 for the triangle on the side of greater x. For other shapes: -1.
      */
     triangle: number;
 }
 
-/** The first thing that a moving shape met. */
+/** The first contact of a shape that is moved along a line. */
 export interface ShapeCastHit {
     shape: ShapeId;
     body: BodyId;
-    /** Of the translation, 0 to 1; 0 if they overlapped from the start. */
+    /** Fraction of the translation before the contact, 0 to 1; 0 if the shapes overlap at the start. */
     fraction: number;
-    /** Where they meet, meters. */
+    /** Where the two shapes touch, meters, world space. */
     point: Vec3;
-    /** Unit, out of the shape that was met. */
+    /** Unit normal, out of the shape that was hit. */
     normal: Vec3;
-    /** That was met; as in RayHit. */
+    /** The triangle that was hit; as in RayHit. */
     triangle: number;
 }
 
-/** The surface point nearest to a given one. */
+/** The point of the nearest shape that is closest to a given point. */
 export interface ClosestPoint {
     shape: ShapeId;
     body: BodyId;
-    /** On the surface, meters; the given point itself if that lies inside. */
+    /** On the surface, meters, world space; the given point itself if it is inside the shape. */
     point: Vec3;
-    /** Meters; 0 inside. */
+    /** Meters; 0 if the given point is inside the shape. */
     distance: number;
-    /** That it is on; as in RayHit. */
+    /** The triangle on which the point lies; as in RayHit. */
     triangle: number;
 }
 
 /**
- * A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
- * overlap.
+ * A node of a tree of the broad phase. Its box encloses those of its children, of which there are at most eight; the
+ * boxes of siblings may overlap.
  */
 export interface BroadPhaseNode {
-    /** Meters; of a shape, somewhat larger than the shape. */
+    /** Meters, world space; the box of a leaf is somewhat larger than its shape. */
     bounds: Complete<Bounds>;
-    /** The one that it is in. */
+    /** The tree to which the node belongs. */
     tree: BroadPhaseTree;
-    /** 0: the root of the tree. */
+    /** Levels below the root of the tree; 0: the root. */
     depth: number;
-    /** Its place in the list; -1: it is a root. */
+    /** Index of the parent in the list of nodes; -1: the node is a root. */
     parent: number;
-    /** It is the box of one shape. */
+    /** true: the node is the box of a single shape. */
     isLeaf: boolean;
-    /** Of a leaf; else null. */
+    /** The shape of a leaf; null for other nodes. */
     shape: ShapeId;
 }
 
-/**
- * How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and measurements.
- */
+/** How the solver treats a touching pair of shapes, after the last step; for visualization and measurements. */
 export interface SolverContact {
     shapeA: ShapeId;
     shapeB: ShapeId;
     bodyA: BodyId;
     bodyB: BodyId;
     /**
-     * Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns, the
-     * lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by one,
-     * before all others.
+     * Color in the constraint graph. Contacts of one color share no dynamic body, so that they are solved in parallel.
+     * Colors are solved in turn, lowest first; those of contacts with static and kinematic bodies come last. -1: no
+     * color was free, and the contact is solved on its own, before all others.
      */
     color: number;
-    /** Of its island in the last step in which that was awake; 0: not solved yet. */
+    /** Substeps of its island in the last step in which the island was awake; 0: it has not been solved yet. */
     substeps: number;
 }
 
-/** What debug lines show. */
+/** What `World.debugLines` shows. */
 export interface DebugLinesDef {
     /**
-     * Edges of shapes; of infinite planes a grid of 20 m. Bodies that are static, kinematic, awake and asleep, and
-     * triggers, have colors of their own.
+     * Edges of shapes; an infinite plane is shown as a grid of 20 m. The color tells whether a body is static,
+     * kinematic, awake or asleep; triggers have a color of their own.
      */
     shapes?: boolean;
-    /** Boxes around shapes, along the axes of the world. */
+    /** Axis-aligned bounding boxes of shapes; infinite planes have none. */
     bounds?: boolean;
-    /** The axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue. */
+    /** Principal axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue. */
     centers?: boolean;
-    /** From each center of mass of what moves to where it is in a tenth of a second. */
+    /** Lines from the center of mass of each moving body to where its velocity brings it in 0.1 s. */
     velocities?: boolean;
-    /** At each point that touches, the normal. */
+    /** The normal at each contact point. */
     contacts?: boolean;
-    /** From both centers of mass to the anchors, and the axes of the joint there. */
+    /** Lines from the centers of mass of both bodies to their anchors, and the axes of the joint at the anchor of A. */
     joints?: boolean;
-    /** The length of axes, and of normals. (> 0) */
+    /** m, > 0: length of axes and normals. */
     size?: number;
-    /** Not 0: a normal is as long as this times the impulse at its point. (m/(N s), >= 0) */
+    /**
+     * m/(N s), >= 0. If > 0, the length of a normal is this times the normal impulse of its contact point in the last
+     * step.
+     */
     impulseScale?: number;
 }
 
 /** A straight line. */
 export interface DebugLine {
-    /** In world space. (m) */
+    /** m, in world space. */
     begin: Vec3;
-    /** In world space. (m) */
+    /** m, in world space. */
     end: Vec3;
     /** Red, green and blue, 0 to 1. */
     color: Vec3;
 }
 
-/** Which shapes a query sees: those that pass all of it. */
+/** Selects the shapes that a query can find. A shape must meet all conditions. */
 export interface QueryFilter {
-    /** Those that are in any of these layers (`CollisionFilter.layers`). */
+    /** The shape must be in one of these layers (`CollisionFilter.layers`). */
     layers?: bigint | number;
-    /** Those that collide with any of these, in which the query itself is. */
+    /** The layers of the query itself: the shape must collide with one of them (`CollisionFilter.collidesWith`). */
     ownLayers?: bigint | number;
-    /** Those of static bodies. */
+    /** true: shapes of static bodies are included. */
     staticBodies?: boolean;
-    /** Those of kinematic bodies. */
+    /** true: shapes of kinematic bodies are included. */
     kinematicBodies?: boolean;
-    /** Those of dynamic bodies. */
+    /** true: shapes of dynamic bodies are included. */
     dynamicBodies?: boolean;
-    /** Triggers as well; they are seen like any other shape then. */
+    /** true: triggers are included, and found like other shapes. */
     triggers?: boolean;
     /**
-     * Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
-     * only the question is whether there is any.
+     * true: the query may return any one result: the first that it finds instead of the nearest, and a single shape for
+     * overlaps. Faster if it only matters whether there is any.
      */
     any?: boolean;
-    /** Shapes of these are not seen. Each must exist. */
+    /** Shapes of these bodies are excluded. Each body must exist. */
     ignoredBodies?: readonly (BodyId | Body | null)[];
 }
 
@@ -788,7 +818,7 @@ export interface ContactBegin {
     bodyB: BodyId;
 }
 
-/** Two shapes no longer touch, or one of them was removed (its handles are stale then). */
+/** Two shapes ceased to touch, or one of them was removed (its handle is then stale). */
 export interface ContactEnd {
     shapeA: ShapeId;
     shapeB: ShapeId;
@@ -796,267 +826,284 @@ export interface ContactEnd {
     bodyB: BodyId;
 }
 
-/** Two shapes began to touch with an approach speed of at least WorldDef.hitSpeed. */
+/** Two shapes began to touch with an approach speed of at least `WorldDef.hitSpeed`. */
 export interface ContactHit {
     shapeA: ShapeId;
     shapeB: ShapeId;
     bodyA: BodyId;
     bodyB: BodyId;
-    /** Meters, world space. */
+    /** Point of contact, meters, world space. */
     point: Vec3;
-    /** Unit, from A to B. */
+    /** Unit normal, from A to B. */
     normal: Vec3;
-    /** m/s, > 0. */
+    /** Approach speed, m/s, > 0. */
     approachSpeed: number;
     /**
-     * When they met: seconds after the beginning of the last step, 0 to its length (but for rounding). Of what bounces
-     * or passes far in a step, the moment of the impact, on a straight way through the step: with gravity at 60 Hz that
-     * is within 0.4 mm of the true way. Of what comes to rest on something, and of bodies that touch others already or
-     * hang on joints: when the gap would close at the approach speed with which the step (or the pass of it, where
-     * something spins) began, without what forces and other contacts do until then; at the end of it at the latest, as
-     * the solver may stop it a substep early, and at its beginning if they overlapped by then. Hits are not listed in
-     * its order. (0 to the step)
+     * Time of the hit: seconds after the beginning of the last step, 0 to the step's length (except for rounding). Hits
+     * are not sorted by it. For bodies that bounce, or that move far within the step, it is the time of impact on a
+     * straight path through the step; at 60 Hz under gravity this path is within 0.4 mm of the true one. For bodies
+     * that come to rest, that already touch others, or that have joints, it is the time at which the gap would close at
+     * the approach speed at the beginning of the step (of the current pass through the step where a body spins),
+     * ignoring forces and other contacts until then. It is then limited to the end of the step, because the solver may
+     * stop the approach a substep early, and is 0 if the shapes overlapped at the beginning.
      */
     time: number;
     /**
-     * Of a mesh or height field, where it was hit: the number of its material there (0: that of the shape). Of other
-     * shapes 0.
+     * Number of the material of the mesh or height field where it was hit (0: the material of the shape); 0 for other
+     * shapes.
      */
     surfaceMaterial: number;
 }
 
 /**
- * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). Triggers see what is on dynamic and kinematic
- * bodies, characters too; those on dynamic and kinematic bodies see static ones as well. They do not see each other. It
- * is seen at the beginning of each step: what comes in is told after the next one. What passes through within a step
- * has both events in that one, behind those of the beginning, in the order of their times. Handles of what was removed
- * are stale.
+ * A shape began or ceased to overlap a trigger (`ShapeDef.isTrigger`). Every trigger detects shapes of dynamic and
+ * kinematic bodies, including characters; triggers on dynamic and kinematic bodies detect shapes of static bodies as
+ * well. Triggers do not detect each other. Overlaps are tested at the beginning of each step, so that a shape that
+ * enters in one step is reported by the next. A shape that enters and leaves within one step has both events in that
+ * step; these are listed after those found at its beginning, sorted by time. Handles of removed shapes are stale.
  */
 export interface TriggerEvent {
     trigger: ShapeId;
     other: ShapeId;
     triggerBody: BodyId;
     otherBody: BodyId;
-    /** true: it came in; false: it left, or one of the two was removed. */
+    /** true: the shape entered; false: it left, or one of the two shapes was removed. */
     inside: boolean;
     /**
-     * Seconds after the beginning of the last step, 0 to its length: 0 for what is seen there; of what passes within
-     * it, when it came in and when it left, on the way that it took. (0 to the step)
+     * Seconds after the beginning of the last step, 0 to the step's length. It is 0 for overlaps found at the
+     * beginning; for a shape that passes through within the step, it is the time at which the shape, on its path,
+     * entered or left.
      */
     time: number;
 }
 
-/** A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale. */
+/**
+ * A joint was removed by the engine: it broke under its load, or one of its bodies was destroyed. Its handle is stale.
+ */
 export interface JointEvent {
     joint: JointId;
-    /** Null: the world. */
+    /** Null stands for the world. */
     bodyA: BodyId;
-    /** Null: the world. */
+    /** Null stands for the world. */
     bodyB: BodyId;
-    /** false: a body was destroyed. */
+    /** true: it exceeded its break force or torque; false: one of its bodies was destroyed. */
     broke: boolean;
-    /** N: at which it broke. */
+    /** N: force at which it broke. */
     force: number;
-    /** N m: likewise. */
+    /** N m: torque at which it broke. */
     torque: number;
-    /** Of its definition. */
+    /** The `userData` from the definition of the joint. */
     userData: bigint;
 }
 
 /** A body fell asleep or woke up. */
 export interface SleepEvent {
     body: BodyId;
-    /** false: it woke up. */
+    /** true: it fell asleep; false: it woke up. */
     asleep: boolean;
 }
 
-/** One point of a contact. */
+/** One contact point of a contact manifold. */
 export interface ContactPoint {
-    /** Midway between the two surfaces, meters. */
+    /** Midway between the two surfaces, meters, world space. */
     point: Vec3;
     /** Meters; negative when the shapes overlap. */
     separation: number;
-    /** N s during the last step, >= 0. Divide by the step for the mean force. */
+    /** N s: normal impulse during the last step, >= 0. Divided by the length of the step it is the mean force. */
     normalImpulse: number;
 }
 
 /**
- * A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the surfaces
- * of several of its faces, in several of these, one for each normal and material.
+ * A contact manifold of a touching pair of shapes, after the last step. A shape that touches a mesh or height field may
+ * have several manifolds with it, one for each normal and material.
  */
 export interface Contact {
     shapeA: ShapeId;
     shapeB: ShapeId;
     bodyA: BodyId;
     bodyB: BodyId;
-    /** Unit, from A to B. */
+    /** Unit normal, from A to B. */
     normal: Vec3;
-    /** N s on B during the last step, world axes. */
+    /** N s: friction impulse on B during the last step, world axes. */
     frictionImpulse: Vec3;
-    /** 1 to 4. */
+    /** Number of contact points, 1 to 4. */
     pointCount: number;
-    /** The first `pointCount` of them. */
+    /** The contact points; only the first `pointCount` elements are valid. */
     points: ContactPoint[];
-    /** Of a mesh or height field there: the number of its material (0: that of the shape). Of other shapes 0. */
+    /**
+     * Number of the material of the mesh or height field at the contact (0: the material of the shape); 0 for other
+     * shapes.
+     */
     surfaceMaterial: number;
 }
 
-/** Settings of a world. All may be changed later through `World.setSettings`. */
+/** Settings of a world. All may be changed later with `World.setSettings`. */
 export interface WorldDef {
-    /** m/s^2, finite. */
+    /** Acceleration of gravity, m/s^2, finite. */
     gravity?: Vec3Like;
     /**
-     * Solver substeps of one step, 1 to 256; or 0: as many as make them no longer than 1/360 s (6 at 60 Hz, 2 at 240
-     * Hz). (0 to 256)
+     * Number of solver substeps in a step, 0 to 256. 0: as many as are needed for substeps of at most 1/360 s (6 at 60
+     * Hz, 2 at 240 Hz).
      */
     substeps?: number;
     /**
-     * Take more in islands that ask for it: with joints (no longer than 1/660 s), high mass ratios, tall stacks, bodies
-     * less than 10 cm wide.
+     * true: more substeps for islands that need them: with joints (substeps of at most 1/660 s), high mass ratios, tall
+     * stacks, or bodies less than 10 cm wide.
      */
     adaptiveSubsteps?: boolean;
     /** How free motion is integrated. */
     integrator?: Integrator;
-    /** Islands at rest stop costing time. */
+    /** true: islands at rest fall asleep, and then cost no time. */
     enableSleep?: boolean;
-    /** m/s; a body slower than this at its surface may sleep. >= 0. */
+    /** m/s, >= 0: a body is at rest if no point of its surface is faster. */
     sleepSpeed?: number;
-    /** s at rest before an island sleeps, unless it gains speed steadily. >= 0. */
+    /** s, >= 0: time at rest before an island falls asleep, unless its speed grows steadily. */
     sleepTime?: number;
-    /** m/s; slower impacts do not bounce. >= 0. */
+    /** m/s, >= 0: slower impacts do not bounce. */
     restitutionSpeed?: number;
-    /** m/s; least approach speed for a hit event. >= 0. */
+    /** m/s, >= 0: least approach speed for a hit event. */
     hitSpeed?: number;
-    /** m/s; overlaps are pushed apart no faster than this. > 0. */
+    /** m/s, > 0: greatest speed at which overlapping shapes are pushed apart. */
     recoverySpeed?: number;
-    /** m/s; faster bodies are slowed to this, and counted. > 0, at most 1e15. */
+    /** m/s, > 0, at most 1e15: higher speeds are reduced to this, and counted (`Statistics.clampedSpeeds`). */
     maxLinearSpeed?: number;
-    /** rad/s; likewise. (> 0) */
+    /** rad/s, > 0: higher angular speeds are reduced to this, and counted. */
     maxAngularSpeed?: number;
 }
 
 /**
- * A field that acts on every dynamic body: an acceleration or a force, evaluated at its center of mass, or a fluid,
- * which fills a box below its level surface, lifts what is in it by the weight of what that displaces, and resists
- * motion against it.
+ * A field that acts on all dynamic bodies: an acceleration or a force, evaluated at the center of mass of each body, or
+ * a fluid. A fluid (water, oil, air) fills a box below its surface, which is the plane through `center` perpendicular
+ * to the world's gravity. Buoyancy equals the weight of the displaced fluid in the world's gravity (Archimedes). Drag
+ * is computed over the surface of a body: a surface element that moves into the fluid with the normal speed s is pushed
+ * back with a pressure of drag x density x s^2 / 2, and one that moves along the fluid with the tangential speed t with
+ * a shear stress of skinFriction x density x t^2 / 2. A part of the fluid moves along with a body (`addedMass`). There
+ * are no waves, but a body that bobs loses energy as if it made waves (`waveDamping`). A fluid acts on solid shapes,
+ * not on triggers. At the sides of the box it acts on the part of a shape that is inside the box; at its bottom, on
+ * shapes whose middle is above the bottom. Where fluids overlap, both act.
  */
 export interface ForceField {
-    /** What it does. */
+    /** The kind of the field. */
     kind?: ForceFieldKind;
-    /** Uniform: acceleration in m/s^2 (or force in N, see `isForce`). Fluid: m/s. (m/s^2 or N or m/s) */
+    /** m/s^2 or N or m/s. Uniform: acceleration, or force if `isForce`. Fluid: velocity of its flow. */
     direction?: Vec3Like;
-    /** Radial: the point that attracts, meters. Fluid: the middle of its surface. */
+    /** Radial: the center of attraction, meters. Fluid: the middle of its surface, meters. */
     center?: Vec3Like;
-    /** Radial: m/s^2 (or N) at a distance of one meter; negative repels. (m/s^2 or N) */
+    /** Radial: acceleration or force (m/s^2 or N) at a distance of 1 m; negative: repulsion. */
     strength?: number;
-    /** Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1. (-2, -1, 0 or 1) */
+    /** Radial: -2, -1, 0 or 1. -2 is point gravity, 0 is constant, 1 is a spring. */
     exponent?: number;
-    /** false: an acceleration, equal for all masses; true: a force. */
+    /** Uniform, radial: false: an acceleration, the same for all masses; true: a force. */
     isForce?: boolean;
     /**
-     * Fluid: how far it reaches from `center` along the axes of the world, meters, > 0; may be infinite. Along the axis
-     * nearest to gravity it is the depth.
+     * Fluid: half extents of its box along the world axes, from `center`, meters, > 0; may be infinite. Along the axis
+     * closest to the direction of gravity it is the depth.
      */
     halfExtents?: Vec3Like;
-    /** Fluid: kg/m^3, >= 0. The default is that of water. */
+    /** Fluid: kg/m^3, >= 0. The default is the density of water. */
     density?: number;
-    /** Fluid: coefficient of what is pushed ahead, >= 0. That of a plate; a ball has half of it. */
+    /** Fluid: coefficient of pressure drag, >= 0. A plate has this drag coefficient, a ball half of it. */
     drag?: number;
-    /** Fluid: coefficient of what is dragged along, >= 0. */
+    /** Fluid: coefficient of skin friction, >= 0. */
     skinFriction?: number;
-    /** Fluid: how much of it moves along, >= 0, of what a body displaces; a ball: 0.5. */
+    /**
+     * Fluid: mass of fluid that moves along with a body, as a fraction of the displaced mass, >= 0; for a ball it is
+     * 0.5.
+     */
     addedMass?: number;
-    /** Fluid: how fast bobbing is lost to waves, >= 0, of critical damping. */
+    /** Fluid: damping of bobbing by waves, as a fraction of critical damping, >= 0. */
     waveDamping?: number;
 }
 
-/** Wall-clock time of the stages of the last step, in milliseconds. */
+/**
+ * Wall-clock time of the stages of the last step, in milliseconds. Not part of snapshots: 0 after a world is restored.
+ */
 export interface StageTimes {
-    /** Pairs of bounds. (ms) */
+    /** Broad phase: pairs of shapes whose bounds overlap, ms. */
     broadPhase: number;
-    /** Contact points. (ms) */
+    /** Narrow phase: contact points, ms. */
     narrowPhase: number;
-    /** What is solved together. (ms) */
+    /** Islands: bodies that are solved together, ms. */
     islands: number;
-    /** Rows of the solver. (ms) */
+    /** Preparation of constraint rows, ms. */
     prepare: number;
-    /** Substeps. (ms) */
+    /** Substeps of the solver, ms. */
     solve: number;
-    /** New places, events, sleep. (ms) */
+    /** New poses of bodies, events, sleeping, ms. */
     finalize: number;
-    /** The whole step. (ms) */
+    /** The whole step, ms. */
     total: number;
 }
 
 /** Counts and times of the last step. */
 export interface Statistics {
-    /** Steps since the world was made. */
+    /** Steps since the world was created. */
     steps: bigint;
-    /** Simulated seconds since then. */
+    /** Simulated time since then, s. */
     time: number;
-    /** All of them. */
+    /** Number of bodies. */
     bodies: number;
-    /** Those that forces move. */
+    /** Number of dynamic bodies. */
     dynamicBodies: number;
-    /** Those that are not asleep. */
+    /** Number of bodies that are awake. */
     awakeBodies: number;
-    /** All of them. */
+    /** Number of shapes. */
     shapes: number;
-    /** Pairs whose bounds overlap. */
+    /** Pairs of shapes whose bounds overlap. */
     candidatePairs: number;
     /**
-     * Of those, how many the last step has tested. The others were well apart or asleep, or their bodies have moved by
-     * a few millimeters at most since they were.
+     * How many of these pairs the narrow phase tested in the last step. The others were well separated or asleep, or
+     * their bodies have moved by at most a few millimeters since their last test.
      */
     testedPairs: number;
-    /** Touching pairs of shapes, asleep ones included. */
+    /** Touching pairs of shapes, including sleeping ones. */
     contacts: number;
-    /** Their points. */
+    /** Contact points of these pairs. */
     contactPoints: number;
     /** Awake islands. */
     islands: number;
     /** Islands that are asleep. */
     sleepingIslands: number;
-    /** Colors of contacts, which are solved one after the other. */
+    /** Colors of the constraint graph; contacts of different colors are solved in turn. */
     colors: number;
-    /** Contacts that found no free color, solved one by one. */
+    /** Contacts for which no color of the constraint graph was free; they are solved one by one. */
     overflowContacts: number;
-    /** Since the world was made: velocities cut to the maximum. */
+    /** How many times since the world was created a speed was reduced to the maximum. */
     clampedSpeeds: bigint;
-    /** Most substeps that any island took. */
+    /** Greatest number of substeps of any awake island. */
     maxSubsteps: number;
     /** Deepest overlap, meters, >= 0. */
     maxPenetration: number;
-    /** In the last step: pairs looked at along their ways, as one moved far. */
+    /** Pairs tested along their paths in the last step, because one of the bodies moved far. */
     sweptPairs: number;
-    /** In the last step: impacts of bodies in flight, several of one body included. */
+    /** Impacts of bodies in free flight in the last step; one body may have several. */
     impacts: number;
-    /** In the last step: bodies held where they met what the solver did not know. */
+    /** Bodies that were stopped in the last step where they met a shape with which the solver had no contact. */
     stoppedBodies: number;
-    /** Of the last step. */
+    /** Times of the stages of the last step. */
     times: StageTimes;
 }
 
-/** What the bytes of a snapshot are for. */
+/** How the size of a snapshot, in bytes, is made up. */
 export interface SnapshotSizes {
     /**
-     * The dynamic state of the bodies and their shapes: place, rotation, velocities, where they came to rest, island,
-     * time to sleep, forces. (bytes)
+     * Dynamic state of the bodies and their shapes: position, rotation, velocities, the pose at which they came to
+     * rest, island, time at rest, forces. (bytes)
      */
     bodies: number;
-    /** Pairs of shapes: points, and the impulses that the next step starts from. (bytes) */
+    /** Pairs of shapes: contact points, and the impulses for warm starting the next step. (bytes) */
     contacts: number;
-    /** Impulses that the next step starts from, and positions. (bytes) */
+    /** Impulses for warm starting the next step, and positions. (bytes) */
     joints: number;
-    /** Boxes, their tree, and the list of pairs. (bytes) */
+    /** Bounding boxes, their trees, and the list of pairs. (bytes) */
     broadPhase: number;
-    /** Header, counters, events that the next step will report. (bytes) */
+    /** Header, counters, and events that the next step will report. (bytes) */
     other: number;
-    /** Once for all snapshots that share them. (bytes) */
+    /** The definitions, which many snapshots may share. (bytes) */
     definitions: number;
 }
 
-/** Any shape. A compound is a body with several of them. */
+/** Any shape. A compound is a body with several shapes. */
 export type Shape =
     | ({ kind: 'sphere' } & Sphere)
     | ({ kind: 'box' } & Box)
@@ -1167,136 +1214,186 @@ export class Body {
     /** How the body moves. Setting: Makes the body static, kinematic or dynamic. */
     get type(): BodyType;
     set type(value: BodyType);
-    /** The name of its definition. Setting: For people; need not be unique. */
+    /**
+     * The name of the body, as in `BodyDef.name`. Setting: Sets the name, for display and `World.findBody`; it need not
+     * be unique.
+     */
     get name(): string;
     set name(value: string);
-    /** The number of its definition. */
+    /** The number that the application stored in `BodyDef.userData`. */
     get userData(): bigint;
     /**
-     * Origin of the body's frame, meters. Setting: Teleports the origin of the body's frame: velocities stay, contacts
-     * are found anew.
+     * Origin of the body's frame, meters. Setting: Teleports the origin of the body's frame: velocities stay, and
+     * contacts are detected afresh in the next step.
      */
     get position(): Vec3;
     set position(value: Vec3Like);
     /**
-     * Rotation of the body's frame, of unit length. Setting: Turns the body in place: velocities stay, contacts are
-     * found anew. Normalized on entry; must not be zero.
+     * Rotation of the body's frame, of unit length. Setting: Rotates the body about its origin at once: velocities
+     * stay, and contacts are detected afresh in the next step. Normalized on entry; must not be zero.
      */
     get rotation(): Quat;
     set rotation(value: QuatLike);
-    /** Place and rotation of the body's frame. */
+    /** Position and rotation of the body's frame. */
     get transform(): Complete<Transform>;
-    /** In world space, meters; of kinematic bodies, their origin, if not given. */
+    /**
+     * Center of mass in world space, meters. For a kinematic body: its origin, unless `BodyDef.massProperties` gave a
+     * center of mass.
+     */
     get centerOfMass(): Vec3;
-    /** Of the center of mass, m/s. Setting: Sets the velocity of the center of mass, m/s. Not of static bodies. */
+    /**
+     * Velocity of the center of mass, m/s. Setting: Sets the velocity of the center of mass, m/s. Refused (wrongState)
+     * for static bodies.
+     */
     get linearVelocity(): Vec3;
     set linearVelocity(value: Vec3Like);
-    /** rad/s. Setting: Sets the angular velocity, rad/s, world axes. Not of static bodies. */
+    /**
+     * Angular velocity in world axes, rad/s. Setting: Sets the angular velocity, rad/s, world axes. Refused
+     * (wrongState) for static bodies.
+     */
     get angularVelocity(): Vec3;
     set angularVelocity(value: Vec3Like);
-    /** Of the body's material at a world point, m/s. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Velocity of the body's material at a point in world space, m/s. Throws invalidHandle, invalidValue, wrongState.
+     */
     velocityAt(point: Vec3Like): Vec3;
-    /** kg; +infinity for static and kinematic bodies. */
+    /** Mass, kg; +infinity for static and kinematic bodies. */
     get mass(): number;
     /**
-     * Mass, center of mass and inertia, as set or computed from the shapes. Setting: Replaces the mass properties; they
-     * no longer follow the shapes. Dynamic bodies only.
+     * Mass, center of mass and inertia, as set or computed from the shapes. Setting: Sets the mass properties, which
+     * then do not follow the shapes. Dynamic bodies only; refused (wrongState) for others.
      */
     get massProperties(): Complete<MassProperties>;
     set massProperties(value: MassProperties);
-    /** About the center of mass, world axes, kg m^2. */
+    /** Inertia tensor about the center of mass, world axes, kg m^2. */
     get worldInertia(): number[];
-    /** About the center of mass, kg m^2/s. */
+    /** Angular momentum about the center of mass, kg m^2/s. */
     get angularMomentum(): Vec3;
-    /** Linear and rotational, J; 0 for static and kinematic bodies. */
+    /** Linear and rotational kinetic energy, J; 0 for static and kinematic bodies. */
     get kineticEnergy(): number;
-    /** What gravity is multiplied with for this body. Setting: Multiplies gravity for this body; any finite value. */
+    /**
+     * The factor by which gravity is multiplied for this body. Setting: Sets the factor by which gravity is multiplied
+     * for this body; any finite value.
+     */
     get gravityScale(): number;
     set gravityScale(value: number);
-    /** 1/s. */
+    /** Damping of the linear velocity, 1/s. */
     get linearDamping(): number;
-    /** 1/s. */
+    /** Damping of the angular velocity, 1/s. */
     get angularDamping(): number;
-    /** Static bodies never are; kinematic ones are while they move. */
+    /**
+     * Whether the body is awake. A static or disabled body never is; a kinematic body is while one of its velocities is
+     * not zero.
+     */
     get isAwake(): boolean;
-    /** Whether it may fall asleep. Setting: false: the body and its island never fall asleep. */
+    /** Whether the body may fall asleep. Setting: false: the body and its island never fall asleep. */
     get allowSleep(): boolean;
     set allowSleep(value: boolean);
     /**
-     * Whether it takes part in the world. Setting: Takes a body out of the world and puts it back, with its shapes,
-     * joints and handles as they are: for what is used again and again, or not yet. What is disabled does not move and
-     * keeps its velocities; nothing touches it, queries do not see it, its joints do not act, and energies and momenta
-     * are without it. All of it may be changed, but nothing can push it: forces and impulses are refused (wrongState).
-     * What it touched ends with a ContactEnd, and wakes; where it is put back into something, it is pushed out as what
-     * is made there.
+     * Whether the body takes part in the simulation. Setting: Takes the body out of the simulation (false) or puts it
+     * back (true), and keeps its shapes, joints and handles. This suits bodies that are reused often, or that are
+     * needed only later. A disabled body does not move but keeps its velocities; it has no contacts, queries do not
+     * find it, its joints do not act, and energies and momenta of the world exclude it. Its properties may be changed,
+     * but forces and impulses are refused (wrongState). When it is disabled, its contacts end with a ContactEnd, and
+     * the bodies that it touched wake. If it overlaps others when it is enabled, it is pushed out of them like a newly
+     * created body.
      */
     get enabled(): boolean;
     set enabled(value: boolean);
-    /** Its shapes, oldest first. */
+    /** The shapes of the body, oldest first. */
     get shapes(): ShapeId[];
-    /** Teleports the body: velocities stay, contacts are found anew. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Teleports the body: its velocities stay, and its contacts are detected afresh in the next step. Throws
+     * invalidHandle, invalidValue, wrongState.
+     */
     setTransform(position: Vec3Like, rotation: QuatLike): void;
     /**
-     * Kinematic bodies: sets the velocities that bring the body to `target` in `seconds` (> 0). Throws invalidHandle,
-     * invalidValue, wrongState.
+     * Sets the velocities of a kinematic body such that it reaches `target` after `seconds` (> 0). It keeps these
+     * velocities afterwards. Refused (wrongState) for bodies of other types. Throws invalidHandle, invalidValue,
+     * wrongState.
      */
     moveTo(target: Transform, seconds: number): void;
-    /** 1/s, >= 0: the velocities decay as v' = -damping v. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Sets the damping of the linear and angular velocity, 1/s, >= 0: velocities decay as v' = -damping v. Throws
+     * invalidHandle, invalidValue, wrongState.
+     */
     setDamping(linear: number, angular: number): void;
     /**
-     * Mass properties follow the shapes' densities again, scaled to `mass` if given. Throws invalidHandle,
-     * invalidValue, wrongState.
+     * Makes the mass properties follow the densities of the shapes again, scaled to a total of `mass` (kg, > 0) if it
+     * is given. Dynamic bodies only; refused (wrongState) for others. Throws invalidHandle, invalidValue, wrongState.
      */
     setMassFromShapes(mass?: number | null): void;
     /** Wakes the body and its island. Throws invalidHandle, wrongState. */
     wake(): void;
     /**
-     * Brings a dynamic body to rest and lets it sleep from the next step on, as it is, even in the air: before anything
-     * moves, provided that all that touches it or is joined to it was told so, too, and may sleep. A level that is made
-     * asleep costs nothing until something comes; then it settles like anything that is made. What moves or pushes the
-     * body in between wakes it, as ever. Throws invalidHandle, wrongState.
+     * Sets the velocities of a dynamic body to zero and puts it to sleep at the beginning of the next step, at its
+     * present place, even in the air. This requires that `sleep` was called for all bodies of its island, that is, also
+     * for those that it touches or is joined to, and that all of them may sleep. A level that is created asleep costs
+     * no time until something wakes it; then it settles like newly created bodies. Calls that move or push the body
+     * before that step wake it as usual. No effect on other types of bodies, and where `WorldDef.enableSleep` is false.
+     * Throws invalidHandle, wrongState.
      */
     sleep(): void;
-    /** N, at the center of mass; acts during the next step only. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Adds a force, N, at the center of mass; it acts during the next step only. Throws invalidHandle, invalidValue,
+     * wrongState.
+     */
     addForce(force: Vec3Like): void;
-    /** N, at a world point; next step only. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Adds a force, N, at a point in world space; it acts during the next step only. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
     addForceAt(force: Vec3Like, point: Vec3Like): void;
-    /** N m; next step only. Throws invalidHandle, invalidValue, wrongState. */
+    /** Adds a torque, N m; it acts during the next step only. Throws invalidHandle, invalidValue, wrongState. */
     addTorque(torque: Vec3Like): void;
-    /** N s, at the center of mass; changes the velocity at once. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Applies an impulse, N s, at the center of mass; it changes the velocity at once. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
     applyImpulse(impulse: Vec3Like): void;
-    /** N s, at a world point. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Applies an impulse, N s, at a point in world space; it changes the velocities at once. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
     applyImpulseAt(impulse: Vec3Like, point: Vec3Like): void;
-    /** N m s. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * Applies an angular impulse, N m s; it changes the angular velocity at once. Throws invalidHandle, invalidValue,
+     * wrongState.
+     */
     applyAngularImpulse(impulse: Vec3Like): void;
     /** Whether the body is a character. */
     get isCharacter(): boolean;
     /**
-     * How the character moves (wrongState unless it is one). Setting: Makes a kinematic body a character, or changes
-     * how one moves. From then on its velocities are those with which each step moves it, and setting its linear
-     * velocity throws it: upwards, it leaves the ground.
+     * The definition of the character. Refused (wrongState) if the body is no character. Setting: Makes a kinematic
+     * body a character, or changes the definition of a character. From then on each step sets the velocities of the
+     * body to those with which it moves the character. Setting its linear velocity then throws the character: with an
+     * upward velocity, it leaves the ground.
      */
     get character(): Complete<CharacterDef>;
     set character(value: CharacterDef);
-    /** It is an ordinary kinematic body again, at rest. Throws invalidHandle, wrongState. */
+    /** Makes the character an ordinary kinematic body again, at rest. Throws invalidHandle, wrongState. */
     removeCharacter(): void;
     /**
-     * Where the character wants to go, m/s. Setting: Where a character wants to go, m/s, until it is set anew: over the
-     * ground, with this speed and, seen from above, in this direction, beside the motion of the ground itself. What of
-     * it leads up or down counts for those alone that fly.
+     * The velocity with which the character tries to move, m/s, relative to the ground. Refused (wrongState) if the
+     * body is no character. Setting: Sets the velocity with which a character tries to move, m/s, relative to the
+     * ground; it holds until the next call. The character moves along the ground with this speed, in this direction as
+     * seen from above. The component along `CharacterDef.up` is used only if the character flies
+     * (`CharacterDef.flies`).
      */
     get walkVelocity(): Vec3;
     set walkVelocity(value: Vec3Like);
     /**
-     * In the next step, a character that stands on the ground leaves it with this speed, m/s, > 0; others do not.
-     * Throws invalidHandle, invalidValue, wrongState.
+     * A character that stands on the ground leaves it in the next step with this upward speed, m/s, > 0. No effect on a
+     * character that does not stand then. Throws invalidHandle, invalidValue, wrongState.
      */
     jump(speed: number): void;
-    /** How the character moves and what it is on, as it stood after the last step. */
+    /**
+     * The motion and support of the character after the last step. Refused (wrongState) if the body is no character.
+     */
     get characterState(): CharacterState;
-    /** Those of one body, oldest first. */
+    /** The joints of one body, oldest first. */
     get joints(): JointId[];
-    /** Those of one body. */
+    /** The contact manifolds of one body. */
     get contacts(): Contact[];
 }
 
@@ -1378,99 +1475,109 @@ export class World {
     dispose(): void;
     [Symbol.dispose](): void;
     /**
-     * Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose shapes have
-     * no mass at all is a point of its given mass, or of 1 kg, that does not turn. Planes are refused on dynamic
-     * bodies. Throws invalidHandle, invalidValue, wrongState.
+     * Adds a shape to a body and, unless its mass properties were given, updates these. A dynamic body whose shapes
+     * have no mass has its given mass, or 1 kg, at a point, and does not rotate. Planes, meshes and height fields are
+     * refused on dynamic bodies (wrongState). Throws invalidHandle, invalidValue, wrongState.
      */
     addShape(body: BodyId | Body | null, shape: Shape, definition?: ShapeDef): ShapeId;
     /**
-     * Takes a shape off its body, whose mass properties follow unless they were given. Throws invalidHandle,
-     * wrongState.
+     * Removes a shape from its body and, unless the mass properties of the body were given, updates these. Throws
+     * invalidHandle, wrongState.
      */
     removeShape(shape: ShapeId | null): void;
     /**
-     * Gives a shape another geometry, in place: its handle and all that its definition says stay. The mass of the body
-     * follows as when a shape is added. What it touches then goes on touching it, without events, as long as it is of
-     * the same type; else its contacts end and begin anew. What overlaps it then is pushed out, no faster than
-     * `WorldDef.recoverySpeed`: ground that rises carries what is on it if it rises more slowly than that, and by less
-     * than the height of that in one call. Wakes its body and what is around the shape, before and after. Throws
-     * invalidHandle, invalidValue, wrongState.
+     * Replaces the geometry of a shape; its handle and its definition stay. The mass of the body is updated as when a
+     * shape is added. If the new geometry is of the same type, contacts with shapes that it still touches continue
+     * without events; otherwise its contacts end and begin anew. Shapes that overlap the new geometry are pushed out
+     * with at most `WorldDef.recoverySpeed`. Rising ground therefore carries the bodies on it if it rises more slowly
+     * than that, and in one call by less than the height of the body. Wakes the body of the shape, and bodies around
+     * the old and the new geometry. Throws invalidHandle, invalidValue, wrongState.
      */
     setShape(shape: ShapeId | null, geometry: Shape): void;
     /**
-     * Gives a shape another definition, in place: place on its body, density, material, filter, and what else that
-     * says; to change a part of it, begin with the one that it has. Its contacts end and begin anew where `isTrigger`
-     * or `filter` is not what it was; else as when its geometry is set. Throws invalidHandle, invalidValue, wrongState.
+     * Replaces the definition of a shape in the same way as its geometry: its pose on the body, density, material,
+     * filter, and so on. To change only a part of it, begin with the present definition. Its contacts end and begin
+     * anew if `isTrigger` or `filter` changes. Throws invalidHandle, invalidValue, wrongState.
      */
     setShapeDef(shape: ShapeId | null, definition: ShapeDef): void;
-    /** The body that a shape is on. Throws invalidHandle, wrongState. */
+    /** The body to which a shape belongs. Throws invalidHandle, wrongState. */
     bodyOf(shape: ShapeId | null): BodyId;
-    /** What was added. Throws invalidHandle, wrongState. */
+    /** The geometry of a shape. Throws invalidHandle, wrongState. */
     shape(shape: ShapeId | null): Shape;
-    /** How it is attached to its body, as it is now. Throws invalidHandle, wrongState. */
+    /** The present definition of a shape. Throws invalidHandle, wrongState. */
     shapeDef(shape: ShapeId | null): Complete<ShapeDef>;
-    /** In world space. Throws invalidHandle, wrongState. */
+    /** The pose of a shape in world space. Throws invalidHandle, wrongState. */
     shapeTransform(shape: ShapeId | null): Complete<Transform>;
-    /** Tight; infinite for infinite planes. Throws invalidHandle, wrongState. */
+    /** Tight axis-aligned bounds of a shape, meters; infinite for infinite planes. Throws invalidHandle, wrongState. */
     shapeBounds(shape: ShapeId | null): Complete<Bounds>;
-    /** Replaces the material. Throws invalidHandle, invalidValue, wrongState. */
+    /** Replaces the material of a shape. Throws invalidHandle, invalidValue, wrongState. */
     setMaterial(shape: ShapeId | null, material: Material): void;
-    /** Replaces the collision filter. Throws invalidHandle, invalidValue, wrongState. */
+    /** Replaces the collision filter of a shape. Throws invalidHandle, invalidValue, wrongState. */
     setFilter(shape: ShapeId | null, filter: CollisionFilter): void;
     /**
-     * See `ShapeDef.surfaceVelocity`. Refused (wrongState) for a shape of a dynamic body. Throws invalidHandle,
+     * Sets `ShapeDef.surfaceVelocity`, m/s. Refused (wrongState) for a shape of a dynamic body. Throws invalidHandle,
      * invalidValue, wrongState.
      */
     setSurfaceVelocity(shape: ShapeId | null, velocity: Vec3Like): void;
-    /** All, in order of slot index. */
+    /** All bodies, in order of slot index. */
     get bodies(): BodyId[];
-    /** The first of that name. Throws wrongState. */
+    /** The first body with that name. Throws wrongState. */
     findBody(name: string): BodyId | null;
-    /** Joins two bodies, or a body and the world. Wakes them. Throws invalidValue, wrongState. */
+    /** Joins two bodies, or a body and the world, and wakes them. Throws invalidValue, wrongState. */
     createJoint(definition: JointDef): JointId;
-    /** Takes a joint out of the world and wakes its bodies. Throws invalidHandle, wrongState. */
+    /** Destroys a joint and wakes its bodies. Throws invalidHandle, wrongState. */
     destroyJoint(joint: JointId | null): void;
     /**
-     * Changes limits, motors, springs, or the kind of the joint. Wakes its bodies. Throws invalidHandle, invalidValue,
-     * wrongState.
+     * Replaces the type-specific part of a joint: limits, motors, springs, or its type. Wakes its bodies. Throws
+     * invalidHandle, invalidValue, wrongState.
      */
     setJoint(id: JointId | null, joint: Joint): void;
-    /** N and N m, > 0; may be infinite. Throws invalidHandle, invalidValue, wrongState. */
-    setJointStrength(joint: JointId | null, breakForce: number, breakTorque: number): void;
     /**
-     * A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide,
-     * as if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where they
-     * have parted. Both wake them. Throws invalidHandle, wrongState.
-     */
-    setJointEnabled(joint: JointId | null, enabled: boolean): void;
-    /** What a joint did in the last step. Throws invalidHandle, wrongState. */
-    jointState(joint: JointId | null): JointState;
-    /** All, in order of slot index. */
-    get joints(): JointId[];
-    /** The first of that name. Throws wrongState. */
-    findJoint(name: string): JointId | null;
-    /**
-     * The nearest shape that the ray meets within `maxDistance`. `direction` need not be unit length. A ray that starts
-     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidHandle,
+     * Sets the force (N) and torque (N m) at which a joint breaks, > 0; may be infinite. Throws invalidHandle,
      * invalidValue, wrongState.
      */
+    setJointStrength(joint: JointId | null, breakForce: number, breakTorque: number): void;
+    /**
+     * Disables or enables a joint. A disabled joint keeps its definition and its handle but does not act: its bodies
+     * move and collide as if it had been destroyed. When it is enabled, it starts with zero impulses, and pulls its
+     * bodies together if they have moved apart. Both wake its bodies. Throws invalidHandle, wrongState.
+     */
+    setJointEnabled(joint: JointId | null, enabled: boolean): void;
+    /** Forces, positions and errors of a joint in the last step. Throws invalidHandle, wrongState. */
+    jointState(joint: JointId | null): JointState;
+    /** All joints, in order of slot index. */
+    get joints(): JointId[];
+    /** The first joint with that name. Throws wrongState. */
+    findJoint(name: string): JointId | null;
+    /**
+     * The nearest intersection of a ray with a shape within `maxDistance` (meters). `direction` need not have unit
+     * length. A ray that starts inside a shape does not hit that shape; only one that starts below an infinite plane
+     * hits it, at distance 0. Throws invalidHandle, invalidValue, wrongState.
+     */
     castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit | null;
-    /** Every shape that the ray meets, nearest first. Throws invalidHandle, invalidValue, wrongState. */
+    /**
+     * The intersections of the ray with all shapes within `maxDistance` (meters), nearest first. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
     castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, filter?: QueryFilter): RayHit[];
     /**
-     * The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
-     * turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
-     * (invalidValue). Throws invalidHandle, invalidValue, wrongState.
+     * The first shape that the given convex shape hits when it moves by `translation` (meters) from `start` without
+     * rotation. The accuracy is a millionth of the size of the smaller shape. If they overlap at the start, the
+     * fraction is 0, and point and normal are those of the smallest separating translation; if several shapes overlap,
+     * the one with the lowest slot index is returned. Planes, meshes and height fields are hit from outside only, and
+     * cannot be cast (invalidValue). Throws invalidHandle, invalidValue, wrongState.
      */
     castShape(shape: Shape, start: Transform, translation: Vec3Like, filter?: QueryFilter): ShapeCastHit | null;
     /**
-     * The shape nearest to a point, up to `maxDistance` (meters, >= 0) away. What is below a plane is inside it; meshes
-     * and height fields have no inside. Throws invalidHandle, invalidValue, wrongState.
+     * The shape nearest to a point, at most `maxDistance` (meters, >= 0) away. Points below a plane are inside it;
+     * meshes and height fields have no inside. Throws invalidHandle, invalidValue, wrongState.
      */
     closestPoint(point: Vec3Like, maxDistance: number, filter?: QueryFilter): ClosestPoint | null;
     /**
-     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidHandle,
-     * invalidValue, wrongState.
+     * All shapes that have a point in common with the given shape at `pose` (touching counts), in order of slot index.
+     * A plane is solid below. Rectangles, strips, double-sided planes, meshes and height fields are surfaces without
+     * thickness: a shape that touches or crosses them from any side overlaps them; a shape entirely below does not. Two
+     * surfaces never overlap. Throws invalidHandle, invalidValue, wrongState.
      */
     overlap(shape: Shape, pose: Transform, filter?: QueryFilter): ShapeId[];
     /**
@@ -1479,74 +1586,71 @@ export class World {
      */
     overlapBounds(bounds: Bounds, filter?: QueryFilter): ShapeId[];
     /**
-     * The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
-     * scene is slow: those of least depth first, and no more than `maxCount`. Both >= 0. Throws invalidValue,
-     * wrongState.
+     * The present nodes of the broad phase down to `maxDepth` (>= 0), in order of depth, at most `maxCount` (>= 0): for
+     * visualization, and to find out why a scene is slow. Throws invalidValue, wrongState.
      */
     broadPhaseNodes(maxDepth: number, maxCount: number): BroadPhaseNode[];
     /** How each touching pair of shapes is solved, in the order of `worldGetContacts`. */
     get solverContacts(): SolverContact[];
     /**
-     * What the world consists of as lines, for programs that draw it themselves: bodies in order of slot index, then
-     * contacts, then joints. As many as there are edges: of large meshes and height fields that takes its time. Throws
+     * The contents of the world as lines, for programs with their own renderer: bodies in order of slot index, then
+     * contacts, then joints. There is a line for each edge, which takes time for large meshes and height fields. Throws
      * invalidValue, wrongState.
      */
     debugLines(what?: DebugLinesDef): DebugLine[];
-    /** Shapes that began to touch in the last step. */
+    /** Pairs of shapes that began to touch in the last step. */
     get contactBegins(): ContactBegin[];
-    /** Shapes that ceased to touch in the last step. */
+    /** Pairs of shapes that ceased to touch in the last step. */
     get contactEnds(): ContactEnd[];
-    /** Shapes that hit each other in the last step, at `WorldDef.hitSpeed` or more. */
+    /** Pairs of shapes that hit each other in the last step with an approach speed of at least `WorldDef.hitSpeed`. */
     get contactHits(): ContactHit[];
-    /** What came into triggers and left them in the last step. */
+    /** Shapes that entered or left triggers in the last step. */
     get triggerEvents(): TriggerEvent[];
-    /** Joints that broke or lost a body in the last step, or since. */
+    /** Joints that broke, or of which a body was destroyed, in the last step or since then. */
     get jointEvents(): JointEvent[];
     /** Bodies that fell asleep or woke up in the last step. */
     get sleepEvents(): SleepEvent[];
-    /** All touching pairs. */
+    /** The contact manifolds of all touching pairs of shapes. */
     get contacts(): Contact[];
-    /**
-     * What the world was made with, or was last set to. Setting: Replaces the settings. Wakes everything if gravity
-     * changes.
-     */
+    /** The present settings of the world. Setting: Replaces the settings. Wakes all bodies if gravity changes. */
     get settings(): Complete<WorldDef>;
     set settings(value: WorldDef);
     /**
-     * The substeps of a step of `dt` seconds, finite and > 0, where no island asks for more: `WorldDef.substeps`, or
-     * what its 0 stands for. Throws invalidValue, wrongState.
+     * The number of substeps in a step of `dt` seconds for islands that need no more: `WorldDef.substeps`, or, if that
+     * is 0, the number for which it stands. Refused (invalidValue) unless `dt` is finite and > 0. Throws invalidValue,
+     * wrongState.
      */
     usualSubsteps(dt: number): number;
     /**
-     * The number of threads that a step may use. Setting: The number of threads that a step may use: that of the
-     * caller, and `count` - 1 more that the world keeps. 1 to 256; default 1. Results do not depend on it. Snapshots do
-     * not hold it. Throws outside that range, or when the system has no more threads.
+     * The number of threads that a step may use. Setting: Sets the number of threads that a step may use, 1 to 256: the
+     * caller's, and `count` - 1 that the world keeps. Default: 1. Results do not depend on it, and it is not part of
+     * snapshots. Refused (invalidValue) outside that range, and (unsupported) if the system cannot create the threads.
      */
     get threads(): number;
     set threads(value: number);
-    /** Adds a field that acts on every dynamic body from the next step on. Throws invalidValue, wrongState. */
+    /** Adds a force field, which acts on all dynamic bodies from the next step on. Throws invalidValue, wrongState. */
     addForceField(field: ForceField): ForceFieldId;
-    /** Replaces a field by another one. Throws invalidHandle, invalidValue, wrongState. */
+    /** Replaces a force field by another. Throws invalidHandle, invalidValue, wrongState. */
     setForceField(id: ForceFieldId | null, field: ForceField): void;
-    /** Takes a field out of the world. Throws invalidHandle, wrongState. */
+    /** Removes a force field from the world. Throws invalidHandle, wrongState. */
     removeForceField(id: ForceFieldId | null): void;
-    /** A field, as it is now. Throws invalidHandle, wrongState. */
+    /** The present definition of a force field. Throws invalidHandle, wrongState. */
     forceField(id: ForceFieldId | null): Complete<ForceField>;
-    /** All, in order of slot index. */
+    /** All force fields, in order of slot index. */
     get forceFields(): ForceFieldId[];
-    /** Steps since the world was made. */
+    /** Number of steps since the world was created. */
     get stepCount(): bigint;
-    /** Simulated seconds. */
+    /** Simulated time since the world was created, seconds. */
     get time(): number;
-    /** J, of all dynamic bodies. */
+    /** Kinetic energy of all dynamic bodies, J. */
     get kineticEnergy(): number;
-    /** J in the world's gravity, relative to the origin. */
+    /** Potential energy in the world's gravity, relative to the origin, J. */
     get potentialEnergy(): number;
-    /** kg m/s, of all dynamic bodies. */
+    /** Linear momentum of all dynamic bodies, kg m/s. */
     get linearMomentum(): Vec3;
-    /** kg m^2/s about the origin, of all dynamic bodies. */
+    /** Angular momentum of all dynamic bodies about the origin, kg m^2/s. */
     get angularMomentum(): Vec3;
-    /** Of positions, rotations and velocities, by bits. */
+    /** A hash of the bits of all positions, rotations and velocities. */
     get stateHash(): bigint;
     /** Counts and times of the last step. */
     get statistics(): Statistics;

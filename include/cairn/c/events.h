@@ -20,7 +20,7 @@ typedef struct cairn_contact_begin {
     cairn_body_id body_b;
 } cairn_contact_begin;
 
-/// Two shapes no longer touch, or one of them was removed (its handles are stale then).
+/// Two shapes ceased to touch, or one of them was removed (its handle is then stale).
 typedef struct cairn_contact_end {
     cairn_shape_id shape_a;
     cairn_shape_id shape_b;
@@ -28,118 +28,122 @@ typedef struct cairn_contact_end {
     cairn_body_id body_b;
 } cairn_contact_end;
 
-/// Two shapes began to touch with an approach speed of at least WorldDef::hit_speed.
+/// Two shapes began to touch with an approach speed of at least `WorldDef.hit_speed`.
 typedef struct cairn_contact_hit {
     cairn_shape_id shape_a;
     cairn_shape_id shape_b;
     cairn_body_id body_a;
     cairn_body_id body_b;
-    cairn_position point; ///< Meters, world space.
-    cairn_vec3 normal; ///< Unit, from A to B.
-    float approach_speed; ///< m/s, > 0.
-    /// When they met: seconds after the beginning of the last step, 0 to its length (but for rounding). Of what bounces
-    /// or passes far in a step, the moment of the impact, on a straight way through the step: with gravity at 60 Hz
-    /// that is within 0.4 mm of the true way. Of what comes to rest on something, and of bodies that touch others
-    /// already or hang on joints: when the gap would close at the approach speed with which the step (or the pass of
-    /// it, where something spins) began, without what forces and other contacts do until then; at the end of it at the
-    /// latest, as the solver may stop it a substep early, and at its beginning if they overlapped by then. Hits are not
-    /// listed in its order. (0 to the step)
+    cairn_position point; ///< Point of contact, meters, world space.
+    cairn_vec3 normal; ///< Unit normal, from A to B.
+    float approach_speed; ///< Approach speed, m/s, > 0.
+    /// Time of the hit: seconds after the beginning of the last step, 0 to the step's length (except for rounding).
+    /// Hits are not sorted by it. For bodies that bounce, or that move far within the step, it is the time of impact on
+    /// a straight path through the step; at 60 Hz under gravity this path is within 0.4 mm of the true one. For bodies
+    /// that come to rest, that already touch others, or that have joints, it is the time at which the gap would close
+    /// at the approach speed at the beginning of the step (of the current pass through the step where a body spins),
+    /// ignoring forces and other contacts until then. It is then limited to the end of the step, because the solver may
+    /// stop the approach a substep early, and is 0 if the shapes overlapped at the beginning.
     float time;
-    /// Of a mesh or height field, where it was hit: the number of its material there (0: that of the shape). Of other
-    /// shapes 0.
+    /// Number of the material of the mesh or height field where it was hit (0: the material of the shape); 0 for other
+    /// shapes.
     int surface_material;
 } cairn_contact_hit;
 
-/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). Triggers see what is on dynamic and kinematic
-/// bodies, characters too; those on dynamic and kinematic bodies see static ones as well. They do not see each other.
-/// It is seen at the beginning of each step: what comes in is told after the next one. What passes through within a
-/// step has both events in that one, behind those of the beginning, in the order of their times. Handles of what was
-/// removed are stale.
+/// A shape began or ceased to overlap a trigger (`ShapeDef.is_trigger`). Every trigger detects shapes of dynamic and
+/// kinematic bodies, including characters; triggers on dynamic and kinematic bodies detect shapes of static bodies as
+/// well. Triggers do not detect each other. Overlaps are tested at the beginning of each step, so that a shape that
+/// enters in one step is reported by the next. A shape that enters and leaves within one step has both events in that
+/// step; these are listed after those found at its beginning, sorted by time. Handles of removed shapes are stale.
 typedef struct cairn_trigger_event {
     cairn_shape_id trigger;
     cairn_shape_id other;
     cairn_body_id trigger_body;
     cairn_body_id other_body;
-    bool inside; ///< true: it came in; false: it left, or one of the two was removed.
-    /// Seconds after the beginning of the last step, 0 to its length: 0 for what is seen there; of what passes within
-    /// it, when it came in and when it left, on the way that it took. (0 to the step)
+    bool inside; ///< true: the shape entered; false: it left, or one of the two shapes was removed.
+    /// Seconds after the beginning of the last step, 0 to the step's length. It is 0 for overlaps found at the
+    /// beginning; for a shape that passes through within the step, it is the time at which the shape, on its path,
+    /// entered or left.
     float time;
 } cairn_trigger_event;
 
-/// A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale.
+/// A joint was removed by the engine: it broke under its load, or one of its bodies was destroyed. Its handle is stale.
 typedef struct cairn_joint_event {
     cairn_joint_id joint;
-    cairn_body_id body_a; ///< Null: the world.
-    cairn_body_id body_b; ///< Null: the world.
-    bool broke; ///< false: a body was destroyed.
-    float force; ///< N: at which it broke.
-    float torque; ///< N m: likewise.
-    uint64_t user_data; ///< Of its definition.
+    cairn_body_id body_a; ///< Null stands for the world.
+    cairn_body_id body_b; ///< Null stands for the world.
+    bool broke; ///< true: it exceeded its break force or torque; false: one of its bodies was destroyed.
+    float force; ///< N: force at which it broke.
+    float torque; ///< N m: torque at which it broke.
+    uint64_t user_data; ///< The `user_data` from the definition of the joint.
 } cairn_joint_event;
 
 /// A body fell asleep or woke up.
 typedef struct cairn_sleep_event {
     cairn_body_id body;
-    bool asleep; ///< false: it woke up.
+    bool asleep; ///< true: it fell asleep; false: it woke up.
 } cairn_sleep_event;
 
-/// One point of a contact.
+/// One contact point of a contact manifold.
 typedef struct cairn_contact_point {
-    cairn_position point; ///< Midway between the two surfaces, meters.
+    cairn_position point; ///< Midway between the two surfaces, meters, world space.
     float separation; ///< Meters; negative when the shapes overlap.
-    float normal_impulse; ///< N s during the last step, >= 0. Divide by the step for the mean force.
+    /// N s: normal impulse during the last step, >= 0. Divided by the length of the step it is the mean force.
+    float normal_impulse;
 } cairn_contact_point;
 
-/// A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
-/// surfaces of several of its faces, in several of these, one for each normal and material.
+/// A contact manifold of a touching pair of shapes, after the last step. A shape that touches a mesh or height field
+/// may have several manifolds with it, one for each normal and material.
 typedef struct cairn_contact {
     cairn_shape_id shape_a;
     cairn_shape_id shape_b;
     cairn_body_id body_a;
     cairn_body_id body_b;
-    cairn_vec3 normal; ///< Unit, from A to B.
-    cairn_vec3 friction_impulse; ///< N s on B during the last step, world axes.
-    int point_count; ///< 1 to 4.
-    cairn_contact_point points[4]; ///< The first `point_count` of them.
-    /// Of a mesh or height field there: the number of its material (0: that of the shape). Of other shapes 0.
+    cairn_vec3 normal; ///< Unit normal, from A to B.
+    cairn_vec3 friction_impulse; ///< N s: friction impulse on B during the last step, world axes.
+    int point_count; ///< Number of contact points, 1 to 4.
+    cairn_contact_point points[4]; ///< The contact points; only the first `point_count` elements are valid.
+    /// Number of the material of the mesh or height field at the contact (0: the material of the shape); 0 for other
+    /// shapes.
     int surface_material;
 } cairn_contact;
 
-/// Shapes that began to touch in the last step. `count` gets how many there are; the first `capacity` of them are
-/// written. Errors: wrong_state.
+/// Pairs of shapes that began to touch in the last step. `count` receives their number; the first `capacity` of them
+/// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_begins(const cairn_world* world, cairn_contact_begin* contact_begins,
                                                         size_t capacity, size_t* count);
 
-/// Shapes that ceased to touch in the last step. `count` gets how many there are; the first `capacity` of them are
-/// written. Errors: wrong_state.
+/// Pairs of shapes that ceased to touch in the last step. `count` receives their number; the first `capacity` of them
+/// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_ends(const cairn_world* world, cairn_contact_end* contact_ends,
                                                       size_t capacity, size_t* count);
 
-/// Shapes that hit each other in the last step, at `WorldDef.hit_speed` or more. `count` gets how many there are; the
-/// first `capacity` of them are written. Errors: wrong_state.
+/// Pairs of shapes that hit each other in the last step with an approach speed of at least `WorldDef.hit_speed`.
+/// `count` receives their number; the first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contact_hits(const cairn_world* world, cairn_contact_hit* contact_hits,
                                                       size_t capacity, size_t* count);
 
-/// What came into triggers and left them in the last step. `count` gets how many there are; the first `capacity` of
-/// them are written. Errors: wrong_state.
+/// Shapes that entered or left triggers in the last step. `count` receives their number; the first `capacity` of them
+/// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_trigger_events(const cairn_world* world, cairn_trigger_event* trigger_events,
                                                         size_t capacity, size_t* count);
 
-/// Joints that broke or lost a body in the last step, or since. `count` gets how many there are; the first `capacity`
-/// of them are written. Errors: wrong_state.
+/// Joints that broke, or of which a body was destroyed, in the last step or since then. `count` receives their number;
+/// the first `capacity` of them are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joint_events(const cairn_world* world, cairn_joint_event* joint_events,
                                                       size_t capacity, size_t* count);
 
-/// Bodies that fell asleep or woke up in the last step. `count` gets how many there are; the first `capacity` of them
-/// are written. Errors: wrong_state.
+/// Bodies that fell asleep or woke up in the last step. `count` receives their number; the first `capacity` of them are
+/// written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_sleep_events(const cairn_world* world, cairn_sleep_event* sleep_events,
                                                       size_t capacity, size_t* count);
 
-/// All touching pairs. `count` gets how many there are; the first `capacity` of them are written. Errors: wrong_state.
+/// The contact manifolds of all touching pairs of shapes. `count` receives their number; the first `capacity` of them
+/// are written. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_contacts(const cairn_world* world, cairn_contact* contacts, size_t capacity,
                                                   size_t* count);
 
-/// Those of one body. `count` gets how many there are; the first `capacity` of them are written. Errors:
+/// The contact manifolds of one body. `count` receives their number; the first `capacity` of them are written. Errors:
 /// invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_contacts(const cairn_world* world, cairn_body_id body, cairn_contact* contacts,
                                                  size_t capacity, size_t* count);

@@ -12,198 +12,205 @@
 extern "C" {
 #endif
 
-/// What a limit or drive of a general joint is about.
+/// Whether a limit or drive of a general joint acts on a distance or on an angle.
 typedef int32_t cairn_joint_axis;
 enum {
     CAIRN_JOINT_AXIS_LINEAR = 0, ///< A distance along axes.
     CAIRN_JOINT_AXIS_ANGULAR = 1 ///< An angle about axes.
 };
 
-/// How a joint is solved. Both give the same motion; they differ in cost and stiffness.
+/// How a joint is solved. Both solvers give the same motion; they differ in cost and stiffness.
 typedef int32_t cairn_joint_solver;
 enum {
-    /// Direct in chains, machines, robots whose angles servos hold, and under high mass ratios as long as it pays, and
-    /// where it hangs together with joints that are asked to be direct; else iterative.
+    /// The engine chooses. It solves directly: chains, machines, robots with servo-driven angles, and joints under high
+    /// mass ratios, as long as this is not too expensive; and all joints that connect to joints with `direct`. All
+    /// others are iterative.
     CAIRN_JOINT_SOLVER_AUTOMATIC = 0,
-    /// 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
+    /// Joints are solved in turn (eight at a time, in SIMD lanes), together with the contacts. For nets, and heaps of
+    /// many joints.
     CAIRN_JOINT_SOLVER_ITERATIVE = 1,
-    /// All direct joints that hang together at once. With their motors, springs, friction and limits. For chains,
-    /// machines, robots, and what must not give at all. Gears, racks and pulleys stay iterative; so do all of a net of
-    /// thousands of joints, whose factorization would not end.
+    /// All direct joints that connect bodies are solved as one system of equations, including their motors, springs,
+    /// friction and limits. For chains, machines, robots, and joints that must not yield. Gears, racks and pulleys
+    /// remain iterative, and so do all joints of a net of thousands, whose factorization would take far too long.
     CAIRN_JOINT_SOLVER_DIRECT = 2
 };
 
-/// A damped spring. It is stepped implicitly: any stiffness is stable.
+/// A damped spring. It is integrated implicitly, so that any stiffness is stable.
 typedef struct cairn_joint_spring {
     float stiffness; ///< N/m or N m/rad, >= 0.
     float damping; ///< N s/m or N m s/rad, >= 0.
-    /// true: both are per unit of the mass (or moment of inertia) that the joint moves along that axis, so that the
-    /// motion, not the force, is given.
+    /// true: stiffness (1/s^2) and damping (1/s) are per unit of the mass (or moment of inertia) that the joint moves
+    /// along that axis: they set the motion, whatever the mass. false: they set the force.
     bool is_acceleration;
 } cairn_joint_spring;
 CAIRN_C_API cairn_joint_spring cairn_default_joint_spring(void);
 
-/// The range of a position, m or rad. `lower` = `upper` holds it at one value.
+/// Limits of a position, m or rad. `lower` = `upper` holds it at one value.
 typedef struct cairn_joint_range {
-    float lower; ///< lower <= upper; -infinity and +infinity for no bound. (m or rad)
-    float upper; ///< lower <= upper; -infinity and +infinity for no bound. (m or rad)
+    float lower; ///< m or rad, lower <= upper; -infinity: no bound on that side.
+    float upper; ///< m or rad, lower <= upper; +infinity: no bound on that side.
     bool has_spring; ///< Whether `spring` is given.
-    cairn_joint_spring spring; ///< Pushes back from beyond a bound; absent: rigid.
+    cairn_joint_spring spring; ///< Pulls back a position that is beyond a bound; absent: the limit is rigid.
 } cairn_joint_range;
 CAIRN_C_API cairn_joint_range cairn_default_joint_range(void);
 
-/// What drives an axis: with a spring, towards `position` and `velocity`; without one, it holds the velocity.
+/// Drives an axis. With a spring it pulls towards `position` and `velocity`; without one it keeps the velocity, as far
+/// as `max_force` allows.
 typedef struct cairn_joint_motor {
-    float velocity; ///< m/s or rad/s.
-    float position; ///< m or rad; only with a spring.
+    float velocity; ///< m/s or rad/s: target velocity.
+    float position; ///< m or rad: target position; used only with a spring.
     bool has_spring; ///< Whether `spring` is given.
-    cairn_joint_spring spring; ///< Absent: the motor holds its velocity.
-    float max_force; ///< N or N m, >= 0.
+    cairn_joint_spring spring; ///< Absent: the motor keeps its velocity.
+    float max_force; ///< N or N m, >= 0: greatest force or torque of the motor.
 } cairn_joint_motor;
 CAIRN_C_API cairn_joint_motor cairn_default_joint_motor(void);
 
-/// All that can act along one axis of a joint.
+/// Limits, motor and friction of one axis of a joint. By default the axis is free.
 typedef struct cairn_joint_control {
     bool has_limits; ///< Whether `limits` is given.
     cairn_joint_range limits; ///< Absent: no limits.
     bool has_motor; ///< Whether `motor` is given.
     cairn_joint_motor motor; ///< Absent: no motor.
-    float friction; ///< N or N m, >= 0: dry friction, which holds until it is overcome.
+    float friction; ///< N or N m, >= 0: dry friction. The axis moves only under a greater force or torque.
 } cairn_joint_control;
 CAIRN_C_API cairn_joint_control cairn_default_joint_control(void);
 
-/// B keeps its place and rotation against A.
+/// B keeps its position and rotation relative to A.
 typedef struct cairn_fixed_joint {
-    int unused; ///< Structs of C have a member.
+    int unused; ///< Not used: a C struct needs a member.
 } cairn_fixed_joint;
 CAIRN_C_API cairn_fixed_joint cairn_default_fixed_joint(void);
 
-/// The origins of the frames coincide; B turns freely.
+/// The origins of the two frames coincide; B rotates freely about that point, within the limits.
 typedef struct cairn_ball_joint {
     bool has_cone_angle; ///< Whether `cone_angle` is given.
-    float cone_angle; ///< rad, 0 to pi: greatest angle between the x axes of the two frames.
+    /// rad, 0 to pi: greatest angle between the x axes of the two frames (swing limit); absent: none.
+    float cone_angle;
     bool has_twist; ///< Whether `twist` is given.
-    cairn_joint_range twist; ///< Of the angle about the x axis, -pi to pi.
-    float friction; ///< N m about each axis, >= 0.
+    cairn_joint_range twist; ///< rad, -pi to pi: limits of the angle about the x axis; absent: none.
+    float friction; ///< N m, >= 0: friction torque about each axis.
 } cairn_ball_joint;
 CAIRN_C_API cairn_ball_joint cairn_default_ball_joint(void);
 
-/// B turns about the x axis of A. Its angle is counted on beyond a full turn while a limit, motor or friction acts on
-/// it; without any it is between -pi and pi.
+/// B rotates about the x axis of A. While a limit, motor or friction acts on the angle, it counts full turns; otherwise
+/// it is between -pi and pi.
 typedef struct cairn_hinge_joint {
-    cairn_joint_control angle; ///< About the x axis of A.
+    cairn_joint_control angle; ///< Angle about the x axis of A.
 } cairn_hinge_joint;
 CAIRN_C_API cairn_hinge_joint cairn_default_hinge_joint(void);
 
-/// B moves along the x axis of A without turning.
+/// B moves along the x axis of A and does not rotate relative to A.
 typedef struct cairn_slider_joint {
-    cairn_joint_control translation; ///< Along the x axis of A.
+    cairn_joint_control translation; ///< Translation along the x axis of A.
 } cairn_slider_joint;
 CAIRN_C_API cairn_slider_joint cairn_default_slider_joint(void);
 
-/// B moves along the x axis of A and turns about it.
+/// B moves along the x axis of A and rotates about it.
 typedef struct cairn_cylindrical_joint {
-    cairn_joint_control translation; ///< Along the x axis of A.
-    cairn_joint_control angle; ///< About the x axis of A.
+    cairn_joint_control translation; ///< Translation along the x axis of A.
+    cairn_joint_control angle; ///< Angle about the x axis of A.
 } cairn_cylindrical_joint;
 CAIRN_C_API cairn_cylindrical_joint cairn_default_cylindrical_joint(void);
 
-/// A cross of two axes at a right angle: A turns about its x axis, B about its y axis (a Cardan joint).
+/// A universal (Cardan) joint: a cross with two axes at a right angle, the x axis of A and the y axis of B, about which
+/// the bodies rotate.
 typedef struct cairn_universal_joint {
-    cairn_joint_control first; ///< About the x axis of A.
-    cairn_joint_control second; ///< About the y axis of B.
+    cairn_joint_control first; ///< Rotation about the x axis of A.
+    cairn_joint_control second; ///< Rotation about the y axis of B.
 } cairn_universal_joint;
 CAIRN_C_API cairn_universal_joint cairn_default_universal_joint(void);
 
-/// The distance between the origins of the frames. A rod has lower = upper, a rope lower = 0, a spring a motor with a
-/// spring at its length at rest.
+/// Controls the distance (m) between the origins of the two frames. For a rod, set limits with lower = upper; for a
+/// rope, lower = 0; for a spring, a motor with a spring and `position` = its rest length.
 typedef struct cairn_distance_joint {
-    cairn_joint_control distance; ///< Between the origins of the frames.
+    cairn_joint_control distance; ///< Distance between the origins of the two frames.
 } cairn_distance_joint;
 CAIRN_C_API cairn_distance_joint cairn_default_distance_joint(void);
 
-/// A wheel B under a car A. The wheel moves along the x axis of A (the suspension), turns about it (the steering) and
-/// spins about its own y axis.
+/// A wheel B under a car A. The wheel moves along the x axis of A (suspension), rotates about it (steering), and spins
+/// about its own y axis.
 typedef struct cairn_wheel_joint {
-    cairn_joint_control suspension; ///< Along the x axis of A.
+    cairn_joint_control suspension; ///< Translation along the x axis of A.
     bool has_steering; ///< Whether `steering` is given.
-    cairn_joint_control steering; ///< Absent: the wheel does not steer.
-    cairn_joint_control spin; ///< About the y axis of the wheel.
+    cairn_joint_control steering; ///< Angle about the x axis of A. Absent: the wheel does not steer.
+    cairn_joint_control spin; ///< Rotation about the y axis of the wheel.
 } cairn_wheel_joint;
 CAIRN_C_API cairn_wheel_joint cairn_default_wheel_joint(void);
 
-/// A servo that moves B to a place and rotation in the frame of A.
+/// A servo that pulls B to a target position and rotation in the frame of A.
 typedef struct cairn_servo_joint {
-    cairn_vec3 position; ///< Of the origin of frame B in frame A, meters.
-    cairn_quat rotation; ///< Of frame B in frame A; normalized.
-    cairn_joint_spring linear; ///< The spring that pulls B to its place.
-    cairn_joint_spring angular; ///< The spring that turns B to its rotation.
-    float max_force; ///< N along each axis, >= 0.
-    float max_torque; ///< N m about each axis, >= 0.
+    cairn_vec3 position; ///< Target of the origin of frame B, in frame A, meters.
+    cairn_quat rotation; ///< Target of the rotation of frame B in frame A; normalized.
+    cairn_joint_spring linear; ///< Spring that pulls B to the target position.
+    cairn_joint_spring angular; ///< Spring that rotates B to the target rotation.
+    float max_force; ///< N, >= 0: greatest force along each axis.
+    float max_torque; ///< N m, >= 0: greatest torque about each axis.
 } cairn_servo_joint;
 CAIRN_C_API cairn_servo_joint cairn_default_servo_joint(void);
 
-/// Two turning bodies in mesh: (rate of A about its frame's x axis) + ratio x (rate of B about its own) = 0. With teeth
-/// in mesh on the outside of both, about parallel axes, ratio = teeth of B / teeth of A. Rates are those against the
-/// world: the bodies that carry the axles must not turn about them.
+/// Two meshing gears: (angular speed of A about the x axis of its frame) + ratio x (angular speed of B about that of
+/// its frame) = 0. For external gears on parallel axes, ratio = teeth of B / teeth of A. Angular speeds are relative to
+/// the world, so the bodies that carry the axles must not rotate about them.
 typedef struct cairn_gear_joint {
-    float ratio; ///< Not 0.
+    float ratio; ///< Not 0; negative: both rotate in the same sense.
 } cairn_gear_joint;
 CAIRN_C_API cairn_gear_joint cairn_default_gear_joint(void);
 
-/// A pinion A on a rack B: (translation of B along its frame's x axis) = radius x (angle of A about its frame's x
-/// axis), as against the world.
+/// A pinion A on a rack B: (translation of B along the x axis of its frame) = radius x (angle of A about the x axis of
+/// its frame), both relative to the world.
 typedef struct cairn_rack_joint {
-    float radius; ///< m, not 0; negative for the other sense.
+    float radius; ///< m, not 0; negative: the rack moves in the opposite sense.
 } cairn_rack_joint;
 CAIRN_C_API cairn_rack_joint cairn_default_rack_joint(void);
 
 /// A rope over two fixed pulleys: length at A + ratio x length at B <= length.
 typedef struct cairn_pulley_joint {
-    cairn_position ground_a; ///< World points from which the bodies hang.
-    cairn_position ground_b; ///< World points from which the bodies hang.
-    float ratio; ///< > 0: of a block and tackle.
+    cairn_position ground_a; ///< The pulley on the side of A, meters, world space.
+    cairn_position ground_b; ///< The pulley on the side of B, meters, world space.
+    float ratio; ///< > 0: ratio of the block and tackle on the side of B.
     bool has_length; ///< Whether `length` is given.
-    float length; ///< m, > 0; absent: what it is when the joint is made, which `World::joint_def` then has.
+    float length; ///< m, > 0; absent: the length when the joint is created, which `World::joint_def` then returns.
 } cairn_pulley_joint;
 CAIRN_C_API cairn_pulley_joint cairn_default_pulley_joint(void);
 
-/// Keeps a distance (m) or an angle (rad) between the two frames in a range. With one axis: along or about it; with
-/// two: from the line of the remaining axis, or of the cone about it; with three: of points, or any turn.
+/// Limits a distance (m) or an angle (rad) between the two frames. With one axis it is the position along, or the angle
+/// about, that axis. With two axes it is the distance from the line of the third axis, or the angle between the third
+/// axes of both frames (a cone). With three axes it is the distance of the two origins, or the angle of the whole
+/// rotation.
 typedef struct cairn_joint_limit {
-    cairn_joint_axis kind; ///< Whether it is about distances or angles.
-    bool axes[3]; ///< x, y and z of frame A; one to three of them.
+    cairn_joint_axis kind; ///< Whether it limits a distance or an angle.
+    bool axes[3]; ///< Which of the axes x, y and z of frame A; one to three of them.
     bool has_min; ///< Whether `min` is given.
-    float min; ///< Absent: no bound on that side. min <= max.
+    float min; ///< m or rad, min <= max; absent: no bound on that side.
     bool has_max; ///< Whether `max` is given.
-    float max; ///< Absent: no bound on that side. min <= max.
+    float max; ///< m or rad, min <= max; absent: no bound on that side.
     bool has_stiffness; ///< Whether `stiffness` is given.
     float stiffness; ///< N/m or N m/rad, >= 0; absent: rigid.
-    float damping; ///< N s/m or N m s/rad, >= 0; with a stiffness only.
+    float damping; ///< N s/m or N m s/rad, >= 0; used only with a stiffness.
 } cairn_joint_limit;
 CAIRN_C_API cairn_joint_limit cairn_default_joint_limit(void);
 
-/// A damped spring or motor along or about one axis: pushes with stiffness x (position_target - position) + damping x
-/// (velocity_target - velocity).
+/// A damped spring or motor along or about one axis. Its force (or torque) is stiffness x (position_target - position)
+/// + damping x (velocity_target - velocity).
 typedef struct cairn_joint_drive {
-    cairn_joint_axis kind; ///< Whether it is about distances or angles.
-    bool is_acceleration; ///< true: the above is an acceleration; false: a force or torque.
-    int axis; ///< 0, 1 or 2, of frame A.
+    cairn_joint_axis kind; ///< Whether it drives a distance or an angle.
+    bool is_acceleration; ///< true: the formula gives an acceleration; false: a force or torque.
+    int axis; ///< 0, 1 or 2: x, y or z of frame A.
     bool has_max_force; ///< Whether `max_force` is given.
-    float max_force; ///< N or N m, >= 0; absent: no bound.
-    float position_target; ///< Where the spring pulls to. (m or rad)
-    float velocity_target; ///< What the damping aims at. (m/s or rad/s)
-    float stiffness; ///< Of the spring, >= 0. (N/m or N m/rad)
-    float damping; ///< Of the spring, >= 0. (N s/m or N m s/rad)
+    float max_force; ///< N or N m, >= 0: greatest force or torque; absent: no bound.
+    float position_target; ///< m or rad: target position of the spring.
+    float velocity_target; ///< m/s or rad/s: target velocity of the damping.
+    float stiffness; ///< N/m or N m/rad, >= 0: stiffness of the spring.
+    float damping; ///< N s/m or N m s/rad, >= 0: damping of the spring.
 } cairn_joint_drive;
 CAIRN_C_API cairn_joint_drive cairn_default_joint_drive(void);
 
-/// The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, and any of them limited or driven. At
-/// most eight limits and drives that are not plain locks.
+/// The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, any of which may have limits and
+/// drives. It may have at most eight limits and drives, not counting limits that just lock axes.
 typedef struct cairn_general_joint {
-    const cairn_joint_limit* limits; ///< What is kept in a range.
+    const cairn_joint_limit* limits; ///< Limits of distances and angles.
     size_t limit_count;
-    const cairn_joint_drive* drives; ///< What is driven.
+    const cairn_joint_drive* drives; ///< Drives of distances and angles.
     size_t drive_count;
 } cairn_general_joint;
 CAIRN_C_API cairn_general_joint cairn_default_general_joint(void);
@@ -245,108 +252,111 @@ typedef struct cairn_joint {
         unsigned char reserved[512];
     } as; ///< The member that `kind` names.
 } cairn_joint;
-/// The default of a kind; of an unknown one the first.
+/// The default values of a kind; those of the first kind if `kind` is unknown.
 CAIRN_C_API cairn_joint cairn_default_joint(cairn_joint_kind kind);
 
-/// Everything needed to make a joint. Begin from `cairn_default_joint_def()`.
+/// Everything that is needed to create a joint. Begin from `cairn_default_joint_def()`.
 typedef struct cairn_joint_def {
     uint32_t struct_size; ///< Bytes, as `cairn_default_joint_def` sets it.
-    cairn_body_id body_a; ///< Null: the world. At least one must be dynamic; not the same body.
-    cairn_body_id body_b; ///< Null: the world. At least one must be dynamic; not the same body.
-    cairn_transform frame_a; ///< In the frames of the bodies; of the world, in its own.
-    cairn_transform frame_b; ///< In the frames of the bodies; of the world, in its own.
-    cairn_joint joint; ///< What kind of joint, and how it is limited and driven.
-    bool enable_collision; ///< Whether the two bodies collide with each other.
-    float break_force; ///< N, > 0: the joint breaks beyond it.
-    float break_torque; ///< N m, > 0.
-    cairn_joint_solver solver; ///< How it is solved.
-    const char* name; ///< For people; need not be unique. UTF-8; null: empty.
-    uint64_t user_data; ///< Not touched by the engine.
-    bool enabled; ///< false: it acts on nothing, as if it were not there.
+    cairn_body_id body_a; ///< Null: the world. The two bodies must differ, and at least one must be dynamic.
+    cairn_body_id body_b; ///< Null: the world. The two bodies must differ, and at least one must be dynamic.
+    cairn_transform frame_a; ///< Pose of the joint's frame relative to the frame of body A, or relative to the world.
+    cairn_transform frame_b; ///< Pose of the joint's frame relative to the frame of body B, or relative to the world.
+    cairn_joint joint; ///< The type of joint, with its limits, motors and springs.
+    bool enable_collision; ///< true: the two bodies collide with each other.
+    float break_force; ///< N, > 0: the joint breaks if its mean force in a step exceeds this.
+    float break_torque; ///< N m, > 0: the joint breaks if its mean torque in a step exceeds this.
+    cairn_joint_solver solver; ///< How the joint is solved.
+    const char* name; ///< For display and `World::find_joint`; need not be unique. UTF-8; null: empty.
+    uint64_t user_data; ///< Stored for the application; the engine does not use it.
+    bool enabled; ///< false: the joint does not act until `World::set_joint_enabled`.
 } cairn_joint_def;
 CAIRN_C_API cairn_joint_def cairn_default_joint_def(void);
 
-/// What a joint did in the last step.
+/// Forces, positions and errors of a joint in the last step.
 typedef struct cairn_joint_state {
     cairn_vec3 force; ///< N: mean force on B, world axes.
     cairn_vec3 torque; ///< N m: mean torque on B about the origin of its frame, world axes.
-    /// The positions of its axes (m or rad), in the order of the fields of its type: of a hinge the angle, of a
-    /// cylindrical joint translation and angle, of a general joint those of its limits and drives that are not plain
-    /// locks.
+    /// Positions of its axes (m or rad), in the order of the members of its type: for a hinge its angle; for a
+    /// cylindrical joint translation and angle; for a general joint one for each of its limits and drives, except
+    /// limits that just lock axes.
     float positions[8];
-    int position_count; ///< How many of `positions` there are.
-    float linear_error; ///< m: how far the points that it holds together are apart.
-    float angular_error; ///< rad: how far B has turned about the axes that it locks.
+    int position_count; ///< Number of valid elements of `positions`.
+    float linear_error; ///< m: distance between the points that the joint holds together.
+    float angular_error; ///< rad: rotation of B about the axes that the joint locks.
 } cairn_joint_state;
 
-/// Joins two bodies, or a body and the world. Wakes them. Errors: invalid_value, wrong_state.
+/// Joins two bodies, or a body and the world, and wakes them. Errors: invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_create_joint(cairn_world* world, const cairn_joint_def* def,
                                                   cairn_joint_id* result);
 
-/// The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world space),
-/// and y and z as the shortest turn from those of the world has them: -x and z if `axis` points up. As the bodies stand
-/// now. Errors: invalid_handle, invalid_value, wrong_state.
+/// Returns the definition of a joint whose two frames coincide, for the present poses of the bodies: with their origin
+/// at `anchor` (world space, meters) and x along `axis` (world space, any non-zero vector). The y and z axes result
+/// from the shortest rotation that takes the world's x axis to `axis`: for an `axis` along +y, they are -x and z.
+/// Errors: invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_joint_at(const cairn_world* world, cairn_body_id body_a, cairn_body_id body_b,
                                               cairn_position anchor, cairn_vec3 axis, const cairn_joint* joint,
                                               cairn_joint_def* result);
 
-/// Takes a joint out of the world and wakes its bodies. Errors: invalid_handle, wrong_state.
+/// Destroys a joint and wakes its bodies. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_destroy_joint(cairn_world* world, cairn_joint_id joint);
 
 /// Whether the handle names a joint that exists.
 CAIRN_C_API bool cairn_joint_is_valid(const cairn_world* world, cairn_joint_id joint);
 
-/// The definition of a joint, as it is now. Errors: invalid_handle, wrong_state.
+/// The present definition of a joint. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joint_def(const cairn_world* world, cairn_joint_id joint,
                                                    cairn_joint_def* joint_def);
 
-/// Changes limits, motors, springs, or the kind of the joint. Wakes its bodies. Errors: invalid_handle, invalid_value,
-/// wrong_state.
+/// Replaces the type-specific part of a joint: limits, motors, springs, or its type. Wakes its bodies. Errors:
+/// invalid_handle, invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_set_joint(cairn_world* world, cairn_joint_id id, const cairn_joint* joint);
 
-/// N and N m, > 0; may be infinite. Errors: invalid_handle, invalid_value, wrong_state.
+/// Sets the force (N) and torque (N m) at which a joint breaks, > 0; may be infinite. Errors: invalid_handle,
+/// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_set_joint_strength(cairn_world* world, cairn_joint_id joint, float break_force,
                                                         float break_torque);
 
-/// A joint that is disabled keeps its definition and its handle, and acts on nothing: its bodies move, and collide, as
-/// if it had been destroyed. Enabled again it begins without impulses, and brings its bodies together where they have
-/// parted. Both wake them. Errors: invalid_handle, wrong_state.
+/// Disables or enables a joint. A disabled joint keeps its definition and its handle but does not act: its bodies move
+/// and collide as if it had been destroyed. When it is enabled, it starts with zero impulses, and pulls its bodies
+/// together if they have moved apart. Both wake its bodies. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_set_joint_enabled(cairn_world* world, cairn_joint_id joint, bool enabled);
 
-/// What a joint did in the last step. Errors: invalid_handle, wrong_state.
+/// Forces, positions and errors of a joint in the last step. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joint_state(const cairn_world* world, cairn_joint_id joint,
                                                      cairn_joint_state* joint_state);
 
-/// All, in order of slot index. `count` gets how many there are; the first `capacity` of them are written. Errors:
+/// All joints, in order of slot index. `count` receives their number; the first `capacity` of them are written. Errors:
 /// wrong_state.
 CAIRN_C_API cairn_result cairn_world_get_joints(const cairn_world* world, cairn_joint_id* joints, size_t capacity,
                                                 size_t* count);
 
-/// Those of one body, oldest first. `count` gets how many there are; the first `capacity` of them are written. Errors:
-/// invalid_handle, wrong_state.
+/// The joints of one body, oldest first. `count` receives their number; the first `capacity` of them are written.
+/// Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_body_get_joints(const cairn_world* world, cairn_body_id body, cairn_joint_id* joints,
                                                size_t capacity, size_t* count);
 
-/// The first of that name. `found` gets whether there is any. Errors: wrong_state.
+/// The first joint with that name. `found` receives whether there is one. Errors: wrong_state.
 CAIRN_C_API cairn_result cairn_world_find_joint(const cairn_world* world, const char* name, cairn_joint_id* result,
                                                 bool* found);
 
-/// The name of its definition, which `cairn_world_get_joint_def` leaves out. `length` gets its length without the final
-/// zero; what has no room in `capacity` bytes is cut off. Errors: invalid_handle, wrong_state.
+/// The name of a joint, which `cairn_world_get_joint_def` omits. `length` receives its length without the terminating
+/// zero; text beyond `capacity` bytes is cut off. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_joint_get_name(const cairn_world* world, cairn_joint_id joint, char* text,
                                               size_t capacity, size_t* length);
 
-/// The limits of a general joint, of which `cairn_world_get_joint_def` has the number alone; of other joints none.
+/// The limits of a general joint, of which `cairn_world_get_joint_def` gives only the number; none for other joints.
 /// Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_joint_get_limits(const cairn_world* world, cairn_joint_id joint,
                                                 cairn_joint_limit* limits, size_t capacity, size_t* count);
 
-/// The drives of a general joint, of which `cairn_world_get_joint_def` has the number alone; of other joints none.
+/// The drives of a general joint, of which `cairn_world_get_joint_def` gives only the number; none for other joints.
 /// Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_joint_get_drives(const cairn_world* world, cairn_joint_id joint,
                                                 cairn_joint_drive* drives, size_t capacity, size_t* count);
 
-/// The spring with which what a joint moves swings at `hertz` (> 0) with that ratio to critical damping (>= 0).
+/// The spring with which the bodies oscillate at a natural frequency of `hertz` (Hz, > 0), with that damping ratio (>=
+/// 0; 1: critical damping).
 CAIRN_C_API cairn_joint_spring cairn_spring_from_frequency(float hertz, float damping_ratio);
 
 #ifdef __cplusplus

@@ -16,7 +16,7 @@ typedef struct cairn_vec2 {
     float x, y;
 } cairn_vec2;
 
-/// Direction, velocity, extent, force: SI units.
+/// Directions, velocities, extents, forces: float, SI units.
 typedef struct cairn_vec3 {
     float x, y, z;
 } cairn_vec3;
@@ -28,12 +28,12 @@ typedef struct cairn_dvec3 {
 /// World position in meters: double, so that large worlds keep their precision.
 typedef cairn_dvec3 cairn_position;
 
-/// Rotation as a unit quaternion; no rotation is 0, 0, 0, 1.
+/// Rotation as a unit quaternion; the identity is 0, 0, 0, 1.
 typedef struct cairn_quat {
     float x, y, z, w;
 } cairn_quat;
 
-/// A 3x3 matrix, column after column.
+/// A 3x3 matrix, stored by columns (inertia tensors, in kg m^2).
 typedef struct cairn_mat3 {
     float columns[3][3];
 } cairn_mat3;

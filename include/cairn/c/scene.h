@@ -12,23 +12,24 @@
 extern "C" {
 #endif
 
-/// Reads a scene file (.gltf, .glb) or a model (URDF, MJCF, SDF, USD) into a new world. `time_step` gets the step, in
-/// seconds, that the scene is meant for; it may be null. Builds without scene files refuse (unsupported). Errors:
-/// invalid_file, io, invalid_value, unsupported.
+/// Reads a scene file (.gltf, .glb) or a model (URDF, MJCF, SDF, USD) into a new world. `time_step` receives the time
+/// step for which the scene is intended, in seconds; it may be null. Builds without scene files refuse the call
+/// (unsupported). Errors: invalid_file, io, invalid_value, unsupported.
 CAIRN_C_API cairn_result cairn_scene_load(const char* path, cairn_world** world, float* time_step);
 
-/// Writes the world as it stands now to a file: a binary .glb if its name ends so, else .gltf. What came with it when
-/// it was loaded is kept. Builds without scene files refuse (unsupported). Errors: io, invalid_value, wrong_state,
-/// unsupported.
+/// Writes the present state of the world to a file: binary .glb if the name ends so, otherwise .gltf. Other contents of
+/// the file from which the world was loaded are kept. Builds without scene files refuse the call (unsupported). Errors:
+/// io, invalid_value, wrong_state, unsupported.
 CAIRN_C_API cairn_result cairn_scene_save(const cairn_world* world, const char* path);
 
-/// Reads what a scene file has from memory, as `cairn_scene_load` does from a file; other files that it names are
-/// refused. `name` stands for the file in messages. Errors: invalid_file, invalid_value, unsupported.
+/// Reads the contents of a scene file from memory, as `cairn_scene_load` does from a file. References to other files
+/// are refused. `name` stands for the file name in error messages. Errors: invalid_file, invalid_value, unsupported.
 CAIRN_C_API cairn_result cairn_scene_load_from_memory(const void* bytes, size_t size, const char* name,
                                                       cairn_world** world, float* time_step);
 
-/// The text that `cairn_scene_save` writes to a .gltf file. `length` gets its length without the final zero; what has
-/// no room in `capacity` bytes is cut off. Errors: invalid_value, wrong_state, unsupported.
+/// Returns the text that `cairn_scene_save` writes to a .gltf file. `length` receives the length of the whole text
+/// without the terminating zero; text beyond `capacity` bytes is cut off. Errors: invalid_value, wrong_state,
+/// unsupported.
 CAIRN_C_API cairn_result cairn_scene_save_to_memory(const cairn_world* world, char* text, size_t capacity,
                                                     size_t* length);
 

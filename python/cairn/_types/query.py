@@ -14,133 +14,133 @@ from ._vector import Vector
 
 
 class BroadPhaseTree(enum.Enum):
-    """The trees of the broad phase. Planes are in none."""
+    """The trees of the broad phase. Infinite planes are in none."""
 
     fixed = 0
-    """Of what is fixed."""
+    """Shapes of static bodies."""
     awake = 1
-    """Of what is awake."""
+    """Awake shapes."""
     large = 2
-    """Of what is awake and large beside the others."""
+    """Awake shapes that are large compared to the others."""
     sleeping = 3
-    """Of what sleeps, with a tree for each island below that of all islands."""
+    """Sleeping shapes: a tree of all sleeping islands, below which each island has a tree of its own."""
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class RayHit:
-    """The nearest thing that a ray met."""
+    """An intersection of a ray with a shape."""
 
     shape: ShapeId = ShapeId()
     body: BodyId = BodyId()
     point: Vector = (0.0, 0.0, 0.0)
-    """On the surface, meters."""
+    """On the surface, meters, world space."""
     normal: Vector = (0.0, 0.0, 0.0)
     """Unit outward normal of the surface there."""
     distance: float = 0.0
-    """From the ray's origin, meters."""
+    """Distance from the ray's origin, meters."""
     triangle: int = -1
-    """Of a mesh: the one of its triangles that the ray met, in the order of its indices; of a height field: twice the
-    number of its cell, row after row, and 1 more for the half on the side of greatest x. Of other shapes -1.
+    """For a mesh: index of the triangle that was hit, in the order of the mesh's indices. For a height field: 2 x
+    (index of the cell, row by row), plus 1 for the triangle on the side of greater x. For other shapes: -1.
     """
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class ShapeCastHit:
-    """The first thing that a moving shape met."""
+    """The first contact of a shape that is moved along a line."""
 
     shape: ShapeId = ShapeId()
     body: BodyId = BodyId()
     fraction: float = 0.0
-    """Of the translation, 0 to 1; 0 if they overlapped from the start."""
+    """Fraction of the translation before the contact, 0 to 1; 0 if the shapes overlap at the start."""
     point: Vector = (0.0, 0.0, 0.0)
-    """Where they meet, meters."""
+    """Where the two shapes touch, meters, world space."""
     normal: Vector = (0.0, 0.0, 0.0)
-    """Unit, out of the shape that was met."""
+    """Unit normal, out of the shape that was hit."""
     triangle: int = -1
-    """That was met; as in RayHit."""
+    """The triangle that was hit; as in RayHit."""
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class ClosestPoint:
-    """The surface point nearest to a given one."""
+    """The point of the nearest shape that is closest to a given point."""
 
     shape: ShapeId = ShapeId()
     body: BodyId = BodyId()
     point: Vector = (0.0, 0.0, 0.0)
-    """On the surface, meters; the given point itself if that lies inside."""
+    """On the surface, meters, world space; the given point itself if it is inside the shape."""
     distance: float = 0.0
-    """Meters; 0 inside."""
+    """Meters; 0 if the given point is inside the shape."""
     triangle: int = -1
-    """That it is on; as in RayHit."""
+    """The triangle on which the point lies; as in RayHit."""
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class BroadPhaseNode:
-    """A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
-    overlap.
+    """A node of a tree of the broad phase. Its box encloses those of its children, of which there are at most eight;
+    the boxes of siblings may overlap.
     """
 
     bounds: Bounds = field(default_factory=Bounds)
-    """Meters; of a shape, somewhat larger than the shape."""
+    """Meters, world space; the box of a leaf is somewhat larger than its shape."""
     tree: BroadPhaseTree | str = BroadPhaseTree.fixed
-    """The one that it is in."""
+    """The tree to which the node belongs."""
     depth: int = 0
-    """0: the root of the tree."""
+    """Levels below the root of the tree; 0: the root."""
     parent: int = 0
-    """Its place in the list; -1: it is a root."""
+    """Index of the parent in the list of nodes; -1: the node is a root."""
     is_leaf: bool = False
-    """It is the box of one shape."""
+    """True: the node is the box of a single shape."""
     shape: ShapeId = ShapeId()
-    """Of a leaf; else null."""
+    """The shape of a leaf; null for other nodes."""
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class SolverContact:
-    """How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and
-    measurements.
-    """
+    """How the solver treats a touching pair of shapes, after the last step; for visualization and measurements."""
 
     shape_a: ShapeId = ShapeId()
     shape_b: ShapeId = ShapeId()
     body_a: BodyId = BodyId()
     body_b: BodyId = BodyId()
     color: int = 0
-    """Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns, the
-    lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by one,
-    before all others.
+    """Color in the constraint graph. Contacts of one color share no dynamic body, so that they are solved in parallel.
+    Colors are solved in turn, lowest first; those of contacts with static and kinematic bodies come last. -1: no color
+    was free, and the contact is solved on its own, before all others.
     """
     substeps: int = 0
-    """Of its island in the last step in which that was awake; 0: not solved yet."""
+    """Substeps of its island in the last step in which the island was awake; 0: it has not been solved yet."""
 
 
 @lists_members
 @dataclass(slots=True, eq=False)
 class DebugLinesDef:
-    """What debug lines show."""
+    """What `World.debug_lines` shows."""
 
     shapes: bool = True
-    """Edges of shapes; of infinite planes a grid of 20 m. Bodies that are static, kinematic, awake and asleep, and
-    triggers, have colors of their own.
+    """Edges of shapes; an infinite plane is shown as a grid of 20 m. The color tells whether a body is static,
+    kinematic, awake or asleep; triggers have a color of their own.
     """
     bounds: bool = False
-    """Boxes around shapes, along the axes of the world."""
+    """Axis-aligned bounding boxes of shapes; infinite planes have none."""
     centers: bool = False
-    """The axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue."""
+    """Principal axes of inertia at the centers of mass of dynamic bodies: x red, y green, z blue."""
     velocities: bool = False
-    """From each center of mass of what moves to where it is in a tenth of a second."""
+    """Lines from the center of mass of each moving body to where its velocity brings it in 0.1 s."""
     contacts: bool = True
-    """At each point that touches, the normal."""
+    """The normal at each contact point."""
     joints: bool = True
-    """From both centers of mass to the anchors, and the axes of the joint there."""
+    """Lines from the centers of mass of both bodies to their anchors, and the axes of the joint at the anchor of A."""
     size: float = 0.2
-    """The length of axes, and of normals. (> 0)"""
+    """m, > 0: length of axes and normals."""
     impulse_scale: float = 0.0
-    """Not 0: a normal is as long as this times the impulse at its point. (m/(N s), >= 0)"""
+    """m/(N s), >= 0. If > 0, the length of a normal is this times the normal impulse of its contact point in the last
+    step.
+    """
 
 
 @lists_members
@@ -149,9 +149,9 @@ class DebugLine:
     """A straight line."""
 
     begin: Vector = (0.0, 0.0, 0.0)
-    """In world space. (m)"""
+    """m, in world space."""
     end: Vector = (0.0, 0.0, 0.0)
-    """In world space. (m)"""
+    """m, in world space."""
     color: Vector = (0.0, 0.0, 0.0)
     """Red, green and blue, 0 to 1."""
 
@@ -159,23 +159,23 @@ class DebugLine:
 @lists_members
 @dataclass(slots=True, eq=False)
 class QueryFilter:
-    """Which shapes a query sees: those that pass all of it."""
+    """Selects the shapes that a query can find. A shape must meet all conditions."""
 
     layers: int = 2**64 - 1
-    """Those that are in any of these layers (`CollisionFilter.layers`)."""
+    """The shape must be in one of these layers (`CollisionFilter.layers`)."""
     own_layers: int = 2**64 - 1
-    """Those that collide with any of these, in which the query itself is."""
+    """The layers of the query itself: the shape must collide with one of them (`CollisionFilter.collides_with`)."""
     static_bodies: bool = True
-    """Those of static bodies."""
+    """True: shapes of static bodies are included."""
     kinematic_bodies: bool = True
-    """Those of kinematic bodies."""
+    """True: shapes of kinematic bodies are included."""
     dynamic_bodies: bool = True
-    """Those of dynamic bodies."""
+    """True: shapes of dynamic bodies are included."""
     triggers: bool = False
-    """Triggers as well; they are seen like any other shape then."""
+    """True: triggers are included, and found like other shapes."""
     any: bool = False
-    """Any one is enough: the first that is found, rather than the nearest, and of overlaps a single one. Faster, where
-    only the question is whether there is any.
+    """True: the query may return any one result: the first that it finds instead of the nearest, and a single shape for
+    overlaps. Faster if it only matters whether there is any.
     """
     ignored_bodies: Sequence[BodyId] = field(default_factory=list)
-    """Shapes of these are not seen. Each must exist."""
+    """Shapes of these bodies are excluded. Each body must exist."""
