@@ -43,15 +43,16 @@ nav:
 """
 HOME = """# Cairn
 
-A 3D rigid-body physics engine for C++20, C, Python and the web. The same calls give the same bits on every machine,
-instruction set and number of threads, and in every language.
+A 3D rigid-body physics engine for C++20, C, Python and the web. The same calls give results that are identical to the
+bit in every language, for every instruction set and number of threads, and on every platform that it is tested on.
 
 ![A heavy ball flies through a brick wall into a round tower of stone wedges, which falls](images/wrecking_ball.gif)
 
-- **[The guide](guide/first_world.md)**: ten short chapters, in C++, Python and JavaScript.
-- **[Recipes](guide/recipes.md)**, and [a dictionary](guide/coming_from.md) for those who come from Box3D, Jolt, Rapier, PhysX, Bullet or MuJoCo.
-- **[The reference](reference/world.md)**: every struct and call in every language.
-- **[Known limits](known_limits.md)**: what does not yet do what it should, as measured.
+- **[The guide](guide/first_world.md)**: eleven short chapters, with code in C++, Python and JavaScript.
+- **[Recipes](guide/recipes.md)** for common tasks, and [a dictionary](guide/coming_from.md) for users of Box3D, Jolt,
+  Rapier, PhysX, Bullet or MuJoCo.
+- **[The reference](reference/world.md)**: every struct and every call, in every language.
+- **[Known limits](known_limits.md)**: the cases in which the engine does not yet do what it should, with measured errors.
 """
 
 
