@@ -132,7 +132,7 @@ TEST_F(ForgedSnapshot, OfSoundStructureWithNumbersThatLeadNowhereIsRefused) {
         [](State& s) { s.islands.awake = {1 << 20}; },
         [](State& s) { s.islands.free = {0}; },
         [](State& s) { s.islands.falling_asleep = {1 << 20}; },
-        [](State& s) { s.islands.told = {1 << 20}; },
+        [](State& s) { s.islands.sleep_requests = {1 << 20}; },
         [](State& s) { s.islands.all[std::size_t(s.bodies.links[1].island)].first_body = 1 << 20; },
         [](State& s) { s.islands.all[std::size_t(s.bodies.links[1].island)].body_count = 0; },
         [](State& s) { s.islands.all[std::size_t(s.bodies.links[1].island)].joint_count = 0; },
