@@ -80,13 +80,13 @@ checkpoint::Identity identity_of(const RunOptions& options, const scene::Scene& 
         const std::vector<std::byte> bytes = scene::read_file(options.targets);
         targets = checkpoint::hex(files::crc32(as_text(std::span<const std::byte>(bytes))));
     }
-    return {
-        {"version", version_string, "was written by another version of this program"},
-        {"snapshots", form_of(start), "was written by another build of this program, with snapshots of another form"},
-        {"time_step", fmt::format("{}", scene.info.time_step), "is of a run with another time step"},
-        {"targets", targets, "is of a run with other --targets (their checksum)"},
-        {"start", checkpoint::hex(checksum_of(start)),
-         "is of a run that began otherwise, with another scene or with other options (a checksum)"}};
+    return {{"version", version_string, "was written by another version of this program"},
+            {"snapshots", form_of(start),
+             "was written by another build of this program, whose snapshots have another format"},
+            {"time_step", fmt::format("{}", scene.info.time_step), "is of a run with another time step"},
+            {"targets", targets, "is of a run with other --targets (by checksum)"},
+            {"start", checkpoint::hex(checksum_of(start)),
+             "is of a run with another initial state, from another scene or other options (by checksum)"}};
 }
 
 } // namespace
@@ -119,7 +119,7 @@ void Checkpoints::require_new_folder() const {
             throw Error(ErrorCode::io, "--resume", options_.resume.generic_string(),
                         "must be a folder with checkpoints, and has none");
         }
-        complain(fmt::format("there is no checkpoint in {} yet: the run begins at its beginning",
+        complain(fmt::format("there is no checkpoint in {} yet: the run begins at its start",
                              options_.resume.generic_string()));
     }
     if (options_.checkpoint.empty() || (is_same && !options_.resume.empty())) return;
@@ -127,8 +127,7 @@ void Checkpoints::require_new_folder() const {
     if (steps.empty()) return;
     const std::string folder = options_.checkpoint.generic_string();
     throw Error(ErrorCode::wrong_state, "--checkpoint", folder,
-                fmt::format("has checkpoints, the last of step {}: --resume {} goes on with them, another folder keeps "
-                            "them",
+                fmt::format("has checkpoints, the last of step {}: continue with --resume {}, or choose another folder",
                             steps.front(), folder));
 }
 
@@ -179,8 +178,9 @@ void Checkpoints::write(const World& world, const std::optional<JointTargets>& t
     try {
         writer_->write(moment, bytes);
     } catch (const Error& error) {
-        const std::string last =
-            last_step_ == 0 ? "there is none before it" : fmt::format("the last whole one is of step {}", last_step_);
+        const std::string last = last_step_ == 0
+                                     ? "there is no older checkpoint"
+                                     : fmt::format("the last complete checkpoint is of step {}", last_step_);
         throw Error(error.code(), error.field(), {},
                     fmt::format("{} (of the checkpoint of step {}; {})",
                                 std::string(error.what()).substr(error.field().size() + 2), moment.step, last));

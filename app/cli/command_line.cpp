@@ -58,10 +58,10 @@ Integrator integrator_of(const std::string& name) {
 }
 
 void add_reading(CLI::App& command, ReadOptions& options) {
-    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF, MJCF or SDF: its base does not move");
+    command.add_flag("--fixed-base", options.fixed_base, "Fix the base of a robot (URDF, MJCF or SDF)");
     command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
     command.add_flag("--decompose", options.decompose,
-                     "Cut meshes that move into convex parts, instead of taking their convex hulls");
+                     "Decompose moving meshes into convex parts, instead of taking their convex hulls");
 }
 
 // Validates a comma-separated list of names.
@@ -91,24 +91,25 @@ void add_table(CLI::App& run, RunOptions& options) {
                std::istringstream list(text);
                for (std::string name; std::getline(list, name, ',');) options.columns.push_back(quantity_of(name));
            },
-           fmt::format("Of the table (default position,rotation,velocity,angular_velocity): some of {}",
+           fmt::format("Columns of the table (default position,rotation,velocity,angular_velocity): some of {}",
                        fmt::join(quantity_names(), ", ")))
         ->check(list_of(quantity_names()))
         ->needs(csv);
-    run.add_option("--every", options.every, "Write every so many steps only (table, animation)")
-        ->check(between(1, 1e9));
-    run.add_option("--from", options.from, "Begin writing there, s (table, animation, video)")->check(between(0, 1e9));
-    run.add_option("--until", options.until, "End writing there, s (table, animation, video)")->check(between(0, 1e9));
+    run.add_option("--every", options.every, "Write every N-th step only (table, animation)")->check(between(1, 1e9));
+    run.add_option("--from", options.from, "Time at which writing begins, s (table, animation, video)")
+        ->check(between(0, 1e9));
+    run.add_option("--until", options.until, "Time at which writing ends, s (table, animation, video)")
+        ->check(between(0, 1e9));
 }
 
 void add_outputs(CLI::App& run, RunOptions& options) {
     add_table(run, options);
-    run.add_option("--png", options.png, "Write a picture of the end (.png, .jpg)")
+    run.add_option("--png", options.png, "Write a picture of the final state (.png, .jpg)")
         ->check(file_of(viewer::picture_extensions()));
     run.add_option("--video", options.video,
                    "Write a video, 60 frames a second (.mp4, .mkv, .mov, .webm, .gif; needs ffmpeg)")
         ->check(file_of(viewer::video_extensions()));
-    run.add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+    run.add_option("--save", options.save, "Write the scene in its final state (.gltf, .glb)")
         ->check(file_of(scene_extensions));
     run.add_option("--animate", options.animate,
                    "Write the run as an animated glTF file, for viewers without physics (.glb, .gltf)")
@@ -127,23 +128,23 @@ CLI::Validator folder() {
 
 void add_checkpoints(CLI::App& run, RunOptions& options) {
     auto* checkpoint = run.add_option("--checkpoint", options.checkpoint,
-                                      "Write the whole state into this folder now and then, and at the end; under "
+                                      "Write the complete state into this folder at intervals, and at the end; under "
                                       "mpirun each process writes a part");
     checkpoint->check(folder());
-    auto* every = run.add_option("--checkpoint-every", options.checkpoint_every, "Every so many steps");
+    auto* every =
+        run.add_option("--checkpoint-every", options.checkpoint_every, "Interval between checkpoints, in steps");
     every->check(between(1, 1e9))->needs(checkpoint);
     run.add_option("--checkpoint-seconds", options.checkpoint_seconds,
-                   "Every so many seconds of the clock instead (default: 600)")
+                   "Interval in seconds of wall-clock time instead (default: 600)")
         ->check(between(0.01, 1e7))
         ->needs(checkpoint)
         ->excludes(every);
-    run.add_option("--keep", options.keep, "How many checkpoints are kept (default: 2)")
+    run.add_option("--keep", options.keep, "Number of checkpoints to keep (default: 2)")
         ->check(between(1, 1e6))
         ->needs(checkpoint);
-    run.add_option(
-           "--resume", options.resume,
-           "Go on from the last whole checkpoint in this folder, with any number of processes and threads; give "
-           "the other options as before")
+    run.add_option("--resume", options.resume,
+                   "Continue from the last complete checkpoint in this folder, with any number of processes and "
+                   "threads; give the other options as before")
         ->check(folder());
 }
 
@@ -154,19 +155,20 @@ void add_run(CLI::App& app, RunOptions& options) {
     seconds->check(between(1e-4, 1e6));
     run->add_option("--frames", options.frames, "Number of steps instead")->check(between(1, 1e9))->excludes(seconds);
     run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
-    run->add_option("--substeps", options.substeps, "Substeps of a step, 0: by its length (default: the scene's)")
+    run->add_option("--substeps", options.substeps,
+                    "Substeps of a step; 0: chosen by the length of the step (default: the scene's)")
         ->check(between(0, 256));
     run->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
         ->check(between(1, 256));
     run->add_option_function<std::string>(
            "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
-           "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
+           "Integrator of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
         ->check(one_of({"semi-implicit", "explicit", "rk4"}));
     add_reading(*run, options.read);
     auto* targets = run->add_option("--targets", options.targets,
-                                    "Move joints as a table says (.csv: time, and joints by their names)");
+                                    "Move joints to targets from a table (.csv: time, and joints by their names)");
     run->add_option("--servo-frequency", options.servo_frequency,
-                    "Of joints with targets, Hz (default: 10 for those whose motors have no stiffness)")
+                    "Stiffness of joints with targets, Hz (default: 10 for those whose motors have no stiffness)")
         ->check(between(0.01, 1000))
         ->needs(targets);
     add_checkpoints(*run, options);
@@ -176,7 +178,7 @@ void add_run(CLI::App& app, RunOptions& options) {
 const std::vector<std::string_view> recording_extensions{".mcap"};
 
 void add_record(CLI::App& app, RecordOptions& options) {
-    CLI::App* record = app.add_subcommand("record", "Simulate a scene and record all that is done to its world.");
+    CLI::App* record = app.add_subcommand("record", "Simulate a scene and record all commands to its world.");
     record->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
     record->add_option("-o,--output", options.output, "The recording to write (.mcap)")
         ->required()
@@ -191,7 +193,7 @@ void add_record(CLI::App& app, RecordOptions& options) {
         ->check(between(1, 256));
     record
         ->add_option("--keyframes", options.keyframes,
-                     "Megabytes for whole states on the way, to go to any moment at once (default 128; 0: none)")
+                     "Megabytes for keyframes, for fast access to any time (default 128; 0: none)")
         ->check(between(0, 1e6));
     record->add_flag(
         "--uncompressed", [&options](std::int64_t) { options.compress = false; },
@@ -201,34 +203,35 @@ void add_record(CLI::App& app, RecordOptions& options) {
                      "For Foxglove, Rerun and others: poses, contacts, joints, statistics, events, or all")
         ->delimiter(',')
         ->check(CLI::IsMember({"poses", "contacts", "joints", "statistics", "events", "all"}));
-    record->add_option("--with-rate", options.readings_rate, "How often these, Hz (default: after each step)")
+    record->add_option("--with-rate", options.readings_rate, "Rate of these messages, Hz (default: after each step)")
         ->check(between(1e-3, 1e6));
     add_reading(*record, options.read);
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
-    CLI::App* replay = app.add_subcommand("replay", "Do again what was recorded, and compare every step.");
+    CLI::App* replay = app.add_subcommand("replay", "Replay a recording, and compare every step.");
     replay->add_option("recording", options.recording, "A recording (.mcap)")->required();
-    replay->add_flag("--verify", options.verify, "End at the first step that differs");
+    replay->add_flag("--verify", options.verify, "Stop at the first step that differs");
     replay->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
         ->check(between(1, 256));
-    auto* at = replay->add_option("--at", options.at, "Go to that moment, s, and stop there");
+    auto* at = replay->add_option("--at", options.at, "Go to this time, s, and stop there");
     at->check(between(0, 1e9));
     replay
         ->add_option("--what-if", options.what_if,
-                     "Change that there and go on to the end: gravity=X,Y,Z, substeps=N, friction=F, restitution=R; "
-                     "may be given several times")
+                     "Change a value there and continue to the end: gravity=X,Y,Z, substeps=N, friction=F, "
+                     "restitution=R; may be given several times")
         ->allow_extra_args(false);
-    replay->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+    replay->add_option("--save", options.save, "Write the scene in its final state (.gltf, .glb)")
         ->check(file_of(scene_extensions));
     replay->add_flag("--json", options.json, "Print the summary as one JSON object");
 }
 
 void add_info_and_diff(CLI::App& app, InfoOptions& info_options, DiffOptions& diff_options) {
-    CLI::App* info = app.add_subcommand("info", "Tell what a recording has.");
+    CLI::App* info = app.add_subcommand("info", "Print the contents of a recording.");
     info->add_option("recording", info_options.recording, "A recording (.mcap)")->required();
     info->add_flag("--json", info_options.json, "Print one JSON object");
-    CLI::App* diff = app.add_subcommand("diff", "Tell where two recordings part: at which step, and which bodies.");
+    CLI::App* diff =
+        app.add_subcommand("diff", "Print where two recordings differ: at which step, and in which bodies.");
     diff->add_option("first", diff_options.first, "A recording (.mcap)")->required();
     diff->add_option("second", diff_options.second, "Another one (.mcap)")->required();
     diff->add_option("--threads", diff_options.threads, "Number of threads (default: all; results do not depend on it)")
@@ -237,14 +240,14 @@ void add_info_and_diff(CLI::App& app, InfoOptions& info_options, DiffOptions& di
 
 void add_scenes(CLI::App& app, ScenesOptions& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the scenes.");
-    scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
+    scenes->add_option("folder", options.folder, "Folder to list (default: the scenes that come with Cairn)");
     auto* json = scenes->add_flag("--json", options.json, "Print one JSON array");
-    scenes->add_flag("--names", options.names, "Print names alone, one a line, without reading the files")
+    scenes->add_flag("--names", options.names, "Print names only, one per line, without reading the files")
         ->excludes(json);
 }
 
 void add_convert(CLI::App& app, ConvertOptions& options) {
-    CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
+    CLI::App* convert = app.add_subcommand("convert", "Write a scene in another format, or make a scene of a mesh.");
     convert
         ->add_option("in", options.input,
                      "A scene (.gltf, .glb or its name), a model (.urdf, .xml, .sdf, .usda), or a mesh (.obj, .stl)")
@@ -260,9 +263,9 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
             "default hull)")
         ->check(one_of({"hull", "mesh"}, "; --decompose makes a hull several convex parts"));
     add_reading(*convert, options.read);
-    convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
+    convert->add_option("--scale", options.scale, "Length of one unit of a mesh, m (default 1)")
         ->check(between(1e-9, 1e9));
-    convert->add_option("--density", options.density, "Of a mesh's hull, kg/m^3 (default 1000)")
+    convert->add_option("--density", options.density, "Density of a mesh's hull, kg/m^3 (default 1000)")
         ->check(between(1e-6, 1e9));
 }
 
@@ -272,7 +275,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
     add_reading(*view, options.read);
     view->add_option("--width", options.width, "Of the window")->check(between(200, 16384));
     view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
-    view->add_option("--exit-after", options.exit_after, "Close by itself after so many seconds")
+    view->add_option("--exit-after", options.exit_after, "Close automatically after this time, s")
         ->check(between(0, 1e6));
     view->add_option("--report", options.report, "Write the state at the end (.json)")->check(file_of({".json"}));
     view->add_option("--script", options.script, "Play inputs from a file");
@@ -317,11 +320,11 @@ void add_sweep(CLI::App& app, SweepOptions& options) {
         ->add_option("--threads", options.threads,
                      "Number of threads (default: all, or 1 in each process of mpirun; results do not depend on it)")
         ->check(between(1, 256));
-    sweep->add_flag("--resume", options.resume, "Go on with what is in the folder");
+    sweep->add_flag("--resume", options.resume, "Continue with the rows that are in the folder");
     sweep
         ->add_option_function<std::string>(
             "--shard", [&options](const std::string& text) { read_shard(text, options); },
-            "Run part I of N only, as 3/8; whichever part comes last puts the results together")
+            "Run part I of N only, as 3/8; the part that finishes last combines the results")
         ->type_name("I/N");
     auto* check = sweep->add_flag("--check", options.check, "Check the plan only, with its first row");
     sweep->add_option("--row", options.row, "Run that row only, and print it")->excludes(check);
@@ -330,24 +333,25 @@ void add_sweep(CLI::App& app, SweepOptions& options) {
 
 void add_fit(CLI::App& app, FitOptions& options) {
     CLI::App* fit =
-        app.add_subcommand("fit", "Find parameters with which a scene does what was measured; see docs/sweep.md.");
-    fit->add_option("plan", options.plan, "A plan of `cairn sweep`; what has a range is fitted (.json)")->required();
-    fit->add_option("data", options.data, "Measurements: a row for each experiment (.csv)")->required();
+        app.add_subcommand("fit", "Find parameters with which a scene matches measurements; see docs/sweep.md.");
+    fit->add_option("plan", options.plan, "A plan of `cairn sweep`; parameters with a range are fitted (.json)")
+        ->required();
+    fit->add_option("data", options.data, "Measurements: one row per experiment (.csv)")->required();
     fit->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
         ->check(between(1, 256));
     fit->add_option("--evaluations", options.evaluations,
-                    "At most so many runs of all experiments (default: 300 for each parameter)")
+                    "Maximum number of runs of all experiments (default: 300 for each parameter)")
         ->check(between(1, 1e9));
     fit->add_flag("--json", options.json, "Print one JSON object");
 }
 
 void add_doctor(CLI::App& app, DoctorOptions& options) {
-    CLI::App* doctor = app.add_subcommand("doctor", "Tell what this machine has for Cairn, and what it lacks.");
+    CLI::App* doctor = app.add_subcommand("doctor", "Print what this machine has for Cairn, and what it lacks.");
     doctor->add_flag("--json", options.json, "Print one JSON object");
 }
 
 void add_completion(CLI::App& app, CompletionOptions& options) {
-    CLI::App* completion = app.add_subcommand("completion", "Print what completes the command line in a shell.");
+    CLI::App* completion = app.add_subcommand("completion", "Print the completion script for a shell.");
     completion->add_option("shell", options.shell, "bash, zsh or fish")
         ->required()
         ->check(one_of({"bash", "zsh", "fish"}));

@@ -35,9 +35,9 @@ std::string differing_bodies(const World& a, const World& b) {
         const std::uint32_t at_a = i < in_a.size() ? in_a[i].index() : ~0u,
                             at_b = k < in_b.size() ? in_b[k].index() : ~0u;
         if (at_a < at_b)
-            name(a, in_a[i++], " only in the first");
+            name(a, in_a[i++], " only in the first recording");
         else if (at_b < at_a)
-            name(b, in_b[k++], " only in the second");
+            name(b, in_b[k++], " only in the second recording");
         else if (const BodyId x = in_a[i++], y = in_b[k++]; row(a, x) != row(b, y))
             name(a, x, "");
     }
@@ -64,7 +64,7 @@ int diff_command(const DiffOptions& options) {
             progress.show(a.steps());
             const World &in_a = std::as_const(a).world(), &in_b = std::as_const(b).world();
             if (in_a.state_digest() == in_b.state_digest()) continue;
-            print(fmt::format("they part in step {}: {}\n", a.steps(), differing_bodies(in_a, in_b)));
+            print(fmt::format("they differ from step {} on: {}\n", a.steps(), differing_bodies(in_a, in_b)));
             return 1;
         }
     }

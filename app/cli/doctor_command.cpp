@@ -79,7 +79,7 @@ Finding ffmpeg() {
     bool lacks = false;
     for (const auto& [encoder, files] : {std::pair("libx264", ".mp4, .mkv, .mov"), std::pair("libvpx-vp9", ".webm")}) {
         if (encoders.find(encoder) != std::string::npos) continue;
-        text += fmt::format(", without {}, so no {}", encoder, files);
+        text += fmt::format(", without {}: no {}", encoder, files);
         lacks = true;
     }
     return {"ffmpeg", std::move(text), lacks};

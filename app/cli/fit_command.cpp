@@ -36,7 +36,7 @@ std::string fit_text(const sweep::Fit& fit) {
     for (const sweep::Fitted& fitted : fit.parameters) {
         text += std::isfinite(fitted.error)
                     ? fmt::format("{} = {:.6g} +- {:.2g}\n", fitted.name, fitted.value, fitted.error)
-                    : fmt::format("{} = {:.6g}, which the measurements do not tell\n", fitted.name, fitted.value);
+                    : fmt::format("{} = {:.6g}, not determined by the measurements\n", fitted.name, fitted.value);
     }
     return text + fmt::format("{} numbers are off by {:.4g} deviations (root mean square); {} evaluations{}\n",
                               fit.numbers, fit.residual, fit.evaluations, fit.is_interrupted ? ", interrupted" : "");

@@ -17,9 +17,9 @@ std::string info_text(const std::string& name, const recording::RecordingInfo& i
     text +=
         fmt::format("{} bytes, of which {} for {} keyframes\n", info.bytes, info.keyframe_bytes, info.keyframes.size());
     if (info.is_cut_off)
-        text += fmt::format("cut off: {} bytes behind its last whole record\n", info.bytes - info.whole_bytes);
-    text += info.is_from_start ? "from an empty world on: any build with the same arithmetic replays it\n"
-                               : "from a snapshot on: other builds may not replay it\n";
+        text += fmt::format("cut off: {} bytes after its last complete record\n", info.bytes - info.whole_bytes);
+    text += info.is_from_start ? "starts with an empty world: any build with the same arithmetic can replay it\n"
+                               : "starts with a snapshot: other builds may be unable to replay it\n";
     for (const auto& [call, count] : info.commands) text += fmt::format("{:>10}  {}\n", count, call);
     return text;
 }

@@ -56,7 +56,7 @@ std::string commands_text(const CLI::App& app) {
 
 constexpr std::string_view files_text = R"(.SH FILES
 The extension of an output file decides its format. A regular file is replaced once its successor is whole; symbolic
-links are followed; what is no regular file is written to as it is.
+links are followed; a file that is not a regular file is written to directly.
 .B \-
 is standard output, and messages go to standard error then.
 .PP
@@ -69,15 +69,15 @@ is named by a path, or by its name, its number or both:
 .SH ENVIRONMENT
 .TP
 .B CAIRN_SCENES
-The folder in which scenes are looked for by their names.
+The folder in which scenes are searched by name.
 .TP
 .B CAIRN_ISA
 The instruction set to use: avx512, avx2, sse2, neon or scalar. Results do not depend on it.
 .SH EXIT STATUS
-0, or 1 for what went wrong and for rows of
+0 on success; 1 for errors, for failed rows of
 .B cairn validate
-that fail, and for sweeps that are not complete, or 2 for a wrong call; each with one line on standard error. A program
-whose reader has gone away ends by
+and for incomplete sweeps; 2 for an invalid command line; errors print one line on standard error. A program
+whose reader closes the pipe ends by
 SIGPIPE. The first interrupt ends a run early, with all of its files; the third ends it at once.
 .SH EXAMPLES
 .nf

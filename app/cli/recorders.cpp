@@ -48,7 +48,7 @@ void Recorders::open_table(const scene::Scene& scene) {
     if (is_file && before && before->file == whole_path(options_.csv)) {
         if (before->moments != moments_of(options_)) {
             throw Error(ErrorCode::wrong_state, options_.csv.generic_string(), moments_of(options_),
-                        "was begun with other moments, and is to be gone on with: must be " + before->moments);
+                        "was begun with other times, and is to be continued: must be " + before->moments);
         }
         start.from = before->extent;
     }
@@ -61,7 +61,7 @@ void Recorders::open_table(const scene::Scene& scene) {
 void Recorders::warn_late_outputs() const {
     const auto tell = [this](const std::filesystem::path& path) {
         if (path.empty()) return;
-        complain(fmt::format("warning: {} begins after step {}, where the run is gone on from", path.generic_string(),
+        complain(fmt::format("warning: {} begins after step {}, from which the run continues", path.generic_string(),
                              resumed_->step));
     };
     if (!is_table_resumed_) tell(options_.csv);
@@ -93,7 +93,7 @@ void Recorders::finish(const scene::Scene& scene) {
     if (animation_) animation_->write(options_.animate);
     writing(options_.save);
     if (!options_.save.empty()) scene::save(scene, options_.save);
-    set_activity("adding up what happened");
+    set_activity("summing up what happened");
 }
 
 } // namespace cairn::cli

@@ -130,10 +130,10 @@ void compare_branch(recording::Replay& branch, recording::Replay& recorded, std:
     print("what if:  " + state_text(world));
     const Apart apart = greatest_distance(world, before);
     if (apart.distance > 0)
-        print(fmt::format("farthest apart after {} steps: {}, {:.6g} m\n", branch.steps(),
+        print(fmt::format("greatest distance after {} steps: {}, {:.6g} m\n", branch.steps(),
                           body_text(before, apart.body), apart.distance));
     else
-        print("no body is elsewhere\n");
+        print("all bodies are at the same positions\n");
     if (branch.refused_calls() > 0)
         complain(fmt::format("warning: {} recorded calls could not be made, the first: {}", branch.refused_calls(),
                              branch.first_refusal()));
@@ -151,7 +151,7 @@ int replay_command(const ReplayOptions& options) {
     const recording::Recording recording(options.recording);
     const recording::RecordingInfo& info = recording.info();
     if (info.is_cut_off)
-        complain(fmt::format("warning: {} was cut off; its first {} steps are whole", name, info.steps));
+        complain(fmt::format("warning: {} was cut off; its first {} steps are complete", name, info.steps));
     if (options.at && *options.at > info.seconds + 1e-3)
         throw Error(ErrorCode::invalid_value, "--at", fmt::format("{}", *options.at),
                     fmt::format("must be within the {:.6g} s of {}", info.seconds, name));

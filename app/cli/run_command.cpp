@@ -125,7 +125,7 @@ void check_moments(const RunOptions& options, float time_step, std::uint64_t ste
     const double every = static_cast<double>(options.every); // a video has all moments in the range, so at least these
     const double first = every * std::ceil((options.from / step - 1e-3) / every);
     if (first > static_cast<double>(steps) || !is_in_window(options, first * step, step)) {
-        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {}, "have no step in common");
+        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {}, "select no step");
     }
 }
 
@@ -133,7 +133,7 @@ void check_moments(const RunOptions& options, float time_step, std::uint64_t ste
 void require_steps_left(const RunOptions& options, std::uint64_t steps, std::uint64_t first) {
     if (first <= steps) return;
     throw Error(ErrorCode::invalid_value, options.frames ? "--frames" : "--seconds", fmt::format("{} steps", steps),
-                fmt::format("must be at least {} steps, as many as the checkpoint in {} has behind it", first,
+                fmt::format("must be at least {} steps, those that the checkpoint in {} has completed", first,
                             options.resume.generic_string()));
 }
 
@@ -149,7 +149,7 @@ void apply_options(const RunOptions& options, scene::Scene& scene, int ranks) {
 // Simulates from the first or resumed step to the end, or until interrupted.
 Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
                  std::uint64_t steps, const InterruptGuard& interrupt, const Ranks& ranks) {
-    set_activity("preparing what is written", options.scene);
+    set_activity("preparing the output files", options.scene);
     Checkpoints checkpoints(options, ranks, scene);
     const std::uint64_t first = checkpoints.first_step();
     require_steps_left(options, steps, first);
@@ -268,7 +268,7 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
     text += describe(outcome.ranks, outcome.clock.steps());
     text += describe(outcome.checkpoints, options);
-    text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
+    text += fmt::format("{} contacts, {} points, deepest overlap during the run {:.3g} mm\n", statistics.contacts,
                         statistics.contact_points, 1000.0 * outcome.max_penetration);
     text += fmt::format("kinetic energy {:.6g} J, potential {:.6g} J, state {:016x}\n", world.kinetic_energy(),
                         world.potential_energy(), world.state_hash());
@@ -291,7 +291,7 @@ scene::Scene ReadOptions::load(const std::filesystem::path& path, std::shared_pt
     set_activity("reading", path.generic_string());
     if (scene::is_mesh_file(path)) {
         throw Error(ErrorCode::unsupported, path.generic_string(), {},
-                    "is a mesh, and no scene; `cairn convert` makes a body of it");
+                    "is a mesh, not a scene; `cairn convert` makes a body of it");
     }
     scene::Scene scene =
         scene::load(path, {.fixed_base = fixed_base, .decompose = decompose, .listener = std::move(listener)});

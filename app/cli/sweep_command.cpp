@@ -77,7 +77,7 @@ std::vector<std::uint64_t> chunks_to_do(const SweepOptions& options, const sweep
 
 void put_together(const SweepOptions& options, const sweep::Plan& plan, const sweep::Start& start,
                   const sweep::Store& store, const std::filesystem::path& folder) {
-    set_activity("putting the results together", folder.generic_string());
+    set_activity("combining the results", folder.generic_string());
     const sweep::Summary summary = write_rows(plan, store, folder);
     const std::vector<std::string> failures = failure_lines(plan, start, summary);
     files::write_file(folder / "report.html", sweep_report(plan, summary, failures));
@@ -118,10 +118,10 @@ int tell_missing(const SweepOptions& options, const sweep::Plan& plan, const swe
     const std::string text =
         fmt::format("{} of {} rows are in {}", plan.design.rows() - left, plan.design.rows(), folder.generic_string());
     if (!was_whole || options.shards == 0) {
-        complain(fmt::format("interrupted: {}; --resume goes on", text));
+        complain(fmt::format("interrupted: {}; continue with --resume", text));
         return 1;
     }
-    print(fmt::format("part {} of {} is done: {}; the last part puts them together\n", options.shard, options.shards,
+    print(fmt::format("part {} of {} is done: {}; the last part combines the results\n", options.shard, options.shards,
                       text));
     return 0;
 }
@@ -140,7 +140,7 @@ int run_sweep(const SweepOptions& options, Ranks& ranks) {
     sweep::Store store(folder, plan, start);
     if (!options.resume && options.shards == 0 && !store.is_empty()) {
         throw Error(ErrorCode::wrong_state, folder.generic_string(), {},
-                    "has rows of this sweep: --resume goes on with them, --out chooses another folder");
+                    "has rows of this sweep: continue with --resume, or choose another folder with --out");
     }
     const bool was_whole = run_missing(options, plan, start, store, ranks);
     if (ranks.rank() != 0) return was_whole ? 0 : 1;

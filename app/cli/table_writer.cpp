@@ -81,14 +81,14 @@ void require_beginning(const fs::path& path, const std::string& head, bool is_ar
     const std::string name = path.generic_string();
     if (columns != from.columns || from.bytes < head.size()) {
         throw Error(ErrorCode::wrong_state, name, {},
-                    "has other columns than the run goes on with: --columns must be as before");
+                    "has other columns than the run that continues: --columns must be as before");
     }
     const fs::path place = files::destination_of(path).path, unfinished = files::unfinished_beside(place);
     if (begins(unfinished, head, is_array, from)) return;
     if (!begins(place, head, is_array, from)) {
         throw Error(ErrorCode::wrong_state, name, {},
-                    fmt::format("cannot be gone on with: the first {} bytes of it are in neither {} nor {}; another "
-                                "file gets what comes after the checkpoint",
+                    fmt::format("cannot be continued: its first {} bytes are in neither {} nor {}; another file gets "
+                                "the steps after the checkpoint",
                                 from.bytes, unfinished.generic_string(), place.generic_string()));
     }
     std::error_code error;

@@ -111,7 +111,7 @@ void add_row(std::string& out, const Row& row, bool is_new) {
     if (!row.note.empty()) out += fmt::format("<div class=\"note\">{}</div>", escaped(row.note));
     out += fmt::format("</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>",
                        validation::step_text(row.time_step), number_text(row.expected), number_text(row.measured));
-    const std::string used = std::isfinite(share) ? fmt::format("{:.3g} % of the bar", 100 * share) : "not kept";
+    const std::string used = std::isfinite(share) ? fmt::format("{:.3g} % of the bar", 100 * share) : "exceeded";
     out += fmt::format("<td class=\"bar\">{}</td><td title=\"{}\"><span class=\"meter\"><i style=\"width:{:.0f}%\">"
                        "</i></span></td>",
                        escaped(bar_text(row)), used, std::clamp(100 * share, 0.0, 100.0));
@@ -120,7 +120,7 @@ void add_row(std::string& out, const Row& row, bool is_new) {
 
 void add_rows(std::string& out, const std::vector<Row>& rows) {
     out += "<table><thead><tr><th>Quantity</th><th class=\"number\">Step, s</th><th class=\"number\">Expected</th>"
-           "<th class=\"number\">Measured</th><th>Bar</th><th>Used of it</th><th></th></tr></thead><tbody>\n";
+           "<th class=\"number\">Measured</th><th>Bar</th><th>Used</th><th></th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < rows.size(); ++i)
         add_row(out, rows[i], i == 0 || rows[i].quantity != rows[i - 1].quantity);
     out += "</tbody></table>\n";
@@ -128,8 +128,9 @@ void add_rows(std::string& out, const std::vector<Row>& rows) {
 
 void add_published(std::string& out, const std::vector<Published>& published) {
     if (published.empty()) return;
-    out += "<h3>Published of other engines</h3><table><thead><tr><th>Quantity</th><th>Engine</th><th>Value</th>"
-           "<th>Source</th></tr></thead><tbody>\n";
+    out += "<h3>Published results of other "
+           "engines</h3><table><thead><tr><th>Quantity</th><th>Engine</th><th>Value</th><th>Source</th></tr></"
+           "thead><tbody>\n";
     for (std::size_t i = 0; i < published.size(); ++i) {
         const Published& p = published[i];
         const bool is_new = i == 0 || p.quantity != published[i - 1].quantity;
@@ -171,9 +172,9 @@ std::string page(const std::vector<Measured>& cases) {
     const Count all = count_rows(cases);
     std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-                      "<title>Cairn: physics that is checked</title><style>";
+                      "<title>Cairn: validation of the physics</title><style>";
     out += style;
-    out += "</style></head><body><main>\n<h1>Physics that is checked</h1>\n";
+    out += "</style></head><body><main>\n<h1>Validation of the physics</h1>\n";
     out +=
         fmt::format("<p class=\"quiet\">Cairn {}, instruction set {}. Small worlds measured against closed forms and "
                     "against published numbers; results are the same on every machine.</p>\n",

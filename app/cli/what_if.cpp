@@ -25,8 +25,8 @@ std::vector<float> numbers_of(const std::string& text, std::string_view list, st
         list.remove_prefix(1);
     }
     if (numbers.size() != count || !list.empty())
-        refuse_change(text,
-                      count == 1 ? "must have a number behind =" : "must have three numbers behind =, with commas");
+        refuse_change(text, count == 1 ? "must have a number after ="
+                                       : "must have three numbers after =, separated by commas");
     return numbers;
 }
 

@@ -40,13 +40,13 @@ struct Names {
         return NamedChange{"change a joint", Merge::soon};
     }
     std::optional<NamedChange> operator()(const command::SetJointStrength&) const {
-        return NamedChange{"strength of a joint", Merge::soon};
+        return NamedChange{"change the strength of a joint", Merge::soon};
     }
     std::optional<NamedChange> operator()(const command::SetJointEnabled& change) const {
         return NamedChange{change.enabled ? "enable a joint" : "disable a joint"};
     }
     std::optional<NamedChange> operator()(const command::SetJointSolver&) const {
-        return NamedChange{"solver of a joint"};
+        return NamedChange{"change the solver of a joint"};
     }
     std::optional<NamedChange> operator()(const command::RemoveJoint&) const { return NamedChange{"remove a joint"}; }
     std::optional<NamedChange> operator()(const command::EditBody& change) const {
@@ -54,7 +54,7 @@ struct Names {
     }
     std::optional<NamedChange> operator()(const command::EditBodies& change) const {
         if (change.edits.empty()) return std::nullopt;
-        return NamedChange{std::string(name_of(change.edits.front().second)) + ", several", Merge::soon};
+        return NamedChange{std::string(name_of(change.edits.front().second)) + ", several bodies", Merge::soon};
     }
     std::optional<NamedChange> operator()(const command::GroupSelected&) const { return NamedChange{"group bodies"}; }
     std::optional<NamedChange> operator()(const command::UngroupSelected&) const { return NamedChange{"end a group"}; }

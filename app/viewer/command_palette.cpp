@@ -46,7 +46,7 @@ void CommandPalette::draw(Controller& controller, float scale, float column, flo
         ImGui::SameLine(ImGui::GetContentRegionMax().x - keys - ImGui::GetStyle().ItemSpacing.x);
         ImGui::TextDisabled("%s", command.keys.c_str());
     }
-    if (last < 0) ImGui::TextDisabled("nothing of that name");
+    if (last < 0) ImGui::TextDisabled("no command of that name");
     ImGui::EndChild();
     ImGui::End();
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) || has_left) controller.palette = false;

@@ -381,7 +381,7 @@ void Controller::drop_files(std::span<const std::string> paths) {
     std::string types;
     for (const std::string& type : file_types_) types += (types.empty() ? "" : ", ") + type;
     const std::string name = std::filesystem::path(paths.front()).filename().string();
-    post_(command::Say{name + " is no scene: files of these types can be opened: " + types});
+    post_(command::Say{name + " is not a scene: files of these types can be opened: " + types});
 }
 
 void Controller::update(const StageState& state) {

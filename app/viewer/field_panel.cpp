@@ -14,14 +14,14 @@ namespace {
 
 // The exponents that `ForceField` allows, in the order of their names.
 constexpr std::array exponents{-2.0f, -1.0f, 0.0f, 1.0f};
-constexpr std::array exponent_names{"as 1 / distance^2", "as 1 / distance", "the same anywhere", "as the distance"};
+constexpr std::array exponent_names{"~ 1 / distance^2", "~ 1 / distance", "constant", "~ distance"};
 
 bool draw_radial(ForceField& field) {
     float center[] = {float(field.center.x), float(field.center.y), float(field.center.z)};
     bool changed = ImGui::DragFloat3("center", center, 0.02f, 0.0f, 0.0f, "%.2f");
     if (changed) field.center = Position(center[0], center[1], center[2]);
     changed |= ImGui::DragFloat("pull", &field.strength, 0.05f, 0.0f, 0.0f, field.is_force ? "%.2f N" : "%.2f m/s2");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("at a distance of 1 m; less than 0 pushes away");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("at a distance of 1 m; negative values repel");
     int exponent = int(std::find(exponents.begin(), exponents.end(), field.exponent) - exponents.begin());
     if (ImGui::Combo("strength", &exponent, exponent_names.data(), int(exponent_names.size()))) {
         field.exponent = exponents[std::size_t(exponent)];
@@ -35,12 +35,13 @@ bool draw_fluid(ForceField& field) {
     bool changed = ImGui::DragFloat3("surface", center, 0.02f, 0.0f, 0.0f, "%.2f");
     if (changed) field.center = Position(center[0], center[1], center[2]);
     changed |= ImGui::DragFloat3("reach", &field.half_extents.x, 0.02f, 0.01f, 1000.0f, "%.2f");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("from there, m; below it, its depth");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("half sizes along the world axes from there, m; vertically: the depth");
     changed |= ImGui::DragFloat3("flow", &field.direction.x, 0.02f, 0.0f, 0.0f, "%.2f");
     changed |= ImGui::DragFloat("kg/m3", &field.density, 5.0f, 0.0f, 20000.0f, "%.0f");
     changed |= ImGui::DragFloat("drag", &field.drag, 0.01f, 0.0f, 100.0f, "%.2f");
     changed |= ImGui::DragFloat("skin", &field.skin_friction, 0.001f, 0.0f, 10.0f, "%.3f");
-    changed |= ImGui::DragFloat("moved along", &field.added_mass, 0.01f, 0.0f, 10.0f, "%.2f");
+    changed |= ImGui::DragFloat("added mass", &field.added_mass, 0.01f, 0.0f, 10.0f, "%.2f");
     changed |= ImGui::DragFloat("waves", &field.wave_damping, 0.01f, 0.0f, 10.0f, "%.2f");
     return changed;
 }
@@ -53,7 +54,7 @@ bool FieldPanel::draw_field(Controller& controller, std::size_t index, bool& is_
     const std::string place = "field." + std::to_string(index);
     bool changed = false;
     int kind = int(field.kind);
-    constexpr std::array kinds{"one direction", "towards a point", "a fluid"};
+    constexpr std::array kinds{"uniform", "radial", "fluid"};
     if (ImGui::Combo("##kind", &kind, kinds.data(), int(kinds.size()))) {
         field.kind = ForceField::Kind(kind);
         changed = true;
@@ -69,7 +70,7 @@ bool FieldPanel::draw_field(Controller& controller, std::size_t index, bool& is_
         changed |= draw_fluid(field);
     note_place(controller, (place + ".value").c_str());
     if (field.kind == ForceField::Kind::fluid) return changed;
-    changed |= ImGui::Checkbox("a force, the same for all masses", &field.is_force);
+    changed |= ImGui::Checkbox("force, independent of mass", &field.is_force);
     return changed;
 }
 
@@ -78,7 +79,7 @@ void FieldPanel::draw(const StageState& state, Controller& controller) {
     note_place(controller, "panel.fields");
     if (!is_open) return;
     if (!ImGui::IsAnyItemActive()) fields_ = state.fields;
-    if (fields_.empty()) explain("They act on every body that moves by forces: wind, a magnet, a planet, water.");
+    if (fields_.empty()) explain("Force fields act on all dynamic bodies: wind, a magnet, a planet, water.");
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         ImGui::PushID(int(i));
         bool is_removed = false;

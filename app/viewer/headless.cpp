@@ -42,7 +42,7 @@ class EglContext {
         EGLint count = 0;
         if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display_, config_attributes, &config, 1, &count) ||
             count < 1)
-            throw no_egl("no configuration for OpenGL");
+            throw no_egl("no EGL configuration for OpenGL");
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, context_attributes);
         if (context_ == EGL_NO_CONTEXT) throw no_egl("no context of OpenGL 3.3");
         if (!make_current()) {

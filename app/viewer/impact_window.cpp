@@ -57,7 +57,7 @@ void draw_sides(const Impact& impact) {
     const ImpactSide &a = impact.first, &b = impact.second;
     const auto mass = [](const ImpactSide& side) {
         return side.inverse_mass > 0.0 ? number_text(1.0 / side.inverse_mass) + " kg"
-                                       : std::string("not pushed: 1/m = 0");
+                                       : std::string("infinite: 1/m = 0");
     };
     add_row("", "1: " + a.name, "2: " + b.name);
     add_row("m", mass(a), mass(b));
@@ -84,7 +84,7 @@ void draw_formula(const Impact& impact) {
     draw_fraction("    =", upper, lower, ("=  " + number_text(impact.impulse) + " N s").c_str());
     ImGui::Text("vr = sN (pv1 - pv2) = %s m/s  (4.15),   sN = %s", number_text(impact.relative_speed).c_str(),
                 triple_text(impact.normal).c_str());
-    ImGui::Text("In this run body 1 was given %s N s along sN, besides by gravity.", number_text(impact.given).c_str());
+    ImGui::Text("In this run, body 1 received %s N s along sN, excluding gravity.", number_text(impact.given).c_str());
 }
 
 } // namespace
@@ -99,12 +99,12 @@ void ImpactWindow::draw_partner(const StageState& state, Controller& controller)
     const auto name_of_body = [&](BodyId id) {
         for (const BodyLayout& body : state.layout->bodies)
             if (body.id == id) return label_of(id, body.name);
-        return std::string("whatever it was");
+        return std::string("any body");
     };
     ImGui::SetNextItemWidth(11.0f * ImGui::GetFontSize());
     if (ImGui::BeginCombo("with", name_of_body(partner_).c_str())) {
         bool changed = false;
-        if (ImGui::Selectable("whatever it was", !partner_)) changed = true, partner_ = {};
+        if (ImGui::Selectable("any body", !partner_)) changed = true, partner_ = {};
         for (const BodyId partner : state.impact_partners)
             if (ImGui::Selectable(name_of_body(partner).c_str(), partner == partner_))
                 changed = true, partner_ = partner;
@@ -112,7 +112,7 @@ void ImpactWindow::draw_partner(const StageState& state, Controller& controller)
         if (changed) ask(state, controller);
     }
     ImGui::SameLine();
-    if (ImGui::Button("The last one before now")) ask(state, controller);
+    if (ImGui::Button("Previous impact")) ask(state, controller);
     note_place(controller, "impact.last");
 }
 
@@ -134,25 +134,25 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
     keep_in_picture(column, bottom);
     if (is_open) {
         if (!state.selected) {
-            ImGui::TextUnformatted("Click a body: its last impact is shown, with all numbers of its impulse.");
+            ImGui::TextUnformatted("Click a body to see its last impact and how its impulse is computed.");
         } else {
             draw_partner(state, controller);
-            if (!state.impact) ImGui::TextUnformatted("It has hit nothing yet, at 1 m/s or more.");
+            if (!state.impact) ImGui::TextUnformatted("It has had no impact yet at 1 m/s or more.");
         }
         if (state.impact) {
             const Impact& impact = *state.impact;
             const double ago = (double(state.timeline.now) - double(impact.step) + 1.0) * state.time_step - impact.time;
-            if (ImGui::Button("See it in slow motion")) controller.post(command::WatchImpact{});
+            if (ImGui::Button("Play in slow motion")) controller.post(command::WatchImpact{});
             note_place(controller, "impact.watch");
             ImGui::SameLine();
             ago >= 0.0 ? ImGui::Text("%.3f s ago", ago) : ImGui::Text("in %.3f s", -ago);
             ImGui::SameLine();
-            ImGui::TextDisabled("%.2f ms after its step began, which was %.2f ms long", 1e3 * impact.time,
+            ImGui::TextDisabled("%.2f ms after the start of its step of %.2f ms", 1e3 * impact.time,
                                 1e3 * state.time_step);
             draw_formula(impact);
             draw_sides(impact);
-            explain("The formula is that of the report from which this program grew: two rigid bodies, one point, no "
-                    "friction. The run also has friction, other contacts, and gravity during the step.");
+            explain("The formula is for two rigid bodies that touch in one point without friction. The run also has "
+                    "friction, other contacts, and gravity during the step.");
         }
     }
     ImGui::End();

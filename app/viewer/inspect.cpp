@@ -103,7 +103,7 @@ struct EditNames {
     const char* operator()(const edit::Type&) const { return "type of a body"; }
     const char* operator()(const edit::Mass&) const { return "mass of a body"; }
     const char* operator()(const edit::Place&) const { return "position of a body"; }
-    const char* operator()(const edit::Pose&) const { return "move or turn a body"; }
+    const char* operator()(const edit::Pose&) const { return "move or rotate a body"; }
     const char* operator()(const edit::Scale&) const { return "scale a body"; }
     const char* operator()(const edit::Velocity&) const { return "velocity of a body"; }
     const char* operator()(const edit::Turning&) const { return "angular velocity of a body"; }

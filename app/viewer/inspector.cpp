@@ -49,20 +49,20 @@ void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
         controller.post(command::EditBody{facts.id, edit::Type{BodyType(type)}});
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "static: never moves; kinematic: moves as it is told, and nothing pushes it; dynamic: by forces");
+            "static: never moves; kinematic: moves as prescribed, regardless of forces; dynamic: moves by forces");
     bool is_trigger = facts.is_trigger;
     if (ImGui::Checkbox("trigger", &is_trigger))
         controller.post(command::EditBody{facts.id, edit::Trigger{is_trigger}});
     note_place(controller, "inspector.trigger");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("touches nothing, and reports what comes in and leaves");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("collides with nothing, and reports bodies that enter and leave");
     ImGui::SameLine();
     bool is_enabled = facts.is_enabled;
     if (ImGui::Checkbox("enabled", &is_enabled))
         controller.post(command::EditBody{facts.id, edit::Enabled{is_enabled}});
     note_place(controller, "inspector.enabled");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("what is disabled takes no part in the world: it stands still as an outline, and its joints "
-                          "do not act");
+        ImGui::SetTooltip("a disabled body takes no part in the simulation: it is drawn as an outline, and its joints "
+                          "have no effect");
     if (facts.type != BodyType::dynamic) return;
     if (ImGui::SliderFloat("mass", &edited_.mass.mass, 0.01f, 1e5f, "%.4g kg", ImGuiSliderFlags_Logarithmic) &&
         edited_.mass.mass > 0.0f)
@@ -77,7 +77,7 @@ void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
     if (drag_axes("position", edited_.position, 0.01f))
         controller.post(command::EditBody{facts.id, edit::Place{edited_.position}});
     note_place(controller, "inspector.position");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("m, of its frame; drag to change, double-click to type");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("m, of the body's origin; drag to change, double-click to type");
     if (facts.type == BodyType::static_) return;
     if (drag_axes("velocity", edited_.velocity, 0.02f))
         controller.post(command::EditBody{facts.id, edit::Velocity{edited_.velocity}});
@@ -87,8 +87,8 @@ void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("rad/s, about the axes of the world");
     fact("speed", "%.4g m/s", double(glm::length(facts.velocity)));
     if (facts.type != BodyType::dynamic) return;
-    fact("energy of moving", "%.4g J", facts.linear_energy);
-    fact("energy of turning", "%.4g J", facts.angular_energy);
+    fact("kinetic, linear", "%.4g J", facts.linear_energy);
+    fact("kinetic, rotational", "%.4g J", facts.angular_energy);
     fact("potential energy", "%.4g J", facts.potential_energy);
     fact("state", !facts.is_enabled ? "disabled" : facts.is_awake ? "awake" : "asleep", 0.0);
 }
@@ -97,7 +97,7 @@ void Inspector::draw_surface(const BodyFacts& facts, Controller& controller) {
     if (facts.shapes.empty() || !ImGui::CollapsingHeader("Material", ImGuiTreeNodeFlags_DefaultOpen)) return;
     Material& material = edited_.shapes.front().material;
     bool also_touched = false, changed = false;
-    if (ImGui::BeginCombo("friction of", "choose ...")) {
+    if (ImGui::BeginCombo("preset", "choose ...")) {
         for (const MaterialPreset& preset : material_presets()) {
             char line[96];
             std::snprintf(line, sizeof line, "%s   %.3g / %.3g", preset.name, double(preset.static_friction),
@@ -110,10 +110,9 @@ void Inspector::draw_surface(const BodyFacts& facts, Controller& controller) {
     }
     note_place(controller, "inspector.presets");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Static / dynamic coefficients between two surfaces, given to this body and to what it touches.\n"
-            "Source: %s",
-            material_source());
+        ImGui::SetTooltip("Static / dynamic coefficients between two surfaces; they are set for this body and the "
+                          "bodies it touches.\nSource: %s",
+                          material_source());
     constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp;
     changed |= ImGui::SliderFloat("static friction", &material.static_friction, 0.0f, 1.5f, "%.2f", clamped);
     changed |= ImGui::SliderFloat("sliding friction", &material.dynamic_friction, 0.0f, 1.5f, "%.2f", clamped);
@@ -132,13 +131,13 @@ void Inspector::draw_touches(const BodyFacts& facts, Controller& controller) {
     char title[48];
     std::snprintf(title, sizeof title, "Contacts (%zu)###touches", facts.touches.size());
     if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
-    if (facts.touches.empty()) return ImGui::TextDisabled("touches nothing");
+    if (facts.touches.empty()) return ImGui::TextDisabled("no contacts");
     constexpr std::size_t most = 8;
     for (std::size_t i = 0; i < std::min(facts.touches.size(), most); ++i) {
         const BodyFacts::Touch& touch = facts.touches[i];
         ImGui::PushID(int(i));
         if (ImGui::Selectable(touch.name.c_str())) controller.post(command::SelectBody{touch.other});
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("selects it");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("select this body");
         ImGui::PopID();
         ImGui::TextDisabled("   %d points, %.4g N, friction %.3g N", touch.points, double(touch.normal_force),
                             double(touch.friction_force));
@@ -160,7 +159,7 @@ void Inspector::draw_selection_buttons(Controller& controller) {
         if (ImGui::Button(names[std::size_t(i)])) controller.gizmo.mode = is_on ? GizmoMode::none : GizmoMode(i);
         if (is_on) ImGui::PopStyleColor();
         note_place(controller, (std::string("inspector.") + name_of(GizmoMode(i))).c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("handles in the picture (Q)");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("handles in the 3D view (Q)");
         ImGui::SameLine();
     }
     ImGui::NewLine();
@@ -172,13 +171,13 @@ void Inspector::draw_buttons(Controller& controller) {
     ImGui::SameLine();
     if (ImGui::Button("Impact (F7)")) controller.impacts = true;
     note_place(controller, "inspector.impact");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last one of this body, with the formula of its impulse (F7)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last impact of this body, with the formula of its impulse (F7)");
 }
 
 // Data and edits of several selected bodies.
 void Inspector::draw_several(const StageState& state, Controller& controller) {
     const std::vector<BodyId>& all = state.selection;
-    fact("mass in all", "%.4g kg", double(state.handled->mass.mass));
+    fact("total mass", "%.4g kg", double(state.handled->mass.mass));
     if (ImGui::Button(state.is_group ? "Ungroup" : "Group")) {
         if (state.is_group)
             controller.post(command::UngroupSelected{});
@@ -187,8 +186,8 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
     }
     note_place(controller, "inspector.group");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(state.is_group ? "Each is selected by itself from now on (Ctrl+Shift+G)"
-                                         : "A click on one selects them all from now on (Ctrl+G)");
+        ImGui::SetTooltip(state.is_group ? "End the group: a click selects one body again (Ctrl+Shift+G)"
+                                         : "Group: a click on one body selects all (Ctrl+G)");
     draw_selection_buttons(controller);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("make all");
@@ -212,7 +211,7 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
         ImGui::TextDisabled("%s", type_names[std::size_t(body->type)]);
     }
     if (all.size() > most) ImGui::TextDisabled("and %zu more", all.size() - most);
-    explain("Shift+click adds a body or takes one away; Shift+drag beside bodies adds all in a frame.");
+    explain("Shift+click adds or removes a body; Shift+drag beside bodies adds all bodies in a frame.");
 }
 
 // Synchronizes the fields with the body, unless a widget is active. Returns the window title.

@@ -43,7 +43,7 @@ void IntegratorWindow::draw_controls(Controller& controller) {
     ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
     if (ImGui::Button(is_running_ ? "Pause##lab" : "Run##lab")) is_running_ = !is_running_;
     ImGui::SameLine();
-    if (ImGui::Button("Start over")) time_ = 0.0, is_running_ = true;
+    if (ImGui::Button("Restart")) time_ = 0.0, is_running_ = true;
     ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
     ImGui::SetNextItemWidth(9.0f * ImGui::GetFontSize());
     char text[32];

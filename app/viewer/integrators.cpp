@@ -118,12 +118,12 @@ const char* name_of(LabSystem system) {
 const char* explanation_of(LabSystem system) {
     switch (system) {
     case LabSystem::top:
-        return "A spinning top near upright: a = (mgl / I) x + (I3 spin / I) (up x v). Exact: two circles. The force\n"
-               "depends on the velocity, so semi-implicit Euler gains energy, too.";
+        return "A spinning top near upright: a = (mgl / I) x + (I3 spin / I) (up x v). Exact: two circles. The "
+               "force\ndepends on the velocity, so that semi-implicit Euler gains energy, too.";
     case LabSystem::spring:
-        return "A mass on a spring: a = -(2 pi / 1 s)^2 x, let go at 1 m. Exact: x = cos(2 pi t).";
+        return "A mass on a spring: a = -(2 pi / 1 s)^2 x, released at 1 m. Exact: x = cos(2 pi t).";
     case LabSystem::pendulum:
-        return "A pendulum of 1 m: a = -(g / l) sin(angle), let go at 2 rad. Exact: elliptic functions.";
+        return "A pendulum of 1 m: a = -(g / l) sin(angle), released at 2 rad. Exact: elliptic functions.";
     case LabSystem::orbit:
         break;
     }
@@ -163,7 +163,7 @@ const char* formula_of(Integrator integrator) {
     case Integrator::rk4:
         break;
     }
-    return "four slopes a step, weighted 1 2 2 1";
+    return "four slopes per step, weighted 1 2 2 1";
 }
 
 LabState start_of(LabSystem system) {
@@ -271,7 +271,7 @@ Chart energy_chart(LabSystem system, double h, double seconds) {
     std::snprintf(title, sizeof title, "energy of the %s, steps of 1/%.0f s", name_of(system), 1.0 / h);
     chart.title = title;
     chart.x_label = "time, s";
-    chart.y_label = "change of the energy, % of that at the start";
+    chart.y_label = "change of the energy, % of the initial energy";
     chart.top = 200.0;
     const double start = energy_of(system, start_of(system));
     Curve known{"exact", {}, {}, 0xa9b0ba, false, true};
@@ -294,7 +294,7 @@ Chart error_chart(LabSystem system) {
     chart.title = std::string("greatest error of the ") + name_of(system) + " in one period";
     chart.x_label = "length of a step, s";
     chart.y_label = system == LabSystem::pendulum ? "error, rad"
-                    : system == LabSystem::top    ? "error, of the tilt at the start"
+                    : system == LabSystem::top    ? "error, relative to the initial tilt"
                                                   : "error, m";
     chart.log_x = chart.log_y = true;
     for (const Integrator integrator : lab_integrators) {

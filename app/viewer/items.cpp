@@ -20,7 +20,7 @@ void draw_export_buttons(Controller& controller, const std::string& prefix,
             for (const auto& [name, chart] : charts)
                 controller.exports.push_back({name, ".svg", controller.svg_of_chart(*chart)});
         note_place(controller, (prefix + ".svg").c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("a picture of each plot, for reports");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("an image of each plot, for reports");
         ImGui::SameLine();
     }
     if (ImGui::Button("Save as CSV"))

@@ -59,7 +59,7 @@ std::vector<JointPosition> general_positions(const GeneralJoint& joint) {
             row->has_drive = true;
             continue;
         }
-        positions.push_back({std::string(is_angle ? "turned about " : "at ") + axis_names[drive.axis], is_angle});
+        positions.push_back({std::string(is_angle ? "rotation about " : "at ") + axis_names[drive.axis], is_angle});
         rows.push_back({drive.kind, drive.axis, true});
     }
     return positions;

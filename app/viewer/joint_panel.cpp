@@ -63,7 +63,7 @@ bool cap_slider(const char* check, const char* name, float& cap, bool is_torque)
 }
 
 bool edit_spring(JointSpring& spring, bool is_angle) {
-    bool changed = ImGui::Checkbox("by frequency", &spring.is_acceleration);
+    bool changed = ImGui::Checkbox("as frequency", &spring.is_acceleration);
     if (changed) spring = spring.is_acceleration ? JointSpring::from_frequency(2.0f, 1.0f) : JointSpring{100.0f, 10.0f};
     if (!spring.is_acceleration) {
         changed |= positive_slider("stiffness", spring.stiffness, 0.01f, 1e6f, is_angle ? "%.4g N m/rad" : "%.4g N/m");
@@ -135,9 +135,9 @@ bool edit_motor(std::optional<JointMotor>& motor, bool is_angle, float now) {
     if (!motor) return changed;
     ImGui::PushID("motor");
     changed |= rate_slider("velocity", motor->velocity, is_angle);
-    changed |= edit_optional_spring("spring to a position", motor->spring, is_angle);
+    changed |= edit_optional_spring("spring to position", motor->spring, is_angle);
     if (motor->spring) changed |= place_slider("position", motor->position, is_angle);
-    changed |= cap_slider("limited force", "most force", motor->max_force, is_angle);
+    changed |= cap_slider("limited force", "max. force", motor->max_force, is_angle);
     ImGui::PopID();
     return changed;
 }
@@ -180,12 +180,12 @@ struct OwnValues {
     bool operator()(ServoJoint& joint) const {
         bool changed = ImGui::SliderFloat3("position", &joint.position.x, -max_meters, max_meters, "%.2f");
         for (const auto& [name, spring, is_angle] :
-             {std::tuple("moving", &joint.linear, false), {"turning", &joint.angular, true}}) {
+             {std::tuple("linear", &joint.linear, false), {"angular", &joint.angular, true}}) {
             ImGui::TextUnformatted(name);
             ImGui::PushID(name);
             changed |= edit_spring(*spring, is_angle);
             changed |=
-                cap_slider(is_angle ? "limited torque" : "limited force", is_angle ? "most torque" : "most force",
+                cap_slider(is_angle ? "limited torque" : "limited force", is_angle ? "max. torque" : "max. force",
                            is_angle ? joint.max_torque : joint.max_force, is_angle);
             ImGui::PopID();
         }
@@ -252,7 +252,7 @@ struct OwnValues {
             changed = true;
         }
         float cap = drive.max_force.value_or(infinity);
-        if (cap_slider("limited force", "most force", cap, is_angle)) {
+        if (cap_slider("limited force", "max. force", cap, is_angle)) {
             drive.max_force = std::isfinite(cap) ? std::optional(cap) : std::nullopt;
             changed = true;
         }
@@ -288,15 +288,14 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
     char title[48];
     std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
     if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
-    if (ImGui::BeginCombo("drawn (T)", name_of(controller.joints))) {
+    if (ImGui::BeginCombo("shown (T)", name_of(controller.joints))) {
         for (int i = 0; i < joints_shown_count; ++i)
             if (ImGui::Selectable(name_of(JointsShown(i)), int(controller.joints) == i))
                 controller.joints = JointsShown(i);
         ImGui::EndCombo();
     }
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "blue: bears little; yellow: about to break; red: does not hold; gray: disabled; white: selected");
+        ImGui::SetTooltip("blue: low load; yellow: about to break; red: has a gap; gray: disabled; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);
     ImGui::BeginChild("joint list", ImVec2(0.0f, lines * ImGui::GetTextLineHeightWithSpacing()));
     ImGuiListClipper clipper; // draws only visible lines of a list that may have thousands
@@ -336,7 +335,7 @@ void JointPanel::draw_facts(const StageState& state, const JointLayout& joint, c
     ImGui::Text("force %.4g N   torque %.4g N m", double(glm::length(now.force)), double(glm::length(now.torque)));
     ImGui::Text("error %.2f mm, %.2f deg", 1e3 * double(now.linear_error), double(now.angular_error / degree));
     if (const float load = joint_load(joint.def, now); load > 0.0f)
-        ImGui::ProgressBar(std::min(load, 1.0f), ImVec2(-1.0f, 0.0f), "load before it breaks");
+        ImGui::ProgressBar(std::min(load, 1.0f), ImVec2(-1.0f, 0.0f), "load / breaking load");
 }
 
 void JointPanel::draw_strength(Controller& controller) {

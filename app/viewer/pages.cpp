@@ -38,7 +38,7 @@ std::string open_page(const std::filesystem::path& folder, const std::string& pa
     if (folder.empty() || !std::filesystem::is_regular_file(file, code))
         return "docs/" + page + " is not installed here: it is in the source of Cairn.";
     if (open_with_desktop(file)) return "Opening " + file.string();
-    return "There is no " + std::string(opener) + " to open it with: the page is " + file.string();
+    return "No program " + std::string(opener) + " to open it: the page is " + file.string();
 }
 
 } // namespace cairn::viewer

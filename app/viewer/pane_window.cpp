@@ -112,7 +112,7 @@ bool PaneWindow::draw_settings(Controller& controller) {
             pane.friction = has_friction ? std::optional(0.5f) : std::nullopt;
             changed = true;
         }
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("the same of all surfaces; else what the scene gives them");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("one value for all surfaces; otherwise those of the scene");
         if (pane.friction) {
             ImGui::SameLine();
             ImGui::SetNextItemWidth(5.0f * ImGui::GetFontSize());
@@ -126,7 +126,7 @@ bool PaneWindow::draw_settings(Controller& controller) {
         changed = true;
     }
     if (settings_.size() + 1 < most_panes) {
-        if (ImGui::Button("One more")) {
+        if (ImGui::Button("Add pane")) {
             settings_.push_back(first_);
             changed = true;
         }
@@ -171,7 +171,7 @@ void PaneWindow::draw_section(const StageState& state, Controller& controller) {
     bool is_open = true;
     if (ImGui::CollapsingHeader("Panes (F6)", &is_open, ImGuiTreeNodeFlags_DefaultOpen)) {
         const double began = double(state.panes_began) - double(state.timeline.first);
-        ImGui::Text("From %.2f s on; Reset begins anew.", std::max(began, 0.0) * state.time_step);
+        ImGui::Text("From %.2f s on; Reset restarts them.", std::max(began, 0.0) * state.time_step);
         bool changed = draw_varied(controller);
         changed |= draw_settings(controller);
         if (changed) controller.post(command::SetPanes{settings_});

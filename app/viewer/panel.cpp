@@ -177,7 +177,7 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button("Integrators (F4)")) controller.integrators = !controller.integrators;
     note_place(controller, "panel.integrators");
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("explicit Euler, semi-implicit Euler and RK4 beside the exact solution");
+        ImGui::SetTooltip("explicit Euler, semi-implicit Euler and RK4 compared with the exact solution");
     ImGui::SameLine();
     if (ImGui::Button("Panes")) controller.panes = !controller.panes;
     note_place(controller, "panel.panes");
@@ -226,19 +226,19 @@ void Panel::draw_settings(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("Settings")) return;
     bool changed = ImGui::SliderFloat3("gravity", &settings_.gravity.x, -20.0f, 20.0f, "%.2f");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s^2; double-click to type");
-    const std::string by_step = std::to_string(state.usual_substeps) + ", by the step";
+    const std::string by_step = std::to_string(state.usual_substeps) + ", automatic";
     changed |= ImGui::SliderInt("substeps", &settings_.substeps, 0, 32,
                                 settings_.substeps > 0 || state.settings.substeps > 0 ? "%d" : by_step.c_str(),
                                 ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("0: as many as make them no longer than 1/360 s");
-    changed |= ImGui::Checkbox("more substeps where needed", &settings_.adaptive_substeps);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("0: as many as keep a substep at most 1/360 s long");
+    changed |= ImGui::Checkbox("adaptive substeps", &settings_.adaptive_substeps);
     int integrator = int(settings_.integrator);
     constexpr std::array names{"semi-implicit Euler", "explicit Euler", "Runge-Kutta 4"};
     if (ImGui::Combo("integrator", &integrator, names.data(), int(names.size()))) {
         settings_.integrator = Integrator(integrator);
         changed = true;
     }
-    changed |= ImGui::Checkbox("let resting bodies sleep", &settings_.enable_sleep);
+    changed |= ImGui::Checkbox("sleeping", &settings_.enable_sleep);
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
@@ -287,7 +287,7 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
     ImGui::Checkbox("grid", &controller.grid);
     ImGui::SameLine();
     ImGui::Checkbox("shadows", &controller.shadows);
-    if (!state.layout->visuals.empty()) ImGui::Checkbox("the file's own meshes", &controller.visuals);
+    if (!state.layout->visuals.empty()) ImGui::Checkbox("visual meshes", &controller.visuals);
 }
 
 void Panel::draw_spawn_tool(Controller& controller) {
@@ -305,7 +305,7 @@ void Panel::draw_spawn_tool(Controller& controller) {
     ImGui::SliderFloat("friction", &tool.friction, 0.0f, 1.5f, "%.2f", clamped);
     ImGui::SliderFloat("bounce", &tool.restitution, 0.0f, 1.0f, "%.2f", clamped);
     ImGui::SliderFloat("shot speed", &tool.speed, 0.0f, greatest_shot_speed, "%.0f m/s", clamped);
-    if (ImGui::Button("Drop one")) {
+    if (ImGui::Button("Drop")) {
         const Position above = controller.camera.target() + Position(0.0, 0.3 * controller.camera.distance(), 0.0);
         controller.post(command::Spawn{tool, above});
     }
@@ -326,7 +326,7 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     row("time", "%.1f s", s.time);
     row("real time", "%.2f x", state.real_time_factor); // measured, whatever speed is set
     ImGui::EndTable();
-    if (!ImGui::TreeNode("stages of the step")) return;
+    if (!ImGui::TreeNode("stages of a step")) return;
     if (ImGui::BeginTable("stages", 2)) {
         row("broad phase", "%.3f ms", s.times.broad_phase);
         row("narrow phase", "%.3f ms", s.times.narrow_phase);

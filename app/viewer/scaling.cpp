@@ -47,7 +47,7 @@ struct Scaled {
     }
     Shape operator()(const Plane& plane) const {
         if (!plane.half_extents)
-            throw Error(ErrorCode::unsupported, "plane", "", "is infinite, so it has no size to change");
+            throw Error(ErrorCode::unsupported, "plane", "", "is infinite, so it cannot be scaled");
         Plane result = plane;
         *result.half_extents *= size();
         return result;

@@ -23,7 +23,7 @@ void ScreenVideo::start(const std::filesystem::path& path, int width, int height
 
 std::string ScreenVideo::add_frame(double seconds, int width, int height) {
     if (!writer_) return {};
-    if (width < width_ || height < height_) return "The window has become smaller. " + stop();
+    if (width < width_ || height < height_) return "The window is smaller than the video. " + stop();
     due_ += std::min(seconds, longest_pause) * frame_rate;
     if (due_ < 1.0) return {};
     try {

@@ -34,14 +34,14 @@ void draw_tree_choice(const StageState& state, Controller& controller, SolverSho
         draw_swatch(tree_color(depth), text);
     }
     if (nodes.empty())
-        ImGui::TextUnformatted("There is none: planes are in no tree.");
+        ImGui::TextUnformatted("Empty: planes are not in trees.");
     else
-        ImGui::Text("%d of single shapes", shapes);
+        ImGui::Text("%d leaves, of one shape each", shapes);
 }
 
 // A legend line for each group of contacts: its color, name, and number.
 template <class Name> void draw_contact_legend(const std::map<int, int>& counts, Vec3 (*color)(int), const Name& name) {
-    if (counts.empty()) ImGui::TextUnformatted("Nothing touches.");
+    if (counts.empty()) ImGui::TextUnformatted("No contacts.");
     std::size_t lines = 0;
     for (const auto& [group, count] : counts) {
         if (++lines > most_lines) {
@@ -57,12 +57,12 @@ void draw_contact_order(const SolverView& view, const SolverShown& shown, bool S
     if (part == &SolverShown::colors && shown.colors) {
         for (const SolverView::Solved& contact : view.solved) ++counts[contact.color];
         draw_contact_legend(counts, contact_color, [](int color) {
-            return color < 0 ? std::string("none free, one by one") : "color " + std::to_string(color);
+            return color < 0 ? std::string("no color free: solved serially") : "color " + std::to_string(color);
         });
     } else if (part == &SolverShown::substeps && shown.substeps) {
         for (const SolverView::Solved& contact : view.solved) ++counts[contact.substeps];
         draw_contact_legend(counts, substep_color, [](int substeps) {
-            return substeps == 0 ? std::string("asleep since the beginning")
+            return substeps == 0 ? std::string("asleep from the start")
                                  : std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps");
         });
     }
@@ -71,7 +71,7 @@ void draw_contact_order(const SolverView& view, const SolverShown& shown, bool S
 } // namespace
 
 void draw_solver_section(const StageState& state, Controller& controller) {
-    const bool is_open = ImGui::CollapsingHeader("What the solver sees");
+    const bool is_open = ImGui::CollapsingHeader("Solver data");
     note_place(controller, "panel.solver");
     if (!is_open) return;
     SolverShown shown = controller.solver;
@@ -89,7 +89,7 @@ void draw_solver_section(const StageState& state, Controller& controller) {
     }
     if (shown.difference && view && view->difference) {
         const GjkResult& gjk = view->difference->gjk;
-        ImGui::Text(gjk.distance > 0.0 ? "%.4g m apart" : "they overlap", gjk.distance);
+        ImGui::Text(gjk.distance > 0.0 ? "%.4g m apart" : "overlapping", gjk.distance);
         ImGui::Text("found in %d iterations, with %zu points", gjk.iterations, gjk.simplex.size());
     } else if (shown.difference) {
         ImGui::TextUnformatted("Click a body.");

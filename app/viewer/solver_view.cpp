@@ -27,47 +27,45 @@ const Vec3 link_color(0.75f, 0.80f, 0.25f), joint_link_color(0.30f, 0.65f, 1.0f)
 
 constexpr SolverPart parts[] = {
     {"contacts and forces", &SolverShown::contacts,
-     "A dot is a contact point. The orange arrow is the normal force on what moves, the blue one friction; their "
-     "lengths "
-     "go with the root of the force. With a body selected: only what acts on it.",
+     "Dots: contact points. Orange arrows: normal forces on moving bodies; blue: friction. Their lengths are "
+     "proportional to the square root of the force. If a body is selected, only forces on it are shown.",
      "guide/queries_and_events.md"},
     {"friction cones", &SolverShown::cones,
-     "The force on a contact stays within the cone of half angle atan(mu). Blue: it holds. Red: at the rim, it "
-     "slides.",
+     "The contact force stays within the friction cone of half angle atan(mu). Blue: sticking. Red: the force is on "
+     "the cone, the contact slides.",
      "decisions/friction.md"},
     {"velocities", &SolverShown::velocities,
-     "Green: where the center of mass gets in a quarter of a second. Purple: the axis of turning, by the right hand.",
+     "Green: the distance that the center of mass moves in 0.25 s. Purple: the axis of rotation, by the right-hand "
+     "rule.",
      "solver.md"},
     {"bounding boxes", &SolverShown::bounds,
-     "The broad phase looks at pairs of shapes whose boxes overlap, and at no others.", "decisions/fat_boxes.md"},
+     "The broad phase finds the pairs of shapes whose bounding boxes overlap; only these are tested further.",
+     "decisions/fat_boxes.md"},
     {"tree of the broad phase", &SolverShown::tree,
-     "The broad phase finds these pairs by trees: a box holds up to eight smaller ones, down to those of single "
-     "shapes. "
-     "What is fixed, awake, large or asleep has trees of its own. With a body selected: only the boxes on the way down "
-     "to it.",
+     "The broad phase finds these pairs with trees: a box contains up to eight smaller boxes, down to those of single "
+     "shapes. Static, awake, large and sleeping shapes have trees of their own. If a body is selected, only the boxes "
+     "on the path to it are shown.",
      "decisions/fat_boxes.md"},
     {"axes of inertia", &SolverShown::axes,
-     "Half axes of the ellipsoid with the same mass and inertia. About the longest one turning is easiest; about the "
-     "middle one it is unstable.",
+     "Semi-axes of the ellipsoid with the same mass and inertia. The moment of inertia is least about the longest "
+     "axis; rotation about the intermediate axis is unstable.",
      "decisions/free_rotation.md"},
     {"islands", &SolverShown::islands,
-     "Lines join bodies that are solved together: yellow through contacts, blue through joints. Islands sleep as one.",
+     "Lines connect bodies that are solved together: yellow by contacts, blue by joints. All bodies of an island fall "
+     "asleep together.",
      "decisions/sleep.md"},
     {"substeps of islands", &SolverShown::substeps,
-     "Each contact by the number of substeps that its island took: more where much is carried on little, as at the "
-     "foot "
-     "of a high stack.",
+     "Colors show the number of substeps of each contact's island: more where light bodies carry heavy loads, as at "
+     "the bottom of a high stack.",
      "decisions/substeps.md"},
     {"colors of contacts", &SolverShown::colors,
-     "Contacts of one color share no body that moves by forces: they are solved side by side. Color after color, those "
-     "with what stands still last.",
+     "Contacts of one color share no dynamic body, so that they are solved in parallel. Colors are solved one after "
+     "the other, contacts with static bodies last.",
      "solver.md"},
     {"Minkowski difference and GJK", &SolverShown::difference,
-     "Of the selected body and the convex shape nearest to it: all differences of a point of the one and a point of "
-     "the "
-     "other. The white dot, in the middle of the other, is the origin: where it is inside, the two overlap. Orange: "
-     "the "
-     "simplex with which the GJK algorithm ended; red: the shortest way.",
+     "For the selected body and the nearest convex shape: all differences between points of the two shapes. The white "
+     "dot, at the center of the other shape, is the origin: if it is inside, the shapes overlap. Orange: the final "
+     "simplex of the GJK algorithm; red: the shortest distance.",
      "shapes.md"},
 };
 

@@ -113,7 +113,7 @@ void Stage::step() {
             follow();
     } catch (const std::bad_alloc&) {
         clock_.set_paused(true);
-        return say("out of memory: delete starts the scene over");
+        return say("out of memory: Delete resets the scene");
     } catch (const std::exception& error) {
         clock_.set_paused(true);
         return say(error.what());
@@ -383,7 +383,7 @@ void Stage::operator()(const command::ShowSolver& show) {
 void Stage::pull_grabbed() {
     if (!scene_.world.is_valid(drag_joint_)) {
         grab_.holding = false;
-        return say("The dragged body is gone.");
+        return say("The dragged body was removed.");
     }
     pull_to(scene_.world, drag_joint_, grab_.target);
 }

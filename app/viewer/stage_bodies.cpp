@@ -11,7 +11,7 @@ namespace cairn::viewer {
 void Stage::operator()(const command::SelectBody& select) { this->select(select.body); }
 
 void Stage::operator()(const command::EditBody& change) {
-    if (!scene_.world.is_valid(change.body)) return say("The body is gone.");
+    if (!scene_.world.is_valid(change.body)) return say("The body no longer exists.");
     all_or_nothing([&] { carry_out(scene_.world, change.body, change.edit); });
     refresh_layout();
 }
@@ -32,7 +32,7 @@ void Stage::all_or_nothing(const std::function<void()>& change) {
 void Stage::operator()(const command::AddField& add) { scene_.world.add_force_field(add.field); }
 
 void Stage::operator()(const command::SetField& set) {
-    if (!scene_.world.is_valid(set.id)) return say("The force field is gone.");
+    if (!scene_.world.is_valid(set.id)) return say("The force field no longer exists.");
     scene_.world.set_force_field(set.id, set.field);
 }
 

@@ -97,7 +97,7 @@ void Stage::add_to_selection(const std::vector<BodyId>& bodies) {
             if (!contains(all, member)) all.push_back(member);
         last = body;
     }
-    if (bodies.empty()) say("No body lies in the frame as a whole.");
+    if (bodies.empty()) say("No body lies completely in the frame.");
     select(std::move(all), last);
 }
 
@@ -109,8 +109,9 @@ void Stage::drop_gone_from_selection() {
 
 void Stage::operator()(const command::GroupSelected&) {
     if (selection_.size() < 2)
-        return say("Select several bodies first: Shift+click adds one, Shift+drag beside bodies all in a frame.");
-    if (is_group_selected()) return say("They are a group already.");
+        return say(
+            "Select several bodies first: Shift+click adds a body, Shift+drag beside bodies adds all in a frame.");
+    if (is_group_selected()) return say("The selected bodies are already a group.");
     Groups groups = timeline_.groups();
     for (std::vector<BodyId>& group : groups)
         std::erase_if(group, [this](BodyId id) { return contains(selection_, id); });
@@ -127,7 +128,7 @@ void Stage::operator()(const command::UngroupSelected&) {
     });
     if (dissolved == 0) return say("No group is selected.");
     timeline_.set_groups(std::move(groups));
-    say("They are no group any more.");
+    say("The group was ended.");
 }
 
 void Stage::operator()(const command::EditBodies& change) {
@@ -141,7 +142,7 @@ void Stage::operator()(const command::EditBodies& change) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        say("None of the bodies is changed, since " + label_of(at, scene_.world.body(at).name()) +
+        say("No body was changed, because " + label_of(at, scene_.world.body(at).name()) +
             " cannot be: " + error.what());
     }
 }
@@ -180,7 +181,7 @@ void Stage::operator()(const command::DuplicateSelected&) {
     drop_gone_from_selection();
     if (selection_.empty()) return say("Select a body first, by clicking it.");
     const std::optional<double> width = width_of(scene_.world, selection_);
-    if (!width) return say("An infinite plane is enough: it is not duplicated.");
+    if (!width) return say("An infinite plane cannot be duplicated.");
     Groups groups = timeline_.groups();
     const bool is_group = group_of(selected_) != nullptr && selection_.size() > 1;
     const auto first = std::find(selection_.begin(), selection_.end(), selected_) - selection_.begin();

@@ -38,7 +38,7 @@ void Stage::operator()(const command::ExplainImpact& explain) {
 }
 
 void Stage::operator()(const command::WatchImpact&) {
-    if (!impact_) return say("No impact is chosen.");
+    if (!impact_) return say("No impact is selected.");
     const double speed = slow_motion_ ? slow_motion_->speed_before : clock_.speed();
     (*this)(command::SeekTo{impact_->step - std::min(impact_->step, shown_steps)});
     slow_motion_ = {impact_->step + shown_steps, speed};

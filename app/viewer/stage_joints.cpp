@@ -33,7 +33,8 @@ void Stage::operator()(const command::MakeJoint& make) {
     BodyId body = hit->body;
     BodyId other = selected_ && selected_ != body && world.is_valid(selected_) ? selected_ : BodyId{};
     if (world.body(body).type() != BodyType::dynamic) {
-        if (!other) return say("This does not move: select a body first, by clicking it, to join it to this.");
+        if (!other)
+            return say("This body does not move: to join a body to it, select that body first, by clicking it.");
         std::swap(body, other);
     }
     selected_joint_ = world.create_joint(world.joint_at(other, body, hit->point, hit->normal, joint_of(make.kind)));

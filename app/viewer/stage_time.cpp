@@ -108,7 +108,7 @@ void Stage::follow() {
     }
     if (!timeline_.is_at_end() || !timeline_.is_recording()) return;
     clock_.set_paused(true);
-    say("The recording ends here: Space goes on from here.");
+    say("The recording ends here: press Space to continue the simulation.");
 }
 
 void Stage::go_back() {
@@ -116,7 +116,7 @@ void Stage::go_back() {
     if (!timeline_.step_back(scene_.world)) {
         clock_.set_paused(true);
         is_backwards_ = false;
-        return say("Nothing is known of what was before.");
+        return say("The timeline starts here.");
     }
     const std::shared_ptr<const WorldMotion> before = current_;
     arrive();
@@ -145,7 +145,7 @@ void Stage::operator()(const command::SeekTo& seek) {
 void Stage::operator()(const command::StepBack&) {
     clock_.set_paused(true);
     is_backwards_ = false;
-    if (!travel([&] { return timeline_.step_back(scene_.world); })) say("Nothing is known of what was before.");
+    if (!travel([&] { return timeline_.step_back(scene_.world); })) say("The timeline starts here.");
 }
 
 void Stage::operator()(const command::PlayBackwards&) {
@@ -158,7 +158,7 @@ void Stage::operator()(const command::Undo&) {
     if (!travel([&] { return timeline_.undo(scene_.world); })) return say("There is nothing to undo.");
     clock_.set_paused(true);
     is_backwards_ = false;
-    say("Undone: " + *name + ". Ctrl+Shift+Z does it again, Space goes on without it.");
+    say("Undone: " + *name + ". Ctrl+Shift+Z: redo, Space: continue without it.");
 }
 
 void Stage::operator()(const command::Redo&) {
@@ -166,7 +166,7 @@ void Stage::operator()(const command::Redo&) {
     if (!travel([&] { return timeline_.redo(scene_.world); })) return say("There is nothing to redo.");
     clock_.set_paused(true);
     is_backwards_ = false;
-    say("Done again: " + *name + ".");
+    say("Redone: " + *name + ".");
 }
 
 // Takes the second run and the panes to this run's moment, each for about `seconds` of real time.
@@ -220,7 +220,7 @@ void Stage::operator()(const command::BranchOff&) {
     other_ = std::make_unique<SideRun>(scene_.world, timeline_, held_, float(clock_.time_step()), looks());
     parted_at_ = timeline_.now().step;
     timeline_.forget_future();
-    say("Branched off: the run as it was goes on beside this one, transparent.");
+    say("Branched off: the original run continues beside this one, transparent.");
 }
 
 void Stage::operator()(const command::ExchangeRuns&) {

@@ -118,16 +118,16 @@ std::uint64_t TimelineBar::step_at(const TimelineState& timeline, float x, float
 
 void TimelineBar::draw_buttons(const StageState& state, Controller& controller) {
     const bool is_backwards = state.timeline.is_backwards;
-    if (icon_button("##start", Icon::start, "to the beginning")) controller.post(command::SeekTo{state.timeline.first});
-    if (icon_button("##backwards", Icon::backwards, "let time run backwards (Shift+Space)", is_backwards))
+    if (icon_button("##start", Icon::start, "to the start")) controller.post(command::SeekTo{state.timeline.first});
+    if (icon_button("##backwards", Icon::backwards, "run time backwards (Shift+Space)", is_backwards))
         controller.post(command::PlayBackwards{});
     if (icon_button("##back", Icon::back, "one step back (,)")) controller.post(command::StepBack{});
     if (icon_button("##pause", state.paused ? Icon::play : Icon::pause,
-                    state.paused ? "go on (Space)" : "pause (Space)"))
+                    state.paused ? "resume (Space)" : "pause (Space)"))
         controller.post(command::TogglePause{});
     if (icon_button("##forward", Icon::forward, "one step (.)")) controller.post(command::SingleStep{});
     if (icon_button("##branch", Icon::branch,
-                    "branch off: this run anew from here, as it was beside it, transparent (Ctrl+B)",
+                    "branch off: a new run from here; the original continues beside it, transparent (Ctrl+B)",
                     state.other.has_value()))
         controller.post(command::BranchOff{});
     note_place(controller, "timeline.branch");
@@ -209,7 +209,7 @@ float TimelineBar::draw(const StageState& state, Controller& controller, float s
     char badge[64] = "";
     const auto first_digits = [](std::uint64_t hash) { return static_cast<unsigned>(hash >> 32); };
     if (timeline.verdict.first_different)
-        std::snprintf(badge, sizeof badge, "other bits: %08x, not %08x", first_digits(timeline.verdict.here),
+        std::snprintf(badge, sizeof badge, "bits differ: %08x, not %08x", first_digits(timeline.verdict.here),
                       first_digits(timeline.verdict.there));
     else if (timeline.verdict.compared > 0)
         std::snprintf(badge, sizeof badge, "same bits: %08x = %08x", first_digits(timeline.verdict.here),
@@ -227,10 +227,10 @@ float TimelineBar::draw(const StageState& state, Controller& controller, float s
         const ImU32 color = differs ? colors_of(controller).different : colors_of(controller).same;
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color), "%s", badge);
         if (ImGui::IsItemHovered() && differs)
-            ImGui::SetTooltip("What was done again led to another state at step %llu.",
+            ImGui::SetTooltip("The replay led to another state at step %llu.",
                               static_cast<unsigned long long>(*timeline.verdict.first_different));
         else if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("%llu states that were computed again were the same, bit for bit.",
+            ImGui::SetTooltip("%llu recomputed states are the same, bit for bit.",
                               static_cast<unsigned long long>(timeline.verdict.compared));
     }
     ImGui::End();

@@ -378,7 +378,7 @@ void Application::save_what_was_asked_for() {
                 saved = video_.stop();
             } else {
                 video_.start(new_file(".mp4"), frame_width_, frame_height_);
-                saved = "A video is being made: F10 ends it.";
+                saved = "A video is being recorded: F10 ends it.";
             }
         }
         for (const Export& file : std::exchange(controller_.exports, {})) {

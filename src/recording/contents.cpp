@@ -94,7 +94,7 @@ void Recording::Contents::read_batch(std::string_view message) {
     BatchReader batch(message, name);
     if (batch.first_step() != info.steps)
         throw Error(ErrorCode::invalid_file, name, std::to_string(batch.first_step()),
-                    "must go on after " + std::to_string(info.steps) + " steps");
+                    "must continue after " + std::to_string(info.steps) + " steps");
     for (;;) {
         const LogEntry entry = batch.next();
         if (entry.kind == LogEntry::Kind::end) break;
@@ -116,7 +116,7 @@ void Recording::Contents::read_keyframe(std::string_view message, std::size_t lo
     Keyframe k{from.leb128(), from.leb128(), true, {log_chunks.size() - 1, log_messages}};
     if (k.step != info.steps)
         throw Error(ErrorCode::invalid_file, name, std::to_string(k.step),
-                    "must stand after as many steps as it says, not " + std::to_string(info.steps));
+                    "must be the number of steps before the keyframe, " + std::to_string(info.steps));
     keyframes.push_back(k);
 }
 
@@ -134,7 +134,7 @@ void Recording::Contents::read_state(std::size_t chunk) {
         (!keyframes.empty() && keyframes.back().step >= k.step) ||
         !states.try_emplace(k.number, StatePlace{chunk, parent}).second)
         throw Error(ErrorCode::invalid_file, name, std::to_string(k.number),
-                    "must come after that which it differs from, " + std::to_string(parent));
+                    "must come after the keyframe from which it differs, " + std::to_string(parent));
     keyframes.push_back(k);
 }
 
@@ -146,7 +146,7 @@ Recording::Contents::LogPlace Recording::Contents::place_after(std::uint64_t ste
     if (found == batches.end()) return {log_chunks.size(), 0};
     if (found->first_step != step)
         throw Error(ErrorCode::invalid_file, where("state after " + std::to_string(step) + " steps"), "",
-                    "must stand where a message of the log begins");
+                    "must be at the start of a message of the log");
     return found->place;
 }
 

@@ -27,7 +27,8 @@ float read_float(RecordReader& from) { return std::bit_cast<float>(from.number<s
 std::size_t read_count(RecordReader& from, std::size_t size, const std::string& what) {
     const std::uint64_t count = from.leb128();
     if (count > from.rest().size() / size)
-        throw Error(ErrorCode::invalid_file, what, std::to_string(count), "must not count more than there is");
+        throw Error(ErrorCode::invalid_file, what, std::to_string(count),
+                    "must not have a count greater than the remaining bytes");
     return std::size_t(count);
 }
 
@@ -68,7 +69,7 @@ SurfaceMaterials read_materials(RecordReader& from, const std::string& what) {
     for (std::uint16_t& number : materials.numbers) {
         const std::uint64_t value = from.leb128();
         if (value > materials.materials.size())
-            throw Error(ErrorCode::invalid_file, what, std::to_string(value), "must be the number of a material");
+            throw Error(ErrorCode::invalid_file, what, std::to_string(value), "must be the index of a material");
         number = std::uint16_t(value);
     }
     return materials;
@@ -144,7 +145,7 @@ Shape decode_geometry(std::string_view bytes, const std::string& what) {
         throw Error(ErrorCode::unsupported, what, std::to_string(kind),
                     "must be of kind 0 (hull), 1 (mesh), 2 (height field), or 3 or 4 (those with materials) in this "
                     "version of Cairn");
-    if (!from.is_empty()) throw Error(ErrorCode::invalid_file, what, "", "has bytes behind its end");
+    if (!from.is_empty()) throw Error(ErrorCode::invalid_file, what, "", "has bytes after its end");
     return *shape;
 }
 

@@ -18,8 +18,7 @@ InputBytes::InputBytes(const std::filesystem::path& path) : name_(path.generic_s
     struct stat status {};
     if (fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) {
         ::close(std::exchange(file_, -1));
-        throw Error(ErrorCode::io, name_, {},
-                    "must be a regular file: a recording is not read from its start to its end");
+        throw Error(ErrorCode::io, name_, {}, "must be a regular file: reading a recording needs random access");
     }
     size_ = std::uint64_t(status.st_size);
 }

@@ -26,7 +26,7 @@ constexpr std::uint64_t footer_size = record_start + 8 + 8 + 4;
 McapReader::McapReader(InputBytes bytes) : bytes_(std::move(bytes)), what_(bytes_.name()) {
     const std::uint64_t magic = mcap_magic.size();
     if (bytes_.size() < magic || bytes_.read(0, magic) != mcap_magic)
-        damaged(what_, "", "is no recording: it does not begin as MCAP files do");
+        damaged(what_, "", "is not a recording: it does not begin like an MCAP file");
     if (read_index()) {
         whole_bytes_ = bytes_.size();
     } else {
@@ -63,7 +63,8 @@ bool McapReader::read_index() {
             place.offset = record.number<std::uint64_t>();
             place.size = record.number<std::uint64_t>();
             if (place.size < record_start || place.offset > bytes_.size() || place.size > bytes_.size() - place.offset)
-                damaged(what_ + ": chunk index", std::to_string(place.offset), "must lead to a place within the file");
+                damaged(what_ + ": chunk index", std::to_string(place.offset),
+                        "must refer to a position within the file");
             RecordReader offsets(record.text(), what_);
             while (!offsets.is_empty()) {
                 place.channels.insert(offsets.number<std::uint16_t>());
@@ -138,7 +139,7 @@ std::string McapReader::record_at(std::uint64_t offset, std::uint64_t size, Opco
     if (Opcode(found) != opcode)
         damaged(where, std::to_string(found), "must have opcode " + std::to_string(int(opcode)));
     if (fields.number<std::uint64_t>() != size - record_start)
-        damaged(where, "", "has another length than its index says");
+        damaged(where, "", "has another length than its index states");
     record.erase(0, record_start);
     return record;
 }
@@ -158,7 +159,7 @@ std::string McapReader::unpacked(std::string_view compression, std::string_view 
                                  const std::string& where) const {
     if (size > largest_chunk) damaged(where, std::to_string(size) + " bytes", "must not be larger than 2 GiB");
     if (compression.empty()) {
-        if (records.size() != size) damaged(where, std::to_string(records.size()), "has another size than it says");
+        if (records.size() != size) damaged(where, std::to_string(records.size()), "has another size than it states");
         return std::string(records);
     }
     if (compression != "zstd")
@@ -167,7 +168,7 @@ std::string McapReader::unpacked(std::string_view compression, std::string_view 
     // Memory for the claimed size is allocated only if the compressed frame claims the same size, since the size of the
     // compressed bytes limits it.
     if (ZSTD_getFrameContentSize(records.data(), records.size()) != size)
-        damaged(where, "", "has another size than its compressed bytes say");
+        damaged(where, "", "has another size than its compressed data states");
     std::string result(std::size_t(size), '\0');
     const std::size_t count = ZSTD_decompress(result.data(), result.size(), records.data(), records.size());
     if (ZSTD_isError(count) != 0 || count != result.size())

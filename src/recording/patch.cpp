@@ -48,7 +48,7 @@ std::string Patcher::patch(std::string_view before, std::string_view after) {
 std::string patched(std::string_view before, std::string_view patch, const std::string& where) {
     const unsigned long long size = ZSTD_getFrameContentSize(patch.data(), patch.size());
     // size unknown or invalid
-    if (size > largest) throw Error(ErrorCode::invalid_file, where, "", "does not say how large it is");
+    if (size > largest) throw Error(ErrorCode::invalid_file, where, "", "does not state its size");
     const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
     if (context == nullptr) throw std::bad_alloc();
     std::string result(std::size_t(size), '\0');
@@ -57,7 +57,7 @@ std::string patched(std::string_view before, std::string_view patch, const std::
         ZSTD_decompressDCtx(context.get(), result.data(), result.size(), patch.data(), patch.size());
     if (ZSTD_isError(count) != 0 || count != result.size())
         throw Error(ErrorCode::invalid_file, where, ZSTD_isError(count) != 0 ? ZSTD_getErrorName(count) : "",
-                    "cannot be made from the state before it");
+                    "cannot be computed from the previous state");
     return result;
 }
 

@@ -210,7 +210,7 @@ void ReadingsWriter::add_events(McapWriter::Chunk& chunk, const World& world) {
             log(chunk, joint + " breaks at " + short_number(event.force) + " N, " + short_number(event.torque) + " N m",
                 true);
         else
-            log(chunk, joint + " is gone with its body");
+            log(chunk, joint + " was removed with its body");
     }
     for (const TriggerEvent& event : world.trigger_events())
         log(chunk,

@@ -12,7 +12,7 @@ namespace cairn::recording {
 
 std::string Divergence::text() const {
     const std::string start = "step " + std::to_string(step) + ": ";
-    return start + (bodies.empty() ? std::string("more than two bodies differ, or one that is not there")
+    return start + (bodies.empty() ? std::string("more than two bodies differ, or a body is missing")
                                    : names + (bodies.size() == 1 ? " differs" : " differ"));
 }
 

@@ -114,7 +114,7 @@ Accessors::Layout Accessors::layout(const Value& accessor, const char* type, std
 
 void Accessors::count_against_limit(std::uint64_t numbers, const Value& place) {
     if (numbers > remaining_numbers_) {
-        place.fail("must not bring the numbers of the whole file above " + std::to_string(max_accessor_numbers));
+        place.fail("must not raise the total of numbers in the file above " + std::to_string(max_accessor_numbers));
     }
     remaining_numbers_ -= numbers;
 }

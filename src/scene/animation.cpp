@@ -159,7 +159,7 @@ void AnimationBaker::add(const World& world) {
     const double start = times_.empty() ? world.time() : times_[0];
     if (!times_.empty() && !(world.time() > times_.back())) {
         throw Error(ErrorCode::wrong_state, "AnimationBaker::add", std::to_string(world.time() - start),
-                    "must be called at a later time than before");
+                    "must be called with increasing times");
     }
     times_.push_back(world.time());
     for (Track& track : tracks_) {
@@ -176,7 +176,7 @@ void AnimationBaker::add(const World& world) {
 }
 
 std::string AnimationBaker::document(bool as_text) const {
-    if (times_.empty()) throw Error(ErrorCode::wrong_state, "AnimationBaker", {}, "has no moment to show");
+    if (times_.empty()) throw Error(ErrorCode::wrong_state, "AnimationBaker", {}, "has no frame to show");
     BufferWriter buffer;
     std::vector<Json> primitives;
     LookWriter looks(buffer);

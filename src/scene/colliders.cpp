@@ -103,7 +103,7 @@ SurfaceMaterials Colliders::materials_of(const GatheredTriangles& triangles) {
         own.numbers.resize(part.triangles);
         result.materials.insert(result.materials.end(), own.materials.begin(), own.materials.end());
         if (result.materials.size() > std::numeric_limits<std::uint16_t>::max())
-            part.own->fail("must not bring the materials of a collider above 65535");
+            part.own->fail("must not raise the materials of a collider above 65535");
         for (const std::uint16_t number : own.numbers)
             result.numbers.push_back(static_cast<std::uint16_t>(number == 0 ? 0 : number + first));
     }

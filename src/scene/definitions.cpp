@@ -33,7 +33,7 @@ Shape read_sphere(const Value& shape, const glm::dvec3& scale, std::vector<std::
         if (const auto given = sphere->find("radius")) radius = given->number(positive_float);
     }
     if (scale.x != scale.y || scale.y != scale.z) {
-        warnings.push_back(shape.place() + "an unevenly scaled sphere is taken as a sphere of the largest scale");
+        warnings.push_back(shape.place() + "a nonuniformly scaled sphere is replaced by a sphere of the largest scale");
     }
     return Sphere{half_of(2.0 * radius * std::max({scale.x, scale.y, scale.z}), shape)};
 }
@@ -85,7 +85,7 @@ Column read_column(const Value& shape, const char* member) {
     if (const auto value = given->find("height")) column.height = value->number(positive_float);
     if (const auto value = given->find("radiusBottom")) column.bottom = value->number(nonnegative_float);
     if (const auto value = given->find("radiusTop")) column.top = value->number(nonnegative_float);
-    if (column.bottom == 0.0 && column.top == 0.0) given->fail("must have a radius at one end at least");
+    if (column.bottom == 0.0 && column.top == 0.0) given->fail("must have a positive radius at one end at least");
     return column;
 }
 
@@ -111,8 +111,9 @@ template <class Column3d> TurnedShape upright_column(Column column, const glm::d
 
 TurnedShape read_capsule(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
     if (scale.x != scale.y || scale.y != scale.z) {
-        warnings.push_back(shape.place() + "an unevenly scaled capsule keeps round ends: its height is scaled along y, "
-                                           "its radii by the larger of the scales along x and z");
+        warnings.push_back(shape.place() +
+                           "a nonuniformly scaled capsule keeps round ends: its height is scaled along y, "
+                           "its radii by the larger of the scales along x and z");
     }
     return upright_column<Capsule>(read_column(shape, "capsule"), scale, shape);
 }
@@ -120,7 +121,7 @@ TurnedShape read_capsule(const Value& shape, const glm::dvec3& scale, std::vecto
 TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
     if (scale.x != scale.z) {
         warnings.push_back(shape.place() +
-                           "an unevenly scaled cylinder stays round: its radii are scaled by the larger "
+                           "a nonuniformly scaled cylinder stays round: its radii are scaled by the larger "
                            "of the scales along x and z");
     }
     TurnedShape result = upright_column<Cylinder>(read_column(shape, "cylinder"), scale, shape);
@@ -138,7 +139,7 @@ float read_rounding(const Value& place, const glm::dvec3& scale, std::vector<std
     const double radius = given->number(nonnegative_float) * std::max({size.x, size.y, size.z});
     if (!nonnegative_float.contains(radius)) given->fail("must fit a float, with the scale of its node");
     if (radius > 0.0 && (size.x != size.y || size.y != size.z)) {
-        warnings.push_back(given->place() + "unevenly scaled, it is taken as a ball of the largest scale");
+        warnings.push_back(given->place() + "nonuniformly scaled, it is replaced by a ball of the largest scale");
     }
     return static_cast<float>(radius);
 }

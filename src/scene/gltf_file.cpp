@@ -36,13 +36,13 @@ struct Container {
 };
 
 Container open_container(std::span<const std::byte> bytes, const std::string& file) {
-    if (bytes.size() < 12) fail(file, "is a .glb file cut off in its header");
+    if (bytes.size() < 12) fail(file, "is a .glb file that ends within its header");
     if (const std::uint32_t version = little_endian_word(bytes, 4); version != 2) {
         throw Error(ErrorCode::unsupported, file, std::to_string(version), "must be a .glb file of version 2");
     }
     const std::uint32_t length = little_endian_word(bytes, 8);
     if (length > bytes.size()) {
-        fail(file, "is a .glb file cut off: its header says " + std::to_string(length) + " bytes, and there are " +
+        fail(file, "is an incomplete .glb file: its header says " + std::to_string(length) + " bytes, and there are " +
                        std::to_string(bytes.size()));
     }
     bytes = bytes.first(length);
@@ -51,7 +51,7 @@ Container open_container(std::span<const std::byte> bytes, const std::string& fi
     Container container;
     std::size_t next = 12;
     for (int i = 0; next < bytes.size(); ++i) {
-        if (bytes.size() - next < 8) fail(file, "is a .glb file cut off in the header of a chunk");
+        if (bytes.size() - next < 8) fail(file, "is a .glb file that ends within the header of a chunk");
         const std::uint32_t size = little_endian_word(bytes, next), type = little_endian_word(bytes, next + 4);
         next += 8;
         const char* name = type == json_chunk ? "JSON chunk" : type == binary_chunk ? "binary chunk" : "chunk";
@@ -194,7 +194,7 @@ std::vector<std::byte> decode_data_uri(const Value& place) {
     if (!is_base64) place.fail("must be a data URI in base64");
     std::string_view digits = std::string_view(uri).substr(comma + 1);
     for (int i = 0; i < 2 && !digits.empty() && digits.back() == '='; ++i) digits.remove_suffix(1);
-    if (digits.size() % 4 == 1) place.fail("must be a data URI in base64, and is cut off");
+    if (digits.size() % 4 == 1) place.fail("must be a data URI in base64, and is incomplete");
     std::array<std::uint8_t, 256> values{};
     values.fill(255);
     for (std::size_t i = 0; i < 64; ++i) {

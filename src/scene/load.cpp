@@ -124,7 +124,7 @@ class Builder {
             place.body = add_body(here, motion, own, place.world);
             place.in_body = at_body(place.world);
         } else if (own) {
-            own->fail("must stand on a node with a motion, or on one that no body holds already");
+            own->fail("must belong to a node with a motion, or to a node that is not yet part of a body");
         }
         std::optional<BodyId> body = place.body;
         NodeTransform in_body = place.in_body;
@@ -227,8 +227,8 @@ class Builder {
         require_usable(straight, here);
         const auto rotation = rotation_of(frame.map.linear);
         if (!rotation) here.fail("must not be flattened by a scale, as the frame of a joint");
-        warnings_.push_back(here.place() + "is the frame of a joint below an uneven scale, which skews it; its x axis "
-                                           "is taken as it stands, the others perpendicular to it");
+        warnings_.push_back(here.place() + "is the frame of a joint below a nonuniform scale, which skews it; its x "
+                                           "axis is kept, and the other axes are made perpendicular to it");
         if (!frame.body) return {straight.translation, Quat(*rotation)};
         const Transform body = scene_.world.body(*frame.body).transform();
         const glm::dquat back = glm::conjugate(glm::normalize(glm::dquat(body.rotation)));
@@ -240,12 +240,12 @@ class Builder {
             return !body.is_null() && scene_.world.body(body).type() == BodyType::dynamic;
         };
         if (def.body_a == def.body_b || !(is_dynamic(def.body_a) || is_dynamic(def.body_b))) {
-            return "joins no two bodies of which one is dynamic, and does nothing";
+            return "does not join two bodies of which one is dynamic, and has no effect";
         }
         const auto* general = std::get_if<GeneralJoint>(&def.joint);
         if (general != nullptr && free_rows(*general) > max_free_rows) {
             return "has more than " + std::to_string(max_free_rows) +
-                   " limits and drives that are not plain locks, and does nothing";
+                   " limits and drives that are not plain locks, and has no effect";
         }
         return std::nullopt;
     }
@@ -312,7 +312,7 @@ class Builder {
     void warn_of_speed(const Value& motion, const char* name, const std::optional<glm::dvec3>& velocity, float most,
                        const char* unit) {
         if (!velocity || !(std::sqrt(glm::dot(*velocity, *velocity)) > static_cast<double>(most))) return;
-        warnings_.push_back(motion.place() + name + " is cut to the world's limit of " + short_number(most) + " " +
+        warnings_.push_back(motion.place() + name + " is reduced to the world's limit of " + short_number(most) + " " +
                             unit);
     }
 
@@ -356,8 +356,8 @@ class Builder {
         const auto nearest = nearest_valid_moments(given);
         if (!nearest) return given;
         warnings_.push_back(motion.place() +
-                            "inertiaDiagonal: one moment exceeds the sum of the other two, which no "
-                            "body has; the nearest possible ones are taken: " +
+                            "inertiaDiagonal: one moment exceeds the sum of the other two, which is impossible; the "
+                            "nearest possible moments are used: " +
                             short_number(nearest->x) + ", " + short_number(nearest->y) + ", " +
                             short_number(nearest->z));
         return *nearest;
@@ -379,11 +379,10 @@ class Builder {
             def.surface_velocity = substance.surface_velocity;
             def.one_way = substance.one_way;
             if (def.one_way != Vec3(0.0f) && scene_.world.body(body).type() == BodyType::dynamic) {
-                index->refuse(
-                    "a surface that holds things from one side may only belong to static and kinematic bodies");
+                index->refuse("a one-way surface may only belong to static and kinematic bodies");
             }
             if (def.surface_velocity != Vec3(0.0f) && scene_.world.body(body).type() == BodyType::dynamic) {
-                index->refuse("a surface that moves by itself may only belong to static and kinematic bodies");
+                index->refuse("a surface with a velocity may only belong to static and kinematic bodies");
             }
         }
         add_shape(here, collider, body, in_body, def);

@@ -103,8 +103,8 @@ glm::dmat3 valid_inertia(const glm::dmat3& inertia, const std::string& where, st
     }
     if (!nearest) return inertia;
     warnings.push_back(where +
-                       ": one principal moment of the inertia exceeds the sum of the other two, which no body has; the "
-                       "nearest possible ones are taken: " +
+                       ": one principal moment of inertia exceeds the sum of the other two, which is impossible; the "
+                       "nearest possible moments are used: " +
                        short_number(nearest->x) + ", " + short_number(nearest->y) + ", " + short_number(nearest->z) +
                        " kg m2");
     return principal.axes * glm::dmat3(nearest->x, 0, 0, 0, nearest->y, 0, 0, 0, nearest->z) *

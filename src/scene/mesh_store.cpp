@@ -107,7 +107,7 @@ const MeshFile& MeshStore::read(const NamedFile& file) {
     vertices_ += mesh.vertices.size();
     if (vertices_ > max_vertices) {
         throw Error(ErrorCode::invalid_file, file.place, shown,
-                    "must not bring the corners of all meshes above " + std::to_string(max_vertices));
+                    "must not raise the number of vertices of all meshes above " + std::to_string(max_vertices));
     }
     return files_.emplace(file.path, std::move(mesh)).first->second;
 }

@@ -53,7 +53,7 @@ void settle_masses(MjcfModel& model) {
             masses.push_back({0.0, glm::dmat3(settings.least_inertia - least), {center, {1.0, 0.0, 0.0, 0.0}}});
         } else if (!(least > 0.0)) {
             model.warnings.push_back(part.body.place +
-                                     " has no inertia about some axis; that of a ball of 0.1 m radius is added");
+                                     " has no inertia about some axis; the inertia of a ball of 0.1 m radius is added");
             masses.push_back({0.0, fallback_inertia(mass), {center, {1, 0, 0, 0}}});
         }
     }

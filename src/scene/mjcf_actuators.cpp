@@ -24,12 +24,12 @@ class ActuatorReader {
         }
         const MjcfJoint* found = model_.joint(*name);
         if (found == nullptr) {
-            model_.warnings.push_back(element.place() + ": has no effect: its joint is not read");
+            model_.warnings.push_back(element.place() + ": has no effect: its joint is not supported");
             return;
         }
         if (!found->is_scalar()) {
             model_.warnings.push_back(element.place() +
-                                      ": has no effect: it acts on a joint that is no hinge or slide");
+                                      ": has no effect: it acts on a joint that is not a hinge or slide");
             return;
         }
         MjcfJoint& joint = model_.joints[static_cast<std::size_t>(found - model_.joints.data())];
@@ -113,13 +113,14 @@ class ActuatorReader {
             const std::string gain_type = element.word("gaintype", "fixed"),
                               bias_type = element.word("biastype", "none");
             if ((gain_type != "fixed" && gain_type != "affine") || (bias_type != "none" && bias_type != "affine")) {
-                model_.warnings.push_back(element.place() + ": has no effect: only fixed and affine laws are read");
+                model_.warnings.push_back(element.place() +
+                                          ": has no effect: only fixed and affine laws are supported");
                 return {0.0, 0.0, 0.0, 0.0};
             }
             law.gain = gain[0];
             if (bias_type == "affine") law = {gain[0], bias[0], -bias[1], -bias[2]};
             if (law.stiffness < 0.0 || law.damping < 0.0) {
-                model_.warnings.push_back(element.place() + ": drives away from its target, which is left out");
+                model_.warnings.push_back(element.place() + ": drives away from its target, which is ignored");
                 law.stiffness = std::max(law.stiffness, 0.0);
                 law.damping = std::max(law.damping, 0.0);
             }

@@ -100,7 +100,7 @@ std::shared_ptr<const Surface> MjcfAssets::read_mesh(const MjcfElement& element,
         std::vector<std::uint32_t> indices;
         for (const double index : faces ? faces->numbers(3, max_inline_numbers) : std::vector<double>()) {
             if (!(index >= 0.0 && index < static_cast<double>(vertices.size()) && index == std::floor(index))) {
-                faces->fail("must have numbers of vertices, from 0 on");
+                faces->fail("must have indices of vertices, from 0");
             }
             indices.push_back(static_cast<std::uint32_t>(index));
         }

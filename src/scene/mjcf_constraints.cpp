@@ -26,7 +26,7 @@ class ConstraintMaker {
         const MjcfAttached* a = end(element, has_sites ? "site1" : "body1", has_sites);
         const MjcfAttached* b = end(element, has_sites ? "site2" : "body2", has_sites);
         if (a == nullptr || b == nullptr) {
-            model_.warnings.push_back(element.place() + ": has no effect: what it joins is not read");
+            model_.warnings.push_back(element.place() + ": has no effect: the joined elements are not supported");
             return;
         }
         Rigid in_a = a->at, in_b = b->at;
@@ -101,7 +101,8 @@ class ConstraintMaker {
     void create(JointDef& def, const MjcfAttached& a, const Rigid& in_a, const MjcfAttached& b, const Rigid& in_b,
                 const MjcfElement& element) {
         if (a.part == b.part || !(is_dynamic(a.part) || is_dynamic(b.part))) {
-            model_.warnings.push_back(element.place() + ": has no effect: it joins nothing that can part");
+            model_.warnings.push_back(element.place() +
+                                      ": has no effect: it joins no bodies that can move relative to each other");
             return;
         }
         const auto place = [&](const MjcfAttached& end, const Rigid& at, BodyId& body, Transform& frame) {
@@ -131,14 +132,14 @@ class ConstraintMaker {
             model_.warnings.push_back(element.place() + ": has no effect: " + why);
         };
         if (joint == nullptr || joint->id.is_null() || !joint->is_scalar()) {
-            return without("its first joint is no hinge or slide of its own");
+            return without("its first joint is not a single hinge or slide");
         }
         const auto hold_it = [&] { // locks it by its limits, which cannot be disabled
             if (is_active) hold(*joint, joint->reference + curve[0]);
         };
         if (!other_name) return hold_it();
-        if (other == nullptr || other->id.is_null()) return without("its second joint is no hinge of its own");
-        if (curve[2] != 0.0 || curve[3] != 0.0 || curve[4] != 0.0) return without("it is no straight line");
+        if (other == nullptr || other->id.is_null()) return without("its second joint is not a single hinge");
+        if (curve[2] != 0.0 || curve[3] != 0.0 || curve[4] != 0.0) return without("it is not linear");
         const double ratio = curve[1];
         if (ratio == 0.0) return hold_it();
         if (joint->kind != MjcfJoint::Kind::hinge || other->kind != MjcfJoint::Kind::hinge) {
@@ -198,7 +199,7 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
                 continue;
             }
             if (!a->second->shape || !b->second->shape) {
-                model.warnings.push_back(child.place() + ": has no effect: one of its geoms is there for looks only");
+                model.warnings.push_back(child.place() + ": has no effect: one of its geoms is only visual");
                 continue;
             }
             const auto number = [&](const MjcfGeom* geom) {

@@ -83,7 +83,7 @@ class GeomReader {
         const std::vector<double> v = text.numbers(6, 6);
         const glm::dvec3 from(v[0], v[1], v[2]), to(v[3], v[4], v[5]);
         const double length = std::sqrt(glm::dot(to - from, to - from));
-        if (!(length >= smallest && length <= largest)) text.fail("must have two points apart");
+        if (!(length >= smallest && length <= largest)) text.fail("must have two different points");
         const glm::dvec3 z = (from - to) / length;
         frame.position = 0.5 * (from + to);
         frame.rotation =

@@ -61,7 +61,8 @@ class TreeReader {
         for (const XmlElement& child : owner.children()) {
             const std::string_view tag = child.tag();
             if (tag == "geom") {
-                if (++geoms_ > max_geoms) child.fail("must not bring the geoms above " + std::to_string(max_geoms));
+                if (++geoms_ > max_geoms)
+                    child.fail("must not raise the number of geoms above " + std::to_string(max_geoms));
                 add_mjcf_geom(MjcfElement(child, model_.defaults, place.default_class), place.at, place.has_geom_mass,
                               place.suffix, model_.parts[place.part], assets_, model_);
             } else if (tag == "site") {
@@ -115,14 +116,15 @@ class TreeReader {
         const auto mocap = element.attribute("mocap");
         const bool is_mocap = mocap && mocap->boolean();
         if (is_mocap && (!joints.empty() || place.part != 0)) {
-            mocap->fail("must stand on bodies without joints right in the world");
+            mocap->fail("must belong to bodies without joints directly in the world");
         }
         if (joints.empty() && !is_mocap) {
             here.at = frame;
         } else {
             here.at = {};
             here.part = model_.parts.size();
-            if (here.part > max_parts) element.fail("must not bring the bodies above " + std::to_string(max_parts));
+            if (here.part > max_parts)
+                element.fail("must not raise the number of bodies above " + std::to_string(max_parts));
             add_part(element, frame, is_mocap, std::move(joints), place);
         }
         const std::string name = element.text_of("name");
@@ -153,7 +155,7 @@ class TreeReader {
         part.drawn = model_.parts[place.part].drawn * frame;
         for (MjcfJoint& joint : joints) {
             if (joint.kind == MjcfJoint::Kind::free && place.part != 0) {
-                throw Error(ErrorCode::invalid_file, joint.place, {}, "must stand in a body right in the world");
+                throw Error(ErrorCode::invalid_file, joint.place, {}, "must belong to a body directly in the world");
             }
             joint.part = model_.parts.size();
             joint.start_pose = part.drawn;
@@ -287,7 +289,8 @@ std::optional<Numbers> key_numbers(const std::optional<XmlText>& text, std::size
     const std::vector<double> values = text->numbers(0, 1000000);
     if (values.size() != count) {
         if (model.is_whole) text->fail("must have " + std::to_string(count) + " numbers, as the model has coordinates");
-        model.warnings.push_back(text->place + ": is of more than what is read here, and is left out");
+        model.warnings.push_back(text->place +
+                                 ": has values for parts of the model that are not supported, and is left out");
         return std::nullopt;
     }
     for (const double value : values) {
@@ -342,7 +345,7 @@ void keep_in_ranges(MjcfModel& model) {
     }
     if (count == 0) return;
     model.warnings.push_back(first + (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") +
-                             ": outside of its range at the start, and taken to the nearest end of it");
+                             ": outside of its range at the start, and moved to the nearest end of the range");
 }
 
 // Computes the pose and velocities of a part from those of its parent and its joints.

@@ -21,7 +21,7 @@ MassProperties mass_of(const ModelBody& body) {
     }
     if (!(sum.mass() > 0.0 && sum.mass() <= heaviest && inertia <= heaviest)) {
         throw Error(ErrorCode::invalid_file, body.place + ": mass", std::to_string(sum.mass()),
-                    "must be > 0, as of every body that moves, and at most 1e15 kg and 1e15 kg m2");
+                    "must be > 0 for a body that moves, and at most 1e15 kg and 1e15 kg m2");
     }
     return sum.properties();
 }

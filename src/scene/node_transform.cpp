@@ -132,11 +132,11 @@ std::optional<glm::dquat> rotation_of(const glm::dmat3& linear) {
 
 void require_usable(const NodeTransform& transform, const Value& node) {
     if (transform.is_skewed) {
-        node.refuse("is skewed: a rotation below an uneven scale, which would bend its shapes");
+        node.refuse("is skewed by a rotation below a nonuniform scale, which would distort its shapes");
     }
     for (int i = 0; i < 3; ++i) {
         if (!any_float.contains(transform.translation[i]) || !scale_range.contains(transform.scale[i])) {
-            node.fail("lies or reaches too far out, through the transforms above it");
+            node.fail("is too far from the origin or too large, with the transforms above it");
         }
     }
 }

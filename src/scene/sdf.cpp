@@ -218,7 +218,7 @@ class SdfReader {
         if (std::count(open_.begin(), open_.end(), found.path) > 0) uri->fail("must not include itself");
         const std::vector<std::byte> bytes = read_file(found.path);
         bytes_ += bytes.size();
-        if (bytes_ > max_bytes) uri->fail("must not bring the bytes of all that is included above 64 MiB");
+        if (bytes_ > max_bytes) uri->fail("must not raise the size of all included files above 64 MiB");
         const std::string name = found.path.lexically_relative(*root_).generic_string();
         if (root_tag(bytes) != "sdf") return left_out("must be an SDF file");
         files_.push_back(std::make_unique<XmlFile>(bytes, name, "an SDF file"));

@@ -48,7 +48,7 @@ Rigid SdfModel::in_model(std::size_t index, std::size_t model, int depth) const 
     const std::size_t base = base_of(frame);
     if (depth > deepest) refuse_circle(frame);
     if (base == sdf_none) {
-        throw Error(ErrorCode::invalid_file, frame.place, {}, "must stand in the model whose placement frame it is");
+        throw Error(ErrorCode::invalid_file, frame.place, {}, "must be in the model whose placement frame it is");
     }
     return in_model(base, model, depth + 1) * frame.pose;
 }

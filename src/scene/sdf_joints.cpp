@@ -26,7 +26,7 @@ class SdfJointMaker {
             {"revolute", "continuous", "prismatic", "fixed", "ball", "universal", "revolute2", "screw", "gearbox"});
         const std::size_t a = body(joint, "parent"), b = body(joint, "child");
         if (kind == 3 && (a == b || !(is_dynamic(a) || is_dynamic(b)))) return; // already one body, or already fixed
-        if (a == b) return without(element, "it joins nothing that can part");
+        if (a == b) return without(element, "it joins no bodies that can move relative to each other");
         if (!is_dynamic(a) && !is_dynamic(b)) return without(element, "neither of its links moves");
         JointDef def;
         def.name = model_.scopes[joint.scope].prefix + element.text_of("name");

@@ -105,7 +105,8 @@ std::optional<Triangles> Surfaces::read_primitive(const Value& primitive, std::v
 Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const Value& place) {
     const std::size_t numbers = triangles.vertices.size() + triangles.normals.size() + triangles.indices.size();
     if (numbers > remaining_numbers_) {
-        place.fail("must not bring the corners of all meshes in use above " + std::to_string(max_surface_numbers));
+        place.fail("must not raise the number of vertices of all meshes in use above " +
+                   std::to_string(max_surface_numbers));
     }
     remaining_numbers_ -= numbers;
     const bool mirrors = glm::determinant(map.linear) < 0.0;
@@ -113,7 +114,7 @@ Triangles Surfaces::mapped(const Triangles& triangles, const Affine& map, const 
     for (Vec3& vertex : result.vertices) {
         const glm::dvec3 moved = map.linear * glm::dvec3(vertex) + map.translation;
         for (int i = 0; i < 3; ++i) {
-            if (!any_float.contains(moved[i])) place.fail("has a mesh that reaches too far out");
+            if (!any_float.contains(moved[i])) place.fail("has a mesh that extends too far from the origin");
         }
         vertex = Vec3(moved) + Vec3(0.0f); // without negative zeros
     }

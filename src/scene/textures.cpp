@@ -170,7 +170,7 @@ MaterialAppearance Textures::covering(const Value& material, const Triangles& tr
     try {
         result.finish = reader.finish();
     } catch (const Error& error) {
-        warn(std::string(error.what()) + " (it is taken for smooth)");
+        warn(std::string(error.what()) + " (it is treated as smooth)");
     }
     result.coordinates = std::move(reader.coordinates);
     return result;
@@ -180,7 +180,7 @@ std::string Textures::read_picture(const Value& image) {
     const auto uri = image.find("uri");
     Buffers& buffers = surfaces_.accessors().buffers();
     std::string file = uri ? text_of(buffers.file(*uri)) : text_of(buffers.view(image.require("bufferView")).bytes);
-    if (!is_picture(file)) image.refuse("is no PNG and no JPEG picture");
+    if (!is_picture(file)) image.refuse("is neither a PNG nor a JPEG picture");
     return file;
 }
 

@@ -129,18 +129,19 @@ class RobotBuilder {
         if (sum.mass() > 0.0) {
             const std::string whole = where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial");
             if (sum.inertia_size() <= negligible * sum.mass()) {
-                scene_.warnings.push_back(whole + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
+                scene_.warnings.push_back(whole +
+                                          " has an inertia of 0; the inertia of a ball of 0.1 m radius is used");
                 sum.add_inertia(fallback_inertia(sum.mass()));
             }
             return sum.real_properties(whole, scene_.warnings);
         }
         if (has_shapes) {
             scene_.warnings.push_back(where +
-                                      " has no inertial; its mass is that of its collision shapes at 1000 kg/m3");
+                                      " has no inertial; its mass is computed from its collision shapes at 1000 kg/m3");
             return std::nullopt;
         }
         scene_.warnings.push_back(
-            where + " has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
+            where + " has neither inertial nor collision; it is treated as a ball of 1 kg and 0.1 m radius");
         sum.add(blank_mass, fallback_inertia(blank_mass), {});
         return sum.properties();
     }

@@ -157,7 +157,7 @@ void check_tree(const urdf::ModelInterface& model, const std::string& name) {
     for (const auto& [key, link] : model.links_) {
         if (seen.count(key) == 0) {
             throw Error(ErrorCode::invalid_file, name + ": link \"" + key + "\"", {},
-                        "must hang on the root link, \"" + model.getRoot()->name + "\"");
+                        "must be connected to the root link, \"" + model.getRoot()->name + "\"");
         }
     }
 }

@@ -97,7 +97,7 @@ double RobotPose::position(const urdf::Joint& joint, int depth) const {
         }
         if (depth > longest_mimic_chain) {
             throw Error(ErrorCode::invalid_file, where, "\"" + joint.mimic->joint_name + "\"",
-                        "must not go round in a circle, or through more than 16 joints");
+                        "must not be circular, or chain more than 16 joints");
         }
         at = joint.mimic->offset + joint.mimic->multiplier * position(*other, depth + 1);
         if (!(std::fabs(at) <= 1e6)) {
@@ -129,7 +129,7 @@ void RobotJoints::add() {
     if (const std::size_t count = scene_.speed_limits.size(); count > 0) {
         scene_.warnings.push_back(name_ + ": the velocity limits of " + std::to_string(count) +
                                   (count == 1 ? " joint hold" : " joints hold") +
-                                  " for the targets of motors; nothing else is slowed by them");
+                                  " for the targets of motors only; they do not limit other motion");
     }
 }
 

@@ -87,11 +87,11 @@ void disable_overlapping_collisions(const std::string& name, const std::vector<R
         const std::vector<ShapeId> shapes = scene.world.body(parts[part].body).shapes();
         for (std::size_t k = parts[part].scenery; k < shapes.size(); ++k) scene.world.set_filter(shapes[k], filter);
     }
-    scene.warnings.push_back(name +
-                             ": links that overlap as the robot is drawn do not collide: " + names_of(apart, parts) +
-                             (left.empty() ? ""
-                                           : "; " + std::to_string(left.size()) + " more pairs do, as only " +
-                                                 std::to_string(max_kinds) + " layers tell links apart"));
+    scene.warnings.push_back(
+        name + ": links that overlap in the initial pose do not collide: " + names_of(apart, parts) +
+        (left.empty() ? ""
+                      : "; " + std::to_string(left.size()) + " more pairs do collide, because only " +
+                            std::to_string(max_kinds) + " layers can distinguish links"));
 }
 
 } // namespace cairn::scene

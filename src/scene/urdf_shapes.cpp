@@ -101,8 +101,8 @@ NamedFile RobotShapes::file_of(const std::string& filename, const std::string& p
     const std::string name = without_spare_slashes(filename);
     if (name != filename && !has_warned_of_slashes_) {
         scene_.warnings.push_back(place + ": \"" + filename.substr(0, 200) +
-                                  "\" has slashes where the name of its package belongs; it is taken as \"" +
-                                  name.substr(0, 200) + "\", and so are all others");
+                                  "\" has slashes in place of the name of its package; it is read as \"" +
+                                  name.substr(0, 200) + "\", and so are all other file names");
         has_warned_of_slashes_ = true;
     }
     return find_robot_file(name, folder_, place);

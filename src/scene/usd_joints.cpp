@@ -53,7 +53,9 @@ class UsdJointMaker {
         end(prim, "1", turn, def.body_b, def.frame_b);
         if (def.body_a == def.body_b || !(is_dynamic(def.body_a) || is_dynamic(def.body_b))) {
             const bool is_fixed = prim.type == "PhysicsFixedJoint";
-            if (!is_fixed) warnings_.push_back(stage_.place(prim) + ": has no effect: it joins nothing that can part");
+            if (!is_fixed)
+                warnings_.push_back(stage_.place(prim) +
+                                    ": has no effect: it joins no bodies that can move relative to each other");
             return;
         }
         if (!make(prim, def)) return;
@@ -106,7 +108,7 @@ class UsdJointMaker {
                 const double least = first < 0.0 ? second : second < 0.0 ? first : std::min(first, second);
                 ball.cone_angle = single(std::min(least, 180.0) * degree);
                 if (first != second) {
-                    warnings_.push_back(stage_.place(prim) + ": has a round cone, of the lesser of both angles");
+                    warnings_.push_back(stage_.place(prim) + ": has a circular cone, with the smaller of both angles");
                 }
             }
             def.joint = ball;
@@ -124,7 +126,7 @@ class UsdJointMaker {
         } else if (prim.type == "PhysicsJoint") {
             def.joint = general(prim);
         } else {
-            warnings_.push_back(stage_.place(prim) + ": has no effect: it is a joint of another kind");
+            warnings_.push_back(stage_.place(prim) + ": has no effect: this type of joint is not supported");
             return false;
         }
         return true;

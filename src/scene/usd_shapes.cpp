@@ -24,7 +24,7 @@ class SolidReader {
         const NodeTransform parts = parts_of(map_);
         if (parts.is_skewed) {
             throw Error(ErrorCode::unsupported, stage_.place(prim_), {},
-                        "is skewed: a rotation below an uneven scale, which would bend its shape");
+                        "is skewed by a rotation below a nonuniform scale, which would distort its shape");
         }
         const glm::dvec3 scale = glm::abs(parts.scale);
         UsdSolid solid;
@@ -65,7 +65,7 @@ class SolidReader {
             if (indices != nullptr) {
                 const double index = indices->numbers[at];
                 if (!(index >= 0.0 && index < static_cast<double>(pairs)))
-                    stage_.fail(prim_, "primvars:st:indices", "must be numbers of pairs in primvars:st, from 0 on");
+                    stage_.fail(prim_, "primvars:st:indices", "must be indices of pairs in primvars:st, from 0");
                 at = static_cast<std::size_t>(index);
             }
             made.vertices.push_back(plain.vertices[plain.indices[i]]);
@@ -95,7 +95,7 @@ class SolidReader {
     }
     void warn_of_uneven(double a, double b) {
         if (std::fabs(a - b) <= 1e-4 * std::max(a, b)) return;
-        warnings_.push_back(stage_.place(prim_) + ": is round, and takes the larger of its uneven scales");
+        warnings_.push_back(stage_.place(prim_) + ": is round, and takes the larger of its nonuniform scales");
     }
 
     void column(UsdSolid& solid, const glm::dvec3& scale) {
@@ -150,7 +150,7 @@ class SolidReader {
                 if (!(index >= 0.0 && index < static_cast<double>(made.vertices.size()) &&
                       index == std::floor(index))) {
                     throw Error(ErrorCode::invalid_file, stage_.place(prim_) + ": faceVertexIndices",
-                                std::to_string(index), "must be numbers of points, from 0 on");
+                                std::to_string(index), "must be indices of points, from 0");
                 }
             }
             for (std::size_t i = at + 1; i + 1 < end; ++i) { // cut into a fan

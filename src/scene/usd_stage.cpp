@@ -58,7 +58,7 @@ void UsdStage::visit(const UsdPrim& prim, const UsdPlace& above, const Affine& w
     for (int i = 0; i < 3; ++i) {
         const double reach = std::fabs(here.world.translation[i]) + std::fabs(here.world.linear[i][0]) +
                              std::fabs(here.world.linear[i][1]) + std::fabs(here.world.linear[i][2]);
-        if (!(reach <= farthest_prim)) fail(prim, "xformOpOrder", "must not lead or reach too far out");
+        if (!(reach <= farthest_prim)) fail(prim, "xformOpOrder", "must not be too far from the origin or too large");
     }
     here.chain.push_back(&prim);
     here.is_seen = here.is_seen && word(prim, "visibility", "inherited") != "invisible" &&
@@ -84,7 +84,7 @@ Affine UsdStage::transform(const UsdPrim& prim, bool& resets) const {
         const bool is_inverted = name.substr(0, inverted.size()) == inverted;
         const Affine next = operation(prim, is_inverted ? name.substr(inverted.size()) : name);
         if (is_inverted && std::fabs(glm::determinant(next.linear)) < 1e-30) {
-            fail(prim, "xformOpOrder", "must not invert what is flat");
+            fail(prim, "xformOpOrder", "must not invert a singular transform");
         }
         result = compose(result, is_inverted ? inverse_of(next) : next);
     }
@@ -124,14 +124,14 @@ Affine UsdStage::operation(const UsdPrim& prim, const std::string& name) const {
         need(axes.size() == 1 ? 1 : 3);
         glm::dquat turn(1.0, 0.0, 0.0, 0.0);
         for (const char letter : axes) { // the first axis is applied first
-            if (letter < 'X' || letter > 'Z' || axes.size() > 3) fail(prim, name, "must be an operation that is known");
+            if (letter < 'X' || letter > 'Z' || axes.size() > 3) fail(prim, name, "must be a known operation");
             glm::dvec3 axis(0.0);
             axis[letter - 'X'] = 1.0;
             turn = turn_about(axis, degree * v[axes.size() == 1 ? 0 : static_cast<std::size_t>(letter - 'X')]) * turn;
         }
         result = of_rotation(turn);
     } else {
-        fail(prim, name, "must be an operation that is known");
+        fail(prim, name, "must be a known operation");
     }
     return result;
 }

@@ -107,7 +107,7 @@ class LayerReader {
         if (!is_path && triple.size() == 3 && triple[1] == mark && triple[2] == mark) closing = triple;
         std::size_t end = at_ + closing.size();
         for (;; ++end) {
-            if (end >= text_.size()) fail("must close what is quoted here", text_.substr(at_, 20));
+            if (end >= text_.size()) fail("must close the quotation here", text_.substr(at_, 20));
             if (text_[end] == '\\' && (mark == '"' || mark == '\'')) {
                 ++end;
             } else if (text_.substr(end, closing.size()) == closing) {

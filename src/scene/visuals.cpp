@@ -128,7 +128,7 @@ std::vector<Bone> Visuals::read_bones(const Value& skin, std::span<const std::op
         }
         bones[i].linear = map.linear, bones[i].translation = map.translation;
         for (int k = 0; k < 3; ++k) {
-            if (!any_float.contains(map.translation[k])) joint.fail("has a place that is too far out");
+            if (!any_float.contains(map.translation[k])) joint.fail("has a position that is too far from the origin");
         }
     }
     return bones;

@@ -52,7 +52,7 @@ std::vector<Segment> segments_of(const std::string& path) {
         Segment segment;
         if (at < path.size() && path[at] == '\'') {
             const std::size_t end = path.find('\'', at + 1);
-            if (end == std::string::npos) refuse_path(path, "must have a second ' after its first");
+            if (end == std::string::npos) refuse_path(path, "must have a closing '");
             segment.name = path.substr(at + 1, end - at - 1);
             at = end + 1;
         } else {
@@ -62,7 +62,7 @@ std::vector<Segment> segments_of(const std::string& path) {
         }
         if (at < path.size() && path[at] == '[') {
             const std::size_t end = path.find(']', at);
-            if (end == std::string::npos) refuse_path(path, "must have a ] after its [");
+            if (end == std::string::npos) refuse_path(path, "must have a closing ]");
             segment.number = number_in(path, std::string_view(path).substr(at + 1, end - at - 1));
             at = end + 1;
         }
@@ -99,12 +99,12 @@ class Finder {
 
   private:
     const Segment& next_segment(const std::string& what) {
-        if (at_ >= segments_.size()) refuse_path(path_, "must go on with " + what);
+        if (at_ >= segments_.size()) refuse_path(path_, "must continue with " + what);
         return segments_[at_++];
     }
     std::string next(const std::string& what) {
         const Segment& segment = next_segment(what);
-        if (segment.number) refuse_path(path_, "must have no number after \"" + segment.name + "\"");
+        if (segment.number) refuse_path(path_, "must not have an index after \"" + segment.name + "\"");
         return segment.name;
     }
 
@@ -120,7 +120,7 @@ class Finder {
             return find_joint(joint_named(first));
         }
         if (!is_body && count(joint_names(), first.name) > 0) {
-            refuse_path(path_, "there is a body and a joint of that name: bodies[N] and joints[N] go by number");
+            refuse_path(path_, "there are a body and a joint of that name: use bodies[N] or joints[N]");
         }
         address_.subject.body = body_named(first);
         lists_ = {body_properties(), shape_properties()};
@@ -172,10 +172,10 @@ class Finder {
         return ids[place_of(segment, joint_names(), "joint")];
     }
     std::size_t place_of(const Segment& segment, const std::vector<std::string>& names, const char* what) const {
-        if (segment.number) refuse_path(path_, "must have no number after \"" + segment.name + "\"");
+        if (segment.number) refuse_path(path_, "must not have an index after \"" + segment.name + "\"");
         if (const std::size_t times = count(names, segment.name); times > 1) {
-            refuse_path(path_, std::to_string(times) + " have the name \"" + segment.name +
-                                   "\": bodies[N] and joints[N] go by number");
+            refuse_path(path_,
+                        std::to_string(times) + " have the name \"" + segment.name + "\": use bodies[N] or joints[N]");
         }
         const auto found = std::find(names.begin(), names.end(), segment.name);
         if (found == names.end()) {

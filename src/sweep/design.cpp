@@ -51,7 +51,7 @@ Design::Design(Sampling sampling, std::vector<Parameter> parameters, std::uint64
     const std::size_t dimensions = parameters_.size();
     for (const Parameter& parameter : parameters_) {
         if (parameter.kind == Parameter::Kind::list && parameter.values.empty()) {
-            refuse_design("there are no values of \"" + parameter.name + "\", so that there is no row");
+            refuse_design("there are no values for \"" + parameter.name + "\", so that there is no row");
         }
     }
     rows_ = 1;

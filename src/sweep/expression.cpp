@@ -31,7 +31,7 @@ struct Expression::Parser {
                 result += text[i];
                 continue;
             }
-            if (end == std::string::npos) fail("must have a second ' after its first");
+            if (end == std::string::npos) fail("must have a closing '");
             const std::string name = "q" + std::to_string(quoted.size()) + "#";
             quoted[name] = text.substr(i, end - i + 1);
             result += name;
@@ -50,7 +50,7 @@ struct Expression::Parser {
     [[noreturn]] void pass_on(const mu::Parser::exception_type& cause) const {
         std::string why = as_written(cause.GetMsg());
         while (!why.empty() && (why.back() == '.' || why.back() == ' ')) why.pop_back();
-        fail("is no expression: " + why);
+        fail("is not a valid expression: " + why);
     }
 
     static double* variable(const char* name, void* self) {

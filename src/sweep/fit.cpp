@@ -136,7 +136,7 @@ class Fitter {
         }
         if (free_.empty()) {
             throw Error(ErrorCode::invalid_file, plan.file + ": parameters", {},
-                        "leave nothing to be fitted: all of them are columns of the measurements");
+                        "leave nothing to fit: all of them are columns of the measurements");
         }
         count_ = options.evaluations > 0 ? options.evaluations : 300 * free_.size();
         best_.assign(free_.size(), 0.5);

@@ -262,7 +262,7 @@ class PlanReader {
             const auto value = set.find(path.c_str()); // nothing if the name was truncated
             if (!value)
                 throw Error(ErrorCode::invalid_file, set.place() + "\"" + path.substr(0, 60) + "\"", {},
-                            "names no property");
+                            "does not name a property");
             plan_.settings.push_back({path, expression_of(*value), value->place()});
         }
     }

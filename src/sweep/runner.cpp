@@ -51,7 +51,7 @@ Runner::Formula Runner::formula(const std::string& text, const std::string& plac
         }
         const Address address = find_address(trial_.world, name == "time" ? "world.time" : name);
         if (address.property->read == nullptr) {
-            throw Error(ErrorCode::invalid_value, name, {}, "can be set, and not be measured");
+            throw Error(ErrorCode::invalid_value, name, {}, "can be set, but not measured");
         }
         readings.push_back(readings_.size());
         return &readings_.emplace_back(Reading{address}).value;
@@ -73,7 +73,7 @@ void Runner::add_target(const Assignment& setting, std::size_t index) {
         throw Error(ErrorCode::invalid_file, plan_.file + ": set", {}, error.what());
     }
     if (address.property->write == nullptr) {
-        throw Error(ErrorCode::invalid_file, place, {}, "can be measured, and not be set");
+        throw Error(ErrorCode::invalid_file, place, {}, "can be measured, but not set");
     }
     const auto is_same = [&](const Target& target) {
         const Subject &a = target.address.subject, &b = address.subject;

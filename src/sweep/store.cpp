@@ -115,9 +115,9 @@ void Store::look_into(const std::filesystem::path& path) {
     Header header;
     if (!read_at(file.get(), 0, &header, sizeof header, path)) return; // the writer was killed before it wrote anything
     if (std::memcmp(&header, &header_, sizeof header) != 0) {
-        throw Error(ErrorCode::wrong_state, path.generic_string(), {},
-                    "is of another sweep: the plan, the scene or the program has changed since. --out chooses another "
-                    "folder");
+        throw Error(
+            ErrorCode::wrong_state, path.generic_string(), {},
+            "is of another sweep: the plan, the scene or the program has changed. Choose another folder with --out");
     }
     shards_.push_back(path);
     std::vector<double> numbers;

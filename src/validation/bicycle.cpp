@@ -184,11 +184,10 @@ Result measure_bicycle() {
             if (i > 0 || dt != time_steps[0]) continue;
             plot.curves = {seen.expected_lean, seen.measured_lean, seen.expected_steer, seen.measured_steer};
         }
-        result.rows.push_back({"lean, pushed at 4.5 to 6 m/s: root mean square of what it is off, of itself", dt, 0,
-                               lean.value, 0.02, Bar::absolute});
         result.rows.push_back(
-            {"steer: root mean square of what it is off, of itself", dt, 0, steer.value, 0.02, Bar::absolute});
-        result.rows.push_back({"energy after 3 s, of that before", dt, 1, energy.value, 0.002});
+            {"lean, pushed at 4.5 to 6 m/s: root mean square error, relative", dt, 0, lean.value, 0.02, Bar::absolute});
+        result.rows.push_back({"steer: root mean square error, relative", dt, 0, steer.value, 0.02, Bar::absolute});
+        result.rows.push_back({"energy after 3 s over the initial energy", dt, 1, energy.value, 0.002});
     }
     result.plots.push_back(plot);
     return result;

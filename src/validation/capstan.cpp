@@ -88,7 +88,7 @@ Result measure_capstan() {
                 return Capstan(friction, ratio * small_load, heading).slip(dt) < 0.01;
             });
             result.rows.push_back(
-                {"friction " + text(friction) + ": greatest ratio of the loads that it holds", dt, theory, most, 0.05});
+                {"friction " + text(friction) + ": greatest ratio of loads without slip", dt, theory, most, 0.05});
         }
     return result;
 }

@@ -83,18 +83,18 @@ void measure_bounces_of(double e, double dt, Result& result, Plot& heights) {
     }
     const std::string name = "e = " + text(e);
     // Later bounces are lower than 1 % of the first height.
-    result.rows.push_back({name + ": height of a bounce less e^2n, of the first height, the farthest off", dt, 0,
+    result.rows.push_back({name + ": height of a bounce minus e^2n, relative to the first height, the worst", dt, 0,
                            height.value, 0.005, Bar::absolute});
-    result.rows.push_back({name + ": time until it rests over that of the law, the farthest off", dt, 1, end.value,
+    result.rows.push_back({name + ": time until rest over the expected time, the worst", dt, 1, end.value,
                            dt > 0.01 ? 0.025 : 0.01, Bar::absolute,
-                           "the last bounces are shorter than a step, and are not seen"});
+                           "the last bounces are shorter than a step and are not resolved"});
 }
 
 } // namespace
 
 Result measure_bounces() {
     Result result;
-    Plot heights{"Bounces", "bounce", "height over the first one", false, true, {}};
+    Plot heights{"Bounces", "bounce", "height over the first height", false, true, {}};
     for (const double dt : time_steps)
         for (const double e : {0.5, 0.8, 0.9}) measure_bounces_of(e, dt, result, heights);
     for (const double e : {0.5, 0.8, 0.9}) {
@@ -105,7 +105,7 @@ Result measure_bounces() {
         }
         heights.curves.push_back(law);
     }
-    Plot energies{"Energy of an elastic ball", "time, s", "energy over its start", false, false, {}};
+    Plot energies{"Energy of an elastic ball", "time, s", "energy over the initial energy", false, false, {}};
     for (const double dt : time_steps) {
         double least = 1e9, most = 0;
         Curve curve{"dt = " + step_text(dt) + " s", {}, {}};
@@ -121,8 +121,8 @@ Result measure_bounces() {
             }
         }
         result.rows.push_back(
-            {"e = 1, 20 s: greatest energy over that of the start", dt, 1, most, 1 + 1e-4, Bar::at_most});
-        result.rows.push_back({"e = 1, 20 s: least energy over that of the start", dt, 1, least, 0.99, Bar::at_least});
+            {"e = 1, 20 s: greatest energy over the initial energy", dt, 1, most, 1 + 1e-4, Bar::at_most});
+        result.rows.push_back({"e = 1, 20 s: least energy over the initial energy", dt, 1, least, 0.99, Bar::at_least});
         energies.curves.push_back(curve);
     }
     result.plots = {heights, energies};
@@ -156,7 +156,7 @@ Result measure_head_on() {
     struct Pair {
         double ratio, restitution; // mass of the second ball over that of the first
     };
-    Plot plot{"A ball meets one at rest", "ratio of the masses", "speed after the impact, m/s", true, false, {}};
+    Plot plot{"A ball hits a ball at rest", "mass ratio", "speed after the impact, m/s", true, false, {}};
     plot.curves = {{"first", {}, {}, true},
                    {"second", {}, {}, true},
                    {"first, closed form", {}, {}},
@@ -216,17 +216,16 @@ Result measure_oblique() {
                 angles.x.push_back(seed);
                 angles.y.push_back(angle);
             }
-            const std::string name =
-                text(speed) + " m/s, the farthest off of " + std::to_string(oblique_starts) + " starts: ";
+            const std::string name = text(speed) + " m/s, the worst of " + std::to_string(oblique_starts) + " starts: ";
             result.rows.push_back(
-                {name + "angle between the two, degrees", dt, 90, between.value, 0.01, Bar::absolute});
+                {name + "angle between the balls' velocities, degrees", dt, 90, between.value, 0.01, Bar::absolute});
             result.rows.push_back(
-                {name + "heading of the second, degrees", dt, 30, heading.value, 0.01, Bar::absolute});
+                {name + "direction of the second ball, degrees", dt, 30, heading.value, 0.01, Bar::absolute});
             // The bar is the change that 0.01 degrees cause.
-            result.rows.push_back({name + "speed of the first over that before", dt, slower.expected, slower.value,
-                                   radians(0.01), Bar::absolute});
-            result.rows.push_back({name + "speed of the second over that before", dt, faster.expected, faster.value,
-                                   radians(0.01), Bar::absolute});
+            result.rows.push_back({name + "speed of the first ball over the incoming speed", dt, slower.expected,
+                                   slower.value, radians(0.01), Bar::absolute});
+            result.rows.push_back({name + "speed of the second ball over the incoming speed", dt, faster.expected,
+                                   faster.value, radians(0.01), Bar::absolute});
             if (dt == time_steps[0]) plot.curves.push_back(angles);
         }
     result.plots.push_back(plot);
@@ -278,7 +277,7 @@ Result measure_cradle() {
                     const double off = leak_of_cradle(seed, dt, gap, incoming, is_drawn && seed == 0 ? &plot : nullptr);
                     if (!(off <= leak)) leak = off;
                 }
-                result.rows.push_back({std::to_string(incoming) + " in at 1 m/s, gaps of " + text(gap * 1000) +
+                result.rows.push_back({std::to_string(incoming) + " incoming at 1 m/s, gaps of " + text(gap * 1000) +
                                            " mm: greatest error of a ball's speed, m/s",
                                        dt, 0, leak, 0.001, Bar::at_most});
             }
@@ -392,14 +391,14 @@ void measure_momenta(const Pile& pile, double dt, Result& result, Plot& plot) {
     }
     if (!all_touch) linear = angular = elastic_angular = std::nan(""); // nothing collided, so nothing was measured
     const std::string name = pile.name;
-    result.rows.push_back({name + ": change of the momentum, relative", dt, 0, linear, 1e-5, Bar::at_most});
+    result.rows.push_back({name + ": relative change of momentum", dt, 0, linear, 1e-5, Bar::at_most});
     // A body that a contact holds, and that is hit within a step, follows the path that the solver gives it
     // (docs/known_limits.md).
-    const std::string note = "impacts of what something holds, within a step";
+    const std::string note = "impacts within a step on bodies that a contact holds";
     result.rows.push_back(
-        {name + ": change of the angular momentum, relative", dt, 0, angular, 1e-5, Bar::at_most, note, 3e-4});
-    result.rows.push_back({name + ": the same, elastic, relative", dt, 0, elastic_angular, dt > 0.01 ? 5e-4 : 1e-4,
-                           Bar::at_most, note, 2e-3});
+        {name + ": relative change of angular momentum", dt, 0, angular, 1e-5, Bar::at_most, note, 3e-4});
+    result.rows.push_back({name + ": relative change of angular momentum, elastic", dt, 0, elastic_angular,
+                           dt > 0.01 ? 5e-4 : 1e-4, Bar::at_most, note, 2e-3});
 }
 
 } // namespace
@@ -408,13 +407,13 @@ Result measure_closed_pile() {
     Result result;
     Plot plot{"Angular momentum of closed piles, dt = 1/60 s",
               "time, s",
-              "change over the sum over the bodies",
+              "change over the sum over all bodies",
               false,
               true,
               {}};
     for (const double dt : time_steps) {
         for (const Pile& pile : {Pile{"48 balls and boxes that collide", add_collider},
-                                 Pile{"turning box with 27 in it",
+                                 Pile{"rotating box with 27 bodies inside",
                                       [](World&world, const Material&material) { add_full_box(world, material, 3); }}})
             measure_momenta(pile, dt, result, plot);
         // The motion in a single box is chaotic, so that its greatest change says little: of 200 fillings, one gained 9
@@ -430,9 +429,10 @@ Result measure_closed_pile() {
             squares += change * change;
             sum += change;
         }
-        result.rows.push_back({"the same box, elastic, 64 fillings, 4 s: change of the energy, root mean square", dt, 0,
-                               std::sqrt(squares / fillings), 0.02, Bar::at_most});
-        result.rows.push_back({"mean of these changes", dt, 0, sum / fillings, 0.01, Bar::absolute});
+        result.rows.push_back(
+            {"the same box, elastic, 64 random fillings, 4 s: root mean square of the relative change of energy", dt, 0,
+             std::sqrt(squares / fillings), 0.02, Bar::at_most});
+        result.rows.push_back({"mean of these changes of energy", dt, 0, sum / fillings, 0.01, Bar::absolute});
     }
     result.plots.push_back(plot);
     return result;

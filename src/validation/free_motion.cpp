@@ -69,7 +69,7 @@ Result measure_free_fall() {
             const double t = f.seconds;
             const double way = 0.5 * gravity * t * t - integrator.offset * gravity * f.substep * t;
             const std::string with = std::string(", ") + integrator.name;
-            result.rows.push_back({"way fallen in 2 s, m" + with, step, way, f.way, round_off, Bar::relative, ""});
+            result.rows.push_back({"distance fallen in 2 s, m" + with, step, way, f.way, round_off, Bar::relative, ""});
             result.rows.push_back(
                 {"speed after 2 s, m/s" + with, step, gravity * t, f.speed, round_off, Bar::relative, ""});
         }
@@ -228,7 +228,7 @@ void add_explicit_growth(Result& result, double step) {
     const double start = oscillator.energy();
     const int steps = steps_in(2, step);
     run(oscillator.world, float(step), steps);
-    result.rows.push_back({"ln of the growth of energy in a step, explicit Euler", step,
+    result.rows.push_back({"logarithm of the energy growth per step, explicit Euler", step,
                            std::log(1 + oscillator.spring * step * step), std::log(oscillator.energy() / start) / steps,
                            0.01, Bar::relative, ""});
 }
@@ -242,7 +242,7 @@ void add_semi_implicit_band(Result& result, double step) {
         const double energy = oscillator.energy();
         least = std::min(least, energy), most = std::max(most, energy);
     }
-    result.rows.push_back({"half width of the band of energy in 60,000 steps, semi-implicit Euler", step,
+    result.rows.push_back({"half width of the energy band over 60,000 steps, semi-implicit Euler", step,
                            std::sqrt(oscillator.spring) * step / 2, (most - least) / (most + least), 0.01,
                            Bar::relative, ""});
 }
@@ -254,7 +254,7 @@ void add_runge_kutta_loss(Result& result) {
     Oscillator oscillator(Integrator::rk4);
     const double start = oscillator.energy(), wh = std::sqrt(oscillator.spring) * step;
     run(oscillator.world, float(step), steps_in(seconds, step));
-    result.rows.push_back({"rate of energy, 1/s, Runge-Kutta 4", step, -std::pow(wh, 6) / 72 / step,
+    result.rows.push_back({"relative rate of change of energy, 1/s, Runge-Kutta 4", step, -std::pow(wh, 6) / 72 / step,
                            std::log(oscillator.energy() / start) / seconds, 0.01, Bar::relative, ""});
 }
 
@@ -264,10 +264,10 @@ void add_orders(Result& result) {
     constexpr double fine = 1.0 / 8000, coarse = 1.0 / 4000;
     for (int i = 0; i < 2; ++i) {
         const double order = std::log2(energy(integrators[i].kind, coarse) / energy(integrators[i].kind, fine));
-        result.rows.push_back({std::string("order of the error of energy, ") + integrators[i].name, fine, 1, order,
-                               0.01, Bar::relative, "from 1/4000 to 1/8000 s"});
+        result.rows.push_back({std::string("order of the energy error, ") + integrators[i].name, fine, 1, order, 0.01,
+                               Bar::relative, "from 1/4000 to 1/8000 s"});
     }
-    result.rows.push_back({"order of the error of the position, Runge-Kutta 4", 1.0 / 512, 4,
+    result.rows.push_back({"order of the position error, Runge-Kutta 4", 1.0 / 512, 4,
                            std::log2(position(1.0 / 256) / position(1.0 / 512)), 0.01, Bar::relative,
                            "from 1/256 to 1/512 s"});
 }
@@ -364,10 +364,10 @@ void drop_box_on_corner(Result& result, double step) {
     auto add = [&](const char* quantity, double right, double measured) {
         result.rows.push_back({quantity, step, right, measured, round_off, Bar::relative, ""});
     };
-    add("vertical velocity of a box that hit with a corner, m/s", v0.y + impulse / mass, v.y);
-    add("its velocity along the plane, m/s", glm::length(glm::dvec2(v0.x, v0.z)), glm::length(glm::dvec2(v.x, v.z)));
+    add("vertical velocity of a box after an impact of its corner, m/s", v0.y + impulse / mass, v.y);
+    add("its horizontal velocity, m/s", glm::length(glm::dvec2(v0.x, v0.z)), glm::length(glm::dvec2(v.x, v.z)));
     add("its angular momentum, kg m^2/s", glm::length(expected), glm::length(momentum));
-    result.rows.push_back({"difference of its angular momentum from the formula, relative", step, 0,
+    result.rows.push_back({"relative error of its angular momentum", step, 0,
                            glm::length(momentum - expected) / glm::length(expected), round_off, Bar::at_most, ""});
 }
 

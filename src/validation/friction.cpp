@@ -81,7 +81,8 @@ Result measure_rolling_down() {
             const double t = 3 * half * dt;
             result.rows.push_back(
                 {name + ": acceleration, m/s^2", dt, acceleration, (scene.speed() - first) / (2 * half * dt), 0.005});
-            result.rows.push_back({name + ": way in 1.5 s, m", dt, 0.5 * acceleration * t * t, scene.way(), 0.005});
+            result.rows.push_back(
+                {name + ": distance in 1.5 s, m", dt, 0.5 * acceleration * t * t, scene.way(), 0.005});
             if (dt == time_steps[0]) plot.curves.push_back(curve);
         }
         plot.curves.push_back({name + ", closed form", {0, 1.5}, {0, 1.5 * acceleration}});
@@ -150,7 +151,7 @@ Result measure_slope() {
         result.rows.push_back({"acceleration on 30 degrees at mu = 0.2, m/s^2", dt, expected,
                                (sliding.speed() - first) / (steps_in(1, dt) * dt), 0.01});
     }
-    Plot plot{"A box on a slope, mu = tan 30 degrees", "slope, degrees", "way in 2 s, m", false, false, {}};
+    Plot plot{"A box on a slope, mu = tan 30 degrees", "slope, degrees", "distance in 2 s, m", false, false, {}};
     plot.curves = {{"dt = " + step_text(time_steps[0]) + " s", {}, {}, true}, {"closed form", {}, {}}};
     for (double degrees = 28; degrees <= 32; degrees += 0.125) {
         const double a = gravity * (std::sin(radians(degrees)) - friction * std::cos(radians(degrees)));
@@ -177,7 +178,7 @@ Result measure_tipping() {
         result.rows.push_back(
             {"its tilt at 44.5 degrees after 5 s, degrees", dt, 0, below.tilt() / radians(1), 0.5, Bar::at_most});
     }
-    Plot plot{"A cube on a slope, mu = 2", "time, s", "tilt against the slope, degrees", false, false, {}};
+    Plot plot{"A cube on a slope, mu = 2", "time, s", "tilt relative to the slope, degrees", false, false, {}};
     for (const auto& [degrees, name] : {std::pair{44.5, "44.5 degrees"}, std::pair{45.5, "45.5 degrees"}}) {
         OnSlope scene = cube_on_slope(degrees, 2);
         Curve curve{name, {}, {}};
@@ -217,8 +218,8 @@ struct SlidingBox {
 Result measure_sliding_stop() {
     Result result;
     Plot plot{"Sliding to a stop from 2 m/s, dt = 1/60 s",
-              "heading against the box's sides, degrees",
-              "way over v^2 / (2 mu g)",
+              "heading relative to the box's sides, degrees",
+              "distance over v^2 / (2 mu g)",
               false,
               false,
               {}};
@@ -240,12 +241,12 @@ Result measure_sliding_stop() {
                 curve.y.push_back(scene.way() / way.expected);
             }
             result.rows.push_back(
-                {name + ": way, the farthest off of 24 headings, m", dt, way.expected, way.value, 0.01});
-            result.rows.push_back({name + ": spread over the headings, of the way", dt, 0,
+                {name + ": stopping distance, the worst of 24 headings, m", dt, way.expected, way.value, 0.01});
+            result.rows.push_back({name + ": relative spread of the stopping distance over the headings", dt, 0,
                                    (most - least) / way.expected, 0.001, Bar::at_most});
             if (dt == time_steps[0]) plot.curves.push_back(curve);
         }
-        result.rows.push_back({"greatest speed that is left after 1.5 s, m/s", dt, 0, fastest, 1e-3, Bar::at_most});
+        result.rows.push_back({"greatest remaining speed after 1.5 s, m/s", dt, 0, fastest, 1e-3, Bar::at_most});
     }
     result.plots.push_back(plot);
     return result;
@@ -291,9 +292,9 @@ Result measure_slide_to_roll() {
             if (dt == time_steps[0] && heading == 0) plot.curves = {going, turning};
         }
         result.rows.push_back(
-            {"time until it rolls, the farthest off of 4 headings, s", dt, time.expected, time.value, 0.005});
-        result.rows.push_back({"way until then, m", dt, way.expected, way.value, 0.005});
-        result.rows.push_back({"speed from then on, m/s", dt, speed.expected, speed.value, 0.005});
+            {"time until it rolls, the worst of 4 headings, s", dt, time.expected, time.value, 0.005});
+        result.rows.push_back({"distance until it rolls, m", dt, way.expected, way.value, 0.005});
+        result.rows.push_back({"rolling speed, m/s", dt, speed.expected, speed.value, 0.005});
     }
     plot.curves.push_back({"closed form", {0, seconds, 0.6}, {v0, rolling, rolling}});
     plot.curves.push_back({"closed form, r w", {0, seconds, 0.6}, {0, rolling, rolling}});
@@ -362,9 +363,10 @@ Result measure_spinning_box() {
                 turning.y.push_back(double(scene.world.body(scene.box).angular_velocity().y));
             }
             const std::string name = "heading " + std::to_string(int(heading)) + " degrees: ";
-            result.rows.push_back({name + "way, m", dt, law.way, scene.way(), 0.1, Bar::relative,
-                                   "one cone and one torsion for the whole patch would give 1.147 m"});
-            result.rows.push_back({name + "time, s", dt, law.time, stopped, 0.1});
+            result.rows.push_back(
+                {name + "stopping distance, m", dt, law.way, scene.way(), 0.1, Bar::relative,
+                 "one friction cone and one friction torque for the whole contact patch would give 1.147 m"});
+            result.rows.push_back({name + "stopping time, s", dt, law.time, stopped, 0.1});
             if (dt == time_steps[0] && heading == 30) plot.curves = {going, turning, law.speeds, law.spins};
         }
     result.plots.push_back(plot);

@@ -96,7 +96,7 @@ std::array<Bullet, 4> bullets() {
 }
 
 enum class Target { wall, mesh, plate };
-constexpr std::array<const char*, 3> target_names{"a wall of 1 cm", "a triangle mesh", "a plate of 1 cm that moves"};
+constexpr std::array<const char*, 3> target_names{"a wall of 1 cm", "a triangle mesh", "a moving plate of 1 cm"};
 
 constexpr double half_width = 2; // m, of the targets
 constexpr int shots = 100;
@@ -151,7 +151,7 @@ bool gets_through(std::uint32_t seed, const Bullet& bullet, Target target, doubl
 Result measure_billiards() {
     constexpr double greatest_angle = 0.5, greatest_speed = 0.005;
     Result result;
-    Plot plot{"Sixteen balls after ten impacts", "start", "greatest error of a heading, degrees", false, true, {}};
+    Plot plot{"Sixteen balls after ten impacts", "start", "greatest error of a direction, degrees", false, true, {}};
     for (const double dt : time_steps) {
         int kept = 0;
         Curve curve{"dt = " + step_text(dt) + " s", {}, {}, true};
@@ -161,8 +161,8 @@ Result measure_billiards() {
             curve.x.push_back(seed);
             curve.y.push_back(most.angle);
         }
-        result.rows.push_back({"16 balls, 10 impacts, 60 breaks: share with every heading within 0.5 degrees and every "
-                               "speed within 0.5 % of the first",
+        result.rows.push_back({"16 balls, 10 impacts, 60 breaks: fraction with all directions within 0.5 degrees and "
+                               "all speeds within 0.5 % of the initial speed",
                                dt, 1, double(kept) / breaks, 0.95, Bar::at_least});
         plot.curves.push_back(curve);
     }
@@ -172,7 +172,7 @@ Result measure_billiards() {
 
 Result measure_shots() {
     Result result;
-    Plot plot{"Bodies that get through, of 10,000", "speed, m/s", "lost", true, false, {}};
+    Plot plot{"Bodies that pass through, of 10,000", "speed, m/s", "passed through", true, false, {}};
     for (const Target target : {Target::wall, Target::mesh, Target::plate}) {
         for (const Bullet& bullet : bullets()) {
             Curve curve{std::string(bullet.name) + ", " + target_names[std::size_t(target)], {}, {}};
@@ -183,7 +183,7 @@ Result measure_shots() {
                 const double share = 1e4 * lost / shots;
                 result.rows.push_back({std::string(bullet.name) + " at " + text(speed) + " m/s at " +
                                            target_names[std::size_t(target)] + ", " + std::to_string(shots) +
-                                           " shots: lost, of 10,000",
+                                           " shots: passed through, of 10,000",
                                        time_steps[0], 0, share, 0, Bar::at_most});
                 curve.x.push_back(speed);
                 curve.y.push_back(share);

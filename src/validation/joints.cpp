@@ -60,13 +60,13 @@ void add_pendulum_rows(Result& result) {
     for (const NamedSolver& by : solvers)
         for (const double degrees : {1.0, 10.0, 30.0, 45.0, 90.0, 150.0})
             for (const double step : time_steps)
-                result.rows.push_back({"period from " + text(degrees) + " degrees, s" + by.suffix, step,
+                result.rows.push_back({"period at an amplitude of " + text(degrees) + " degrees, s" + by.suffix, step,
                                        exact_period(1, radians(degrees)), measured_period(degrees, step, by.solver),
                                        1e-3, Bar::relative, ""});
 }
 
 void add_pendulum_plots(Result& result) {
-    Plot period{"Pendulum: period by amplitude", "amplitude, degrees", "period, s", false, false, {}};
+    Plot period{"Pendulum: period versus amplitude", "amplitude, degrees", "period, s", false, false, {}};
     Curve exact{"expected: 2 pi sqrt(L / g) / agm(1, cos(amplitude / 2))", {}, {}, false};
     for (int degrees = 1; degrees <= 165; ++degrees) {
         exact.x.push_back(degrees);
@@ -97,7 +97,12 @@ void add_pendulum_plots(Result& result) {
 // velocities advanced by that time.
 void add_double_pendulum_rows(Result& result) {
     constexpr double seconds = 60, swing = 2 * 9.81; // J, between the start and the lowest state at rest
-    Plot plot{"Double pendulum from the horizontal: energy", "time, s", "change, % of the swing", false, false, {}};
+    Plot plot{"Double pendulum from the horizontal: energy",
+              "time, s",
+              "change, % of the energy of the swing",
+              false,
+              false,
+              {}};
     for (const double step : time_steps) {
         World world(without_sleep());
         const DoublePendulum pendulum = add_double_pendulum(world, JointSolver::direct);
@@ -115,10 +120,12 @@ void add_double_pendulum_rows(Result& result) {
             curve.x.push_back(i * step);
             curve.y.push_back(100 * energy / swing);
         }
-        result.rows.push_back({"double pendulum, direct solver, 60 s: greatest gain of energy, of the swing", step, 0,
-                               greatest, 1e-4, Bar::at_most, ""});
-        result.rows.push_back({"double pendulum, direct solver, 60 s: greatest loss of energy, of the swing", step, 0,
-                               -least, 0.02, Bar::at_most, ""});
+        result.rows.push_back(
+            {"double pendulum, direct solver, 60 s: greatest gain of energy, relative to that of the swing", step, 0,
+             greatest, 1e-4, Bar::at_most, ""});
+        result.rows.push_back(
+            {"double pendulum, direct solver, 60 s: greatest loss of energy, relative to that of the swing", step, 0,
+             -least, 0.02, Bar::at_most, ""});
         plot.curves.push_back(curve);
     }
     result.plots.push_back(plot);
@@ -237,7 +244,7 @@ Stretch watch(World& world, double step, double seconds) {
 
 void add_chain_rows(Result& result) {
     constexpr double seconds = 10;
-    Plot plot{"Chain of 20 links of 1 kg, end of 1,000 kg", "time, s", "greatest gap, mm", false, false, {}};
+    Plot plot{"Chain of 20 links of 1 kg with 1,000 kg at its end", "time, s", "greatest gap, mm", false, false, {}};
     for (const double step : time_steps) {
         World world(without_sleep());
         const Chain chain = add_chain(world, 20, 1000);
@@ -245,10 +252,11 @@ void add_chain_rows(Result& result) {
         const double swing = world.kinetic_energy(), start = swing + world.potential_energy();
         const Stretch seen = watch(world, step, seconds);
         const double change = world.kinetic_energy() + world.potential_energy() - start;
-        result.rows.push_back({"chain, end 1,000 times a link: greatest gap, of a link's length", step, 0,
-                               seen.greatest / link_length, 0.01, Bar::at_most, ""});
         result.rows.push_back(
-            {"chain: change of energy in 10 s, of the swing", step, 0, change / swing, 0.02, Bar::absolute, ""});
+            {"chain with 1,000 times a link's mass at its end: greatest gap, relative to a link's length", step, 0,
+             seen.greatest / link_length, 0.01, Bar::at_most, ""});
+        result.rows.push_back({"chain: change of energy in 10 s, relative to that of the swing", step, 0,
+                               change / swing, 0.02, Bar::absolute, ""});
         plot.curves.push_back({"steps of " + step_text(step) + " s", seen.times, seen.gaps, false});
     }
     result.plots.push_back(plot);
@@ -262,9 +270,9 @@ void add_net_rows(Result& result) {
         add_net(world, 64, swings ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0));
         const Stretch seen = watch(world, step, seconds);
         const std::string what = swings ? "falls from the horizontal" : "hangs";
-        result.rows.push_back(
-            {"net of 64 x 64 " + what + ", 5 s: greatest gap, of the spacing", step, 0, seen.greatest, 0.01,
-             Bar::at_most, swings ? "left to swing on, its lower edge whips and opens a joint by 2 % at 11 s" : ""});
+        result.rows.push_back({"net of 64 x 64 " + what + ", 5 s: greatest gap, relative to the spacing", step, 0,
+                               seen.greatest, 0.01, Bar::at_most,
+                               swings ? "if it swings on, its lower edge whips and opens a joint by 2 % at 11 s" : ""});
         plot.curves.push_back({what, seen.times, seen.gaps, false});
     }
     result.plots.push_back(plot);

@@ -85,9 +85,9 @@ double mean_squared_error(double heading, double overlap, Plot* plot = nullptr) 
 
 Result measure_rolling_benchmark() {
     Result result;
-    Plot speeds{"Balls on a box that is pushed, heading 60 degrees", "time, s", "speed, m/s", false, false, {}};
+    Plot speeds{"Balls on a pushed box, force at 60 degrees", "time, s", "speed, m/s", false, false, {}};
     Plot errors{
-        "Error for each heading of the force", "heading, degrees", "mean squared error, m^2/s^2", false, true, {}};
+        "Error for each direction of the force", "heading, degrees", "mean squared error, m^2/s^2", false, true, {}};
     Curve seen{"Cairn", {}, {}, true};
     constexpr double overlap = 2e-5; // m
     double worst = 0, along_side = 0, across = 0, touching = 0;
@@ -104,17 +104,16 @@ Result measure_rolling_benchmark() {
         const double error = mean_squared_error(heading, 0);
         if (!(error <= touching)) touching = error;
     }
-    const std::string start =
-        "the overlap of 0.02 mm at the start is pushed out in a few ms: while the balls lift off, the "
-        "friction with the ground is low, and the 7 mm/s that the box gains then stay";
-    const std::string rest = "in the first step the weight of the balls reaches the ground late (1.5 mm/s); later the "
-                             "rounding of float velocities, 24,000 times the same way (up to 6 mm/s)";
+    const std::string start = "the initial overlap of 0.02 mm is pushed out in a few ms: while the balls lift off, "
+                              "friction with the ground is low, and the box keeps the 7 mm/s that it gains meanwhile";
+    const std::string rest = "in the first step the weight of the balls acts on the ground late (1.5 mm/s); later "
+                             "float velocities are rounded 24,000 times in the same direction (up to 6 mm/s)";
     constexpr double known = 1.5e-4;
     result.rows = {
         {name + "force along a side", dt, 0, along_side, 1e-6, Bar::at_most, start, known},
         {name + "force at 60 degrees", dt, 0, across, 1e-6, Bar::at_most, start, known},
-        {name + "the worst of 24 headings", dt, 0, worst, 1e-6, Bar::at_most, start, known},
-        {name + "nothing overlaps at the start, the worst of 5", dt, 0, touching, 1e-6, Bar::at_most, rest, known}};
+        {name + "the worst of 24 directions", dt, 0, worst, 1e-6, Bar::at_most, start, known},
+        {name + "no initial overlap, the worst of 5 directions", dt, 0, touching, 1e-6, Bar::at_most, rest, known}};
     speeds.curves.push_back({"box, closed form", {0, 4}, {0, 4 * RollingScene::box_acceleration()}});
     speeds.curves.push_back({"ball, closed form", {0, 4}, {0, 4 * RollingScene::ball_acceleration()}});
     errors.curves = {seen,
@@ -179,15 +178,16 @@ struct Bouncing {
 
 Result measure_bouncing_benchmark() {
     Result result;
-    const std::string name = "root mean square error of the energy over its start";
+    const std::string name = "root mean square error of the energy over the initial energy";
     const Bouncing rk4(Integrator::rk4, "Runge-Kutta 4"), euler(Integrator::semi_implicit_euler, "semi-implicit Euler");
-    result.rows = {{name + ", Runge-Kutta 4", dt, 0, rk4.as_it_is, 5.7e-6, Bar::at_most},
-                   {name + ", semi-implicit Euler, speeds of half a substep later", dt, 0, euler.of_parabola, 5.7e-6,
-                    Bar::at_most,
-                    "with the speeds as they are " + text(euler.as_it_is) + ": off by g h v / 2, but bounded"}};
+    result.rows = {
+        {name + ", Runge-Kutta 4", dt, 0, rk4.as_it_is, 5.7e-6, Bar::at_most},
+        {name + ", semi-implicit Euler, velocities of half a substep later", dt, 0, euler.of_parabola, 5.7e-6,
+         Bar::at_most,
+         "with the velocities as they are " + text(euler.as_it_is) + ": the error is g h v / 2, but bounded"}};
     result.plots.push_back({"Energy of 49 elastic balls",
                             "time, s",
-                            "error of the energy over its start",
+                            "error of the energy over the initial energy",
                             false,
                             false,
                             {rk4.curve, euler.curve}});
@@ -306,7 +306,7 @@ Result measure_kapla_benchmark() {
     constexpr double step = 0.01;
     constexpr int steps = 60000;
     Kapla tower;
-    Plot plot{"A Kapla tower of 102 blocks", "time, s", "way of the last block, mm", false, false, {}};
+    Plot plot{"A Kapla tower of 102 blocks", "time, s", "displacement of the last block, mm", false, false, {}};
     plot.curves.push_back({"Cairn", {}, {}});
     const Position start = tower.world.body(tower.blocks.back()).position();
     int stood = 0;
@@ -318,11 +318,11 @@ Result measure_kapla_benchmark() {
         plot.curves[0].x.push_back((stood + 1) * step);
         plot.curves[0].y.push_back(1000 * glm::distance(tower.world.body(tower.blocks.back()).position(), start));
     }
-    const std::string name = "steps that the tower stands, of 60,000";
+    const std::string name = "steps for which the tower stands, of 60,000";
     const double way = glm::distance(tower.world.body(tower.blocks.back()).position(), start);
     result.rows = {{name, step, steps, double(stood), steps, Bar::at_least, "without sleeping"},
                    {"deepest overlap, m", step, 0, overlap, 0.01, Bar::at_most},
-                   {"way of the last block, m", step, 0, way, 0.01, Bar::at_most}};
+                   {"displacement of the last block, m", step, 0, way, 0.01, Bar::at_most}};
     result.plots.push_back(plot);
     result.published = {{name, "RaiSim, 1,000 iterations", "60,000", source},
                         {name, "Bullet, 1,000 iterations", "55,058", source},

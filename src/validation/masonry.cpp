@@ -147,7 +147,7 @@ Result measure_masonry() {
     constexpr double usual = 1.0 / 60;
     RandomStart random(32);
     Farthest fine{1}, usually{1};
-    Plot plot{"Arches of half a circle", "stones", "least thickness that stands, of the radius", false, false, {}};
+    Plot plot{"Semicircular arches", "stones", "least stable thickness over the radius", false, false, {}};
     Curve theory{"limit analysis", {}, {}}, measured{"measured, 128 substeps", {}, {}, true},
         coarse{"measured, default substeps", {}, {}, true};
     for (int stones = 7; stones <= 28; ++stones) {
@@ -170,11 +170,10 @@ Result measure_masonry() {
     plot.curves = {theory, measured, coarse};
     result.plots.push_back(plot);
     const char* const thickness =
-        "an arch of 7 to 28 stones, 1 to 10 m: least thickness that stands, as a part of that "
-        "of limit analysis";
+        "an arch of 7 to 28 stones, 1 to 10 m: least stable thickness over that of limit analysis";
     result.rows.push_back({thickness + std::string(", 128 substeps"), usual, 1, fine.value, 0.02});
     Row row{thickness + std::string(", default substeps"), usual, 1, usually.value, 0.02};
-    row.note = "made at once, its thrust is not known before it is borne";
+    row.note = "the arch is created at once, so its thrust is unknown before the first step";
     row.known_bar = 0.15;
     result.rows.push_back(row);
     for (const double dt : time_steps) {
@@ -185,9 +184,9 @@ Result measure_masonry() {
             over.add(last_where(0.9, 1.1, 0.002,
                                 [&](double part) { return stands_over_edge(3 + i, half_length, part, start, dt); }));
         }
-        result.rows.push_back({"3 to 8 planks of 2 to 8 m: farthest overhang, as a part of 1/2, 1/4, 1/6 of their "
-                               "length and so on",
-                               dt, 1, over.value, 0.02});
+        result.rows.push_back(
+            {"3 to 8 planks of 2 to 8 m: greatest stable overhang over 1/2, 1/4, 1/6, ... of their length", dt, 1,
+             over.value, 0.02});
     }
     return result;
 }

@@ -14,9 +14,9 @@ enum class Carriers { rollers, balls, belts };
 std::string name_of(Carriers carriers) {
     switch (carriers) {
     case Carriers::rollers:
-        return "cylinders that spin";
+        return "spinning cylinders";
     case Carriers::balls:
-        return "balls that spin";
+        return "spinning balls";
     case Carriers::belts:
         return "belts over cylinders";
     }
@@ -117,7 +117,7 @@ Swing swing(const Stand& stand, double dt, int rounds) {
 
 Result measure_rollers() {
     Result result;
-    Plot plot{"A plank on two rollers", "time, s", "place, m", false, false, {}};
+    Plot plot{"A plank on two rollers", "time, s", "position, m", false, false, {}};
     for (const double dt : time_steps) {
         for (const Carriers carriers : {Carriers::rollers, Carriers::balls, Carriers::belts}) {
             RandomStart random(37);
@@ -136,8 +136,9 @@ Result measure_rollers() {
                 plot.curves = {expected, run.place};
             }
             const std::string on = "on " + name_of(carriers) + ": ";
-            result.rows.push_back({on + "period, as a part of that expected", dt, 1, period.value, 0.005});
-            result.rows.push_back({on + "growth of the swing in a period", dt, 0, growth.value, 0.02, Bar::absolute});
+            result.rows.push_back({on + "period over the expected period", dt, 1, period.value, 0.005});
+            result.rows.push_back(
+                {on + "relative growth of the amplitude per period", dt, 0, growth.value, 0.02, Bar::absolute});
         }
     }
     result.plots.push_back(plot);

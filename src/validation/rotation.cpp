@@ -162,7 +162,7 @@ Curve spin_curve(const Watched& watched, const char* label, bool as_points) {
 
 // Plots how well the three integrators keep the conserved quantities, by time step.
 void add_plots(Result& result, const Thrown& thrown, double seconds, double error_seconds, const std::string& name) {
-    Plot spin{name + ": spin about the middle axis, steps of 1/60 s", "time, s", "rad/s", false, false, {}};
+    Plot spin{name + ": spin about the intermediate axis, steps of 1/60 s", "time, s", "rad/s", false, false, {}};
     const std::string within = " in " + text(error_seconds) + " s", after = " after " + text(error_seconds) + " s";
     auto error_plot = [&](const std::string& title, const char* y_label) {
         return Plot{title, "time step, s", y_label, true, true, {}};
@@ -206,10 +206,10 @@ Result measure_free_top() {
         add("first flip, s", 10.917, flip(watched, 0));
         add("second flip, s", 30.470, flip(watched, 1));
         add("period, s", 39.1057, flip(watched, 2) - flip(watched, 0));
-        result.rows.push_back({"change of the angular momentum in 51 s, relative", step, 0, watched.momentum_error,
-                               1e-4, Bar::at_most, ""});
         result.rows.push_back(
-            {"change of the energy in 51 s, relative", step, 0, watched.energy_error, 1e-4, Bar::at_most, ""});
+            {"relative change of angular momentum in 51 s", step, 0, watched.momentum_error, 1e-4, Bar::at_most, ""});
+        result.rows.push_back(
+            {"relative change of energy in 51 s", step, 0, watched.energy_error, 1e-4, Bar::at_most, ""});
     }
     add_plots(result, free_top(), 51, 10, "Top");
     return result;
@@ -229,8 +229,8 @@ Result measure_tumbling_box() {
         const char* names[] = {"first flip, s", "second flip, s", "third flip, s"};
         for (std::size_t i = 0; i < 3; ++i)
             result.rows.push_back({names[i], step, flips[i], flip(watched, i), 0.01, Bar::relative, ""});
-        result.rows.push_back({"change of the angular momentum in 10 s, relative", step, 0, watched.momentum_error,
-                               1e-4, Bar::at_most, ""});
+        result.rows.push_back(
+            {"relative change of angular momentum in 10 s", step, 0, watched.momentum_error, 1e-4, Bar::at_most, ""});
     }
     add_plots(result, tumbling_box(), 10, 1, "Box");
     return result;

@@ -108,7 +108,7 @@ double saturation_of(const std::vector<Fill>& fills) {
 
 Result measure_silo() {
     Result result;
-    Plot plot{"What the floor of a silo bears", "poured, kg", "borne by the floor, kg", false, false, {}};
+    Plot plot{"Load on the floor of a silo", "poured mass, kg", "carried by the floor, kg", false, false, {}};
     for (const double dt : {time_steps[0], time_steps[1]}) {
         for (const double friction : {0.0, 0.3, 0.6}) {
             Farthest off;
@@ -127,8 +127,8 @@ Result measure_silo() {
                 if (seed == 0 && dt == time_steps[0]) plot.curves.push_back(expected), plot.curves.push_back(measured);
             }
             result.rows.push_back(
-                {"friction " + text(friction) + ": what the floor bears, off the law, as a part of the most", dt, 0,
-                 off.value, friction > 0 ? 0.2 : 0.03, Bar::absolute});
+                {"friction " + text(friction) + ": error of the load on the floor, relative to the greatest load", dt,
+                 0, off.value, friction > 0 ? 0.2 : 0.03, Bar::absolute});
         }
     }
     result.plots.push_back(plot);

@@ -84,8 +84,8 @@ Result measure_stack_forces() {
         }
         plot.curves.push_back(seen);
         result.rows.push_back({"force under the lowest of ten boxes, N", dt, law(0), force[0], 0.01});
-        result.rows.push_back({"force under box " + std::to_string(worst + 1) + ", the farthest off, N", dt, law(worst),
-                               force[worst], 0.01});
+        result.rows.push_back(
+            {"force under box " + std::to_string(worst + 1) + ", the worst, N", dt, law(worst), force[worst], 0.01});
     }
     plot.curves.push_back({"expected: (N - k) m g", {0, count}, {0, count * double(density) * gravity}});
     result.plots.push_back(plot);
@@ -106,8 +106,8 @@ struct Motion {
 
 const Motion motions[] = {
     {"shifted by 10,000 km along each axis", {1e7, 1e7, 1e7}, {1, 0, 0, 0}},
-    {"turned by 90 degrees about the vertical", {0, 0, 0}, glm::angleAxis(float(pi / 2), Vec3(0, 1, 0))},
-    {"turned by 90 degrees about the horizontal, gravity as well",
+    {"rotated by 90 degrees about the vertical", {0, 0, 0}, glm::angleAxis(float(pi / 2), Vec3(0, 1, 0))},
+    {"rotated by 90 degrees about a horizontal axis, with gravity",
      {0, 0, 0},
      glm::angleAxis(float(pi / 2), Vec3(0, 0, 1))},
 };
@@ -157,12 +157,7 @@ struct MovedWorld {
 
 Result measure_moved_worlds() {
     Result result;
-    Plot plot{"Worlds that were shifted and turned, dt = 1/60 s",
-              "time, s",
-              "greatest distance of a body, m",
-              false,
-              true,
-              {}};
+    Plot plot{"Shifted and rotated worlds, dt = 1/60 s", "time, s", "greatest deviation of a body, m", false, true, {}};
     for (const double dt : time_steps)
         for (const Motion& motion : motions) {
             MovedWorld here({"", {0, 0, 0}, {1, 0, 0, 0}}), there(motion);
@@ -180,7 +175,7 @@ Result measure_moved_worlds() {
             }
             const std::string name = motion.name;
             result.rows.push_back(
-                {name + ": greatest distance from the run at the origin, 5 s, m", dt, 0, most, 0.002, Bar::at_most});
+                {name + ": greatest deviation from the run at the origin, 5 s, m", dt, 0, most, 0.002, Bar::at_most});
             result.rows.push_back({name + ": height of a column of ten boxes, m", dt, here.position(9).y,
                                    there.position(9).y, 1e-5, Bar::absolute});
             if (dt == time_steps[0]) plot.curves.push_back(curve);
@@ -265,13 +260,13 @@ void build_pyramid(Stack& stack) {
 }
 
 const Structure structures[] = {
-    {"tower of 40", build_tower, 0.05, 0.01, true},
-    {"box 100 times heavier on four", [](Stack& stack) { build_loaded_column(stack, 100); }, 0.05, 0.01, true},
-    {"box 1,000 times heavier on four", [](Stack& stack) { build_loaded_column(stack, 1000); }, 0.05, 0.02, true},
+    {"tower of 40 boxes", build_tower, 0.05, 0.01, true},
+    {"box 100 times heavier on four boxes", [](Stack& stack) { build_loaded_column(stack, 100); }, 0.05, 0.01, true},
+    {"box 1,000 times heavier on four boxes", [](Stack& stack) { build_loaded_column(stack, 1000); }, 0.05, 0.02, true},
     {"slab 100 times heavier on four legs", build_table, 0.02, 0.01, true},
     {"card house", build_card_house, 0.02, 0.02, false},
     {"corbelled arch", build_arch, 0.02, 0.02, false},
-    {"Jenga tower with blocks taken out", build_jenga, 0.03, 0.03, false},
+    {"Jenga tower with blocks removed", build_jenga, 0.03, 0.03, false},
 };
 
 struct StabilityResult {
@@ -301,9 +296,9 @@ struct StabilityResult {
         result.rows.push_back({name + "deepest overlap, m", dt, 0, overlap, 0.01, Bar::at_most, note});
         result.rows.push_back({name + "sinking, m", dt, 0, down, structure.down, Bar::at_most, note});
         result.rows.push_back(
-            {name + "way sideways, m", dt, 0, sideways, structure.sideways, Bar::at_most, note, known_bar});
+            {name + "sideways displacement, m", dt, 0, sideways, structure.sideways, Bar::at_most, note, known_bar});
         result.rows.push_back(
-            {name + "way in the last quarter, m", dt, 0, creep, 0.001, Bar::at_most, note, known_bar});
+            {name + "displacement in the last quarter, m", dt, 0, creep, 0.001, Bar::at_most, note, known_bar});
     }
 };
 
@@ -311,7 +306,8 @@ struct StabilityResult {
 
 Result measure_towers() {
     Result result;
-    Plot plot{"What stands, dt = 1/60 s, without sleeping", "time, s", "greatest sinking, mm", false, false, {}};
+    Plot plot{
+        "Structures that stand, dt = 1/60 s, without sleeping", "time, s", "greatest sinking, mm", false, false, {}};
     for (const Structure& structure : structures)
         for (const double dt : time_steps) {
             if (dt != time_steps[0] && !structure.at_every_step) continue;
@@ -330,13 +326,12 @@ Result measure_towers() {
         Curve sag{pyramid.name, {}, {}};
         stood.stand(pyramid, sleep, seconds, time_steps[0], 20, sag);
         if (!sleep) plot.curves.push_back(sag);
-        stood.report(
-            pyramid.name + std::string(sleep ? ", sleeping, " : ", not sleeping, ") + text(seconds) + " s: ", pyramid,
-            time_steps[0], result,
-            sleep ? "asleep after 6 s"
-                  : "a wall 1 m deep and 100 m high on soft contacts: it buckles out of its plane, 1.8 times as "
-                    "far each second, and falls after 14 s unless it has fallen asleep",
-            sleep ? 0 : 0.5);
+        stood.report(pyramid.name + std::string(sleep ? ", sleeping, " : ", not sleeping, ") + text(seconds) + " s: ",
+                     pyramid, time_steps[0], result,
+                     sleep ? "asleep after 6 s"
+                           : "a wall 1 m thick and 100 m high on soft contacts: it buckles out of its plane, 1.8 times "
+                             "as far each second, and falls after 14 s unless it has fallen asleep",
+                     sleep ? 0 : 0.5);
     }
     result.plots.push_back(plot);
     return result;

@@ -80,7 +80,7 @@ Roll roll_around(double rate, Place start, Place velocity, double dt) {
 
 Result measure_turntable() {
     Result result;
-    Plot plot{"A ball rolls on a table that turns at 3 rad/s", "x, m", "-z, m", false, false, {}};
+    Plot plot{"A ball rolls on a turntable at 3 rad/s", "x, m", "-z, m", false, false, {}};
     for (const double dt : time_steps) {
         RandomStart random(31);
         Farthest creeps{0}, radius{1}, rate{1};
@@ -103,13 +103,13 @@ Result measure_turntable() {
             plot.curves.push_back(circle);
             plot.curves.push_back(roll.path);
         }
-        result.rows.push_back({"a box rides at 0.5 to 3 rad/s: creeps along the radius in 10 s, m", dt, 0, creeps.value,
-                               5e-4, Bar::absolute});
-        result.rows.push_back({"a ball rolls at 1 to 6 rad/s: radius of its circle after one round, as a part of the "
-                               "expected",
-                               dt, 1, radius.value, 0.002});
         result.rows.push_back(
-            {"a ball rolls at 1 to 6 rad/s: rate, as a part of 2/7 of the table's", dt, 1, rate.value, 0.002});
+            {"a box rides at 0.5 to 3 rad/s: radial creep in 10 s, m", dt, 0, creeps.value, 5e-4, Bar::absolute});
+        result.rows.push_back(
+            {"a ball rolls at 1 to 6 rad/s: radius of its circle after one revolution over the expected radius", dt, 1,
+             radius.value, 0.002});
+        result.rows.push_back(
+            {"a ball rolls at 1 to 6 rad/s: rate over 2/7 of the table's rate", dt, 1, rate.value, 0.002});
     }
     result.plots.push_back(plot);
     return result;

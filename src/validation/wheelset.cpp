@@ -90,7 +90,7 @@ Rolled roll_along(const Track& track, double dt) {
 
 Result measure_wheelset() {
     Result result;
-    Plot plot{"A wheelset on rails, 1 cm beside the middle at first", "way, m", "aside, m", false, false, {}};
+    Plot plot{"A wheelset on rails, initial offset 1 cm", "distance, m", "lateral offset, m", false, false, {}};
     for (const double dt : time_steps) {
         for (const bool round_rails : {false, true}) {
             RandomStart random(34);
@@ -113,8 +113,8 @@ Result measure_wheelset() {
                 plot.curves = {expected, run.path};
             }
             result.rows.push_back(
-                {std::string("wavelength on ") + (round_rails ? "round rails" : "edges") + ", as a part of Klingel's",
-                 dt, 1, wavelength.value, 0.02});
+                {std::string("wavelength on ") + (round_rails ? "round rails" : "edges") + " over Klingel's", dt, 1,
+                 wavelength.value, 0.02});
         }
     }
     result.plots.push_back(plot);

@@ -23,7 +23,8 @@ class NoSource final : public CommandSource {
 } // namespace
 
 void World::Impl::require_not_notifying(const char* call) const {
-    if (telling) throw Error(ErrorCode::wrong_state, call, "", "not allowed while the listener is told of a change");
+    if (telling)
+        throw Error(ErrorCode::wrong_state, call, "", "not allowed while the listener is notified of a change");
 }
 
 void World::set_command_listener(std::shared_ptr<CommandListener> listener) {

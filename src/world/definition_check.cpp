@@ -41,14 +41,14 @@ void check_bodies(const Bodies& bodies, const CheckedDefinitions& definitions) {
         require_sound(own.own_type <= BodyType::dynamic && own.enabled <= 1, {"bodies", i, "own_type"},
                       int(own.own_type), "must be 0 to 2, and enabled or not");
         require_sound(own.type == (own.enabled ? own.own_type : BodyType::static_), {"bodies", i, "type"},
-                      int(own.type), "must be that of its own, or static if it is disabled");
+                      int(own.type), "must be the body's own type, or static if it is disabled");
         const BodyMass& mass = bodies.mass[i];
         const math::Vec3 moments = mass.inertia, inverse = mass.inverse_inertia;
         const math::Quat q = mass.principal;
         require_sound(is_finite(mass.center), {"bodies", i, "center"}, 0, "must be finite");
         require_sound(are_inverse(mass.mass, mass.inverse_mass) && are_inverse(moments.x, inverse.x) &&
                           are_inverse(moments.y, inverse.y) && are_inverse(moments.z, inverse.z),
-                      {"bodies", i, "mass"}, 0, "must be 0 or more, with a finite inverse: 0 of what is infinite");
+                      {"bodies", i, "mass"}, 0, "must be >= 0, with a finite inverse; the inverse of infinity is 0");
         const float square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
         require_sound(square > 0.5f && square < 2, {"bodies", i, "principal"}, 0, "must be a unit quaternion");
         kinematic += bodies.slots.is_live(std::uint32_t(i)) && bodies.settings[i].type == BodyType::kinematic;

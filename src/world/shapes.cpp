@@ -67,7 +67,7 @@ void require_ends(ShapeType type, bool is_dynamic, const Vec3& one_way) {
     if (one_way == Vec3(0.0f)) return;
     if (is_dynamic)
         throw Error(ErrorCode::wrong_state, "ShapeDef.one_way", to_text(one_way),
-                    "must be zero on a dynamic body: only shapes of static and kinematic ones let things through");
+                    "must be zero on a dynamic body: only shapes of static and kinematic bodies can be one-way");
     if (type == ShapeType::plane || type >= ShapeType::mesh)
         throw Error(ErrorCode::wrong_state, "ShapeDef.one_way", to_text(one_way),
                     "must be zero for infinite planes, meshes and height fields");

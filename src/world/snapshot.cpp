@@ -132,7 +132,7 @@ bool is_same(const Shape& a, const Shape& b) {
 void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     State& s = state;
     const auto damaged = [] {
-        return Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "has other shapes than its bytes tell of");
+        return Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "has other shapes than its bytes state");
     };
     if (shapes.size() != s.shapes.geometry.size()) throw damaged();
     for (const Shape& shape : shapes) validate(shape);
@@ -270,7 +270,7 @@ Header read_header(const Snapshot& snapshot) {
     Header header;
     ArchiveReader(snapshot.bytes.data(), snapshot.bytes.size())(header);
     if (header.magic != snapshot_magic)
-        throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
+        throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin like a snapshot");
     if (header.layout != layout())
         throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
     return header;
@@ -310,7 +310,7 @@ void World::restore(const Snapshot& snapshot) {
     const bool are_the_same = definitions && !impl_->failed_call && impl_->definitions() == definitions;
     if (!definitions ||
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
-        throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
+        throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "do not match its bytes");
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     const auto notify_listener = [&] { impl_->tell(commands::world_restore, snapshot); };
     if (are_the_same) return impl_->restore_in_place(reader, notify_listener);

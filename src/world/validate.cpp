@@ -88,7 +88,7 @@ void validate(const WorldDef& def) {
     require_finite("WorldDef.gravity", def.gravity);
     if (def.substeps < 0 || def.substeps > max_substeps)
         refuse("WorldDef.substeps", std::to_string(def.substeps),
-               "must be from 1 to " + std::to_string(max_substeps) + ", or 0 for as many as the step asks for");
+               "must be from 1 to " + std::to_string(max_substeps) + ", or 0 to choose by the length of the step");
     if (def.integrator > Integrator::rk4)
         refuse("WorldDef.integrator", std::to_string(int(def.integrator)), "must be one of the enumerators");
     require_at_least("WorldDef.sleep_speed", def.sleep_speed, 0);

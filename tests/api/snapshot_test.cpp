@@ -353,7 +353,7 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
     EXPECT_EQ(refusal([&] {
                   target.restore(Snapshot{std::vector<std::byte>(1000, std::byte{7}), {}});
               }),
-              "invalid_file | Snapshot | Snapshot: does not begin as a snapshot does");
+              "invalid_file | Snapshot | Snapshot: does not begin like a snapshot");
     Snapshot other_build = good;
     other_build.bytes[8] ^= std::byte{1};
     EXPECT_EQ(refusal([&] { target.restore(other_build); }),
@@ -361,13 +361,13 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
     Snapshot without = good;
     without.definitions = nullptr;
     EXPECT_EQ(refusal([&] { target.restore(without); }),
-              "invalid_file | Snapshot.definitions | Snapshot.definitions: are not those of its bytes");
+              "invalid_file | Snapshot.definitions | Snapshot.definitions: do not match its bytes");
     auto other_shapes = std::make_shared<SnapshotDefinitions>(*good.definitions);
     other_shapes->shapes.clear();
     EXPECT_EQ(refusal([&] {
                   target.restore(Snapshot{good.bytes, other_shapes});
               }),
-              "invalid_file | Snapshot.definitions | Snapshot.definitions: has other shapes than its bytes tell of");
+              "invalid_file | Snapshot.definitions | Snapshot.definitions: has other shapes than its bytes state");
     other_shapes = std::make_shared<SnapshotDefinitions>(*good.definitions);
     for (Shape& shape : other_shapes->shapes) shape = Capsule{};
     EXPECT_TRUE(is_refused(target, Snapshot{good.bytes, other_shapes}, hash));

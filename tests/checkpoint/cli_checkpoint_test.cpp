@@ -121,7 +121,7 @@ TEST_F(CliRun, WhatCannotBeGoneOnWithIsSaidToBeginLater) {
     const Result resumed = cairn("run 13_pile --frames 24 --csv - --columns energy --animate late.glb --resume ck");
     EXPECT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(std::count(resumed.out.begin(), resumed.out.end(), '\n'), 6) << "a line, and steps 20 to 24";
-    EXPECT_NE(resumed.err.find("cairn: warning: - begins after step 20, where the run is gone on from"),
+    EXPECT_NE(resumed.err.find("cairn: warning: - begins after step 20, from which the run continues"),
               std::string::npos)
         << resumed.err;
     EXPECT_NE(resumed.err.find("cairn: warning: late.glb begins after step 20"), std::string::npos) << resumed.err;

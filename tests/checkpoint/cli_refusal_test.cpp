@@ -15,9 +15,8 @@ TEST_F(CliRunRefusal, OfCheckpointsOfAnotherRun) {
     const std::string arm = "'" CAIRN_TEST_DATA "/arm.urdf' --fixed-base --targets ";
     summary("13_pile --frames 5 --checkpoint ck");
     summary(arm + "poses.csv --frames 5 --checkpoint ck_arm");
-    const std::string start =
-        "ck/step_5/index.json: start: is of a run that began otherwise, with another scene or with "
-        "other options (a checksum): must be ";
+    const std::string start = "ck/step_5/index.json: start: is of a run with another initial state, from another scene "
+                              "or other options (by checksum): must be ";
     expect_one_line(cairn("run 07_pyramid --resume ck"), 1, start);
     expect_one_line(cairn("run 13_pile --substeps 9 --resume ck"), 1, start);
     expect_one_line(
@@ -27,7 +26,7 @@ TEST_F(CliRunRefusal, OfCheckpointsOfAnotherRun) {
                   .err.find("ck_arm/step_5/index.json: targets: is of a run with other --targets"),
               std::string::npos);
     expect_one_line(cairn("run 13_pile --frames 4 --resume ck"), 1,
-                    "--frames: must be at least 5 steps, as many as the checkpoint in ck has behind it, got 4 steps");
+                    "--frames: must be at least 5 steps, those that the checkpoint in ck has completed, got 4 steps");
 }
 
 TEST_F(CliRunRefusal, OfCheckpointsOfAnotherVersion) {
@@ -62,8 +61,7 @@ TEST_F(CliRunRefusal, OfFoldersWithoutAWholeCheckpoint) {
 TEST_F(CliRunRefusal, DoesNotComeWhereTheFirstStartOfAJobFindsNoneYet) {
     const Result first = cairn("run 07_pyramid --frames 5 --checkpoint ck --resume ck");
     EXPECT_EQ(first.code, 0) << first.err;
-    EXPECT_NE(first.err.find("cairn: there is no checkpoint in ck yet: the run begins at its beginning"),
-              std::string::npos)
+    EXPECT_NE(first.err.find("cairn: there is no checkpoint in ck yet: the run begins at its start"), std::string::npos)
         << first.err;
     EXPECT_EQ(summary("07_pyramid --frames 8 --checkpoint ck --resume ck")["resumed_from"]["step"], 5);
 }
@@ -71,8 +69,8 @@ TEST_F(CliRunRefusal, DoesNotComeWhereTheFirstStartOfAJobFindsNoneYet) {
 TEST_F(CliRunRefusal, OfFoldersWithCheckpointsThatWouldBeLost) {
     summary("07_pyramid --frames 5 --checkpoint ck");
     expect_one_line(cairn("run 07_pyramid --frames 9 --checkpoint ck"), 1,
-                    "--checkpoint: has checkpoints, the last of step 5: --resume ck goes on with them, another folder "
-                    "keeps them, got ck");
+                    "--checkpoint: has checkpoints, the last of step 5: continue with --resume ck, or choose another "
+                    "folder, got ck");
     summary("07_pyramid --frames 5 --checkpoint other");
     expect_one_line(cairn("run 07_pyramid --frames 9 --checkpoint other --resume ck"), 1,
                     "--checkpoint: has checkpoints");
@@ -135,17 +133,17 @@ TEST_F(CliRunRefusal, OfTablesWhoseBeginningIsAnother) {
     summary(run + "--checkpoint ck");
     const std::string again = "run 13_pile --frames 30 --resume ck --csv out.csv ";
     expect_one_line(cairn(again + "--columns momentum"), 1,
-                    "out.csv: has other columns than the run goes on with: --columns must be as before");
-    expect_one_line(
-        cairn(again + "--columns energy --every 2"), 1,
-        "out.csv: was begun with other moments, and is to be gone on with: must be --every 1 --from 0 --until "
-        "the end, got --every 2");
+                    "out.csv: has other columns than the run that continues: --columns must be as before");
+    expect_one_line(cairn(again + "--columns energy --every 2"), 1,
+                    "out.csv: was begun with other times, and is to be continued: must be --every 1 --from 0 --until "
+                    "the end, got --every 2");
     std::string table = bytes("out.csv");
     table[table.size() - 3] = table[table.size() - 3] == '1' ? '2' : '1';
     put("out.csv", table);
     const Result changed = cairn(again + "--columns energy");
     expect_one_line(changed, 1,
-                    "out.csv: cannot be gone on with: the first " + std::to_string(table.size()) + " bytes of it");
+                    "out.csv: cannot be continued: its first " + std::to_string(table.size()) +
+                        " bytes are in neither");
     EXPECT_EQ(bytes("out.csv"), table) << "what is there stays";
 }
 

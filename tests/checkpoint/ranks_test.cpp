@@ -111,7 +111,7 @@ TEST_F(SharedRun, EndsWhenOneRankCannotWriteItsPart) {
               "--frames 30 --checkpoint ck --checkpoint-every 10'");
     EXPECT_NE(full.code, 0);
     EXPECT_NE(full.err.find("cairn: rank 1: ck/step_10/part_1: cannot be written: File too large (of the checkpoint of "
-                            "step 10; there is none before it)"),
+                            "step 10; there is no older checkpoint)"),
               std::string::npos)
         << full.err;
     EXPECT_FALSE(fs::exists(folder_ / "ck/step_10/index.json"));
@@ -121,7 +121,7 @@ TEST_F(SharedRun, IsRefusedByAllWhenTheCheckpointIsOfAnotherScene) {
     summary("07_pyramid --frames 5 --checkpoint ck");
     const Result other = mpirun(2, "13_pile --frames 9 --resume ck");
     EXPECT_NE(other.code, 0);
-    EXPECT_NE(other.err.find("cairn: rank 0: ck/step_5/index.json: start: is of a run that began otherwise"),
+    EXPECT_NE(other.err.find("cairn: rank 0: ck/step_5/index.json: start: is of a run with another initial state"),
               std::string::npos)
         << other.err;
 }

@@ -140,10 +140,10 @@ std::vector<Refusal> settings_and_steps() {
     for (const BadCount& bad : {BadCount{-1, "-1"}, BadCount{257, "257"}, BadCount{1000000000, "1000000000"}}) {
         rows.push_back(row(17, "substeps of a new world", make_world(&WorldDef::substeps, bad.count),
                            "WorldDef.substeps", bad.text,
-                           "must be from 1 to 256, or 0 for as many as the step asks for"));
+                           "must be from 1 to 256, or 0 to choose by the length of the step"));
         rows.push_back(row(17, "set_settings substeps", change_settings(&WorldDef::substeps, bad.count),
                            "WorldDef.substeps", bad.text,
-                           "must be from 1 to 256, or 0 for as many as the step asks for"));
+                           "must be from 1 to 256, or 0 to choose by the length of the step"));
     }
     struct Setting {
         float WorldDef::*member;

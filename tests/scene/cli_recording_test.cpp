@@ -50,7 +50,7 @@ TEST_F(CliRecording, AnswersWhatIf) {
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_NE(result.out.find("recorded: "), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("what if:  "), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("farthest apart after 120 steps: body "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("greatest distance after 120 steps: body "), std::string::npos) << result.out;
     expect_one_line(cairn("replay run.mcap --what-if gravity=1,2"), 1, "must have three numbers");
     expect_one_line(cairn("replay run.mcap --what-if color=red"), 1, "must be gravity=X,Y,Z, substeps=N");
     expect_one_line(cairn("replay run.mcap --what-if restitution=2"), 1, "must be from 0 to 1");
@@ -70,7 +70,7 @@ TEST_F(CliRecording, OfTwoRunsTellsWhereTheyPart) {
     EXPECT_EQ(result.out, "the same for 40 steps; a.mcap has 60, c.mcap has 40\n");
     result = cairn("diff a.mcap d.mcap");
     EXPECT_EQ(result.code, 1);
-    EXPECT_EQ(result.out.rfind("they part in step 1: body ", 0), 0u) << result.out;
+    EXPECT_EQ(result.out.rfind("they differ from step 1 on: body ", 0), 0u) << result.out;
 }
 
 TEST_F(CliRecording, ThatIsCutOffOrNoneSaysSo) {

@@ -72,7 +72,7 @@ TEST_F(Cli, ANameOfAMillionLettersIsCutInTheLineThatTellsOfIt) {
 
 TEST_F(Cli, AMeshAloneIsNoSceneToRun) {
     std::ofstream(folder_ / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    expect_one_line(cairn("run a.obj"), 1, "a.obj: is a mesh, and no scene; `cairn convert` makes a body of it");
+    expect_one_line(cairn("run a.obj"), 1, "a.obj: is a mesh, not a scene; `cairn convert` makes a body of it");
 }
 
 TEST_F(Cli, JsonSummary) {

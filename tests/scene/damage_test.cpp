@@ -116,7 +116,7 @@ TEST(SceneDamage, CountsAndOffsetsThatLie) {
     expect_refused(positions, R"("componentType":5126,"count":-4)", "accessors[0].count: " + whole_count + "-4");
     expect_refused(positions, R"("componentType":5126,"count":3.5)", "accessors[0].count: " + whole_count + "3.5");
     expect_refused(positions, R"("componentType":5126,"count":67108864)",
-                   "accessors[0].count: must not bring the numbers of the whole file above 67108864, got 67108864");
+                   "accessors[0].count: must not raise the total of numbers in the file above 67108864, got 67108864");
     expect_refused(positions, R"("componentType":5126,"count":5)",
                    "accessors[0]: must end in its buffer view of 48 bytes, and reaches to 60, got an object");
     expect_refused(positions, R"("componentType":5126,"byteOffset":1,"count":4)",
@@ -240,8 +240,9 @@ TEST(SceneDamage, SmallFilesCannotAskForEndlessMemory) {
         load_text(parts.text());
         FAIL() << "loaded";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("must not bring the corners of all meshes in use above 67108864"),
-                  std::string::npos)
+        EXPECT_NE(
+            std::string(error.what()).find("must not raise the number of vertices of all meshes in use above 67108864"),
+            std::string::npos)
             << error.what();
     }
 }

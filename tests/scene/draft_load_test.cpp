@@ -63,7 +63,7 @@ TEST(SceneColumns, UnevenScalesKeepThemRoundAndWarn) {
     EXPECT_EQ(shape.half_height, 1.0f);
     EXPECT_EQ(shape.radius, 0.75f);
     ASSERT_EQ(capsule.warnings.size(), 1u);
-    EXPECT_NE(capsule.warnings[0].find("an unevenly scaled capsule keeps round ends"), std::string::npos);
+    EXPECT_NE(capsule.warnings[0].find("a nonuniformly scaled capsule keeps round ends"), std::string::npos);
     EXPECT_EQ(load_shape(R"({"type":"cylinder"})", R"("scale":[1,1,2],)").warnings.size(), 1u);
 }
 

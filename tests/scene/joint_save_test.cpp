@@ -302,10 +302,10 @@ TEST(JointSave, JointsThatCannotActAreKeptWithAWarning) {
     const std::string place = "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.joint: ";
     for (const auto& [text, warning] :
          {std::pair(load(R"("motion":{"isKinematic":true},)", lock),
-                    place + "joins no two bodies of which one is dynamic, and does nothing"),
-          std::pair(load(" ", lock), place + "joins no two bodies of which one is dynamic, and does nothing"),
+                    place + "does not join two bodies of which one is dynamic, and has no effect"),
+          std::pair(load(" ", lock), place + "does not join two bodies of which one is dynamic, and has no effect"),
           std::pair(load("", many + "]"),
-                    place + "has more than 8 limits and drives that are not plain locks, and does nothing")}) {
+                    place + "has more than 8 limits and drives that are not plain locks, and has no effect")}) {
         Scene scene = load_text(text);
         EXPECT_TRUE(scene.world.joints().empty());
         ASSERT_EQ(scene.idle_joints.size(), 1u);

@@ -99,7 +99,8 @@ std::vector<Refused> refused_files() {
         {"Skewed",
          nodes_text(R"({"scale":[1,3,1],"children":[1]},{"rotation":[0,0,0.38268343,0.92387953],)" +
                     node("", box).substr(1)),
-         unsupported, "test.gltf: nodes[1]: is skewed: a rotation below an uneven scale, which would bend its shapes"},
+         unsupported,
+         "test.gltf: nodes[1]: is skewed by a rotation below a nonuniform scale, which would distort its shapes"},
         {"RootOutOfRange", nodes_text("{}", "1"), invalid,
          "test.gltf: scenes[0].nodes[0]: must be the index of one of the 1 nodes, got 1"},
         {"NegativeIndex", nodes_text("{}", "-1"), invalid,
@@ -143,7 +144,7 @@ std::vector<Refused> refused_files() {
          at_shape + ".type: shapes of the type \"torus\" are not supported; there are sphere, box, capsule, cylinder, "
                     "plane and CAIRN_height_field"},
         {"PointlessCapsule", shape_text(R"({"type":"capsule","capsule":{"radiusBottom":0,"radiusTop":0}})"), invalid,
-         at_shape + ".capsule: must have a radius at one end at least, got an object"},
+         at_shape + ".capsule: must have a positive radius at one end at least, got an object"},
         {"FlatCylinder", shape_text(R"({"type":"cylinder","cylinder":{"height":0}})"), invalid,
          at_shape + ".cylinder.height: must be > 0, got 0"},
         {"TypeMissing", shape_text(R"({"sphere":{}})"), invalid, at_shape + ": must have a member \"type\""},
@@ -177,8 +178,8 @@ std::vector<Refused> refused_files() {
         {"FlatFluid", world_text(R"("force_fields":[{"kind":"fluid","center":[0,0,0],"half_extents":[1,2]}])"), invalid,
          at_world + ".force_fields[0].half_extents: must be an array of 3 numbers > 0 or null, got [1,2]"},
         {"CutOffContainer", std::string("glTF\x02\0\0\0\x64\0\0\0", 12), invalid,
-         "test.gltf: is a .glb file cut off: its header says 100 bytes, and there are 12"},
-        {"CutOffHeader", "glTF\x02", invalid, "test.gltf: is a .glb file cut off in its header"},
+         "test.gltf: is an incomplete .glb file: its header says 100 bytes, and there are 12"},
+        {"CutOffHeader", "glTF\x02", invalid, "test.gltf: is a .glb file that ends within its header"},
         {"OldContainer", std::string("glTF\x01\0\0\0\x0c\0\0\0", 12), unsupported,
          "test.gltf: must be a .glb file of version 2, got 1"},
         {"ContainerWithoutJson", std::string("glTF\x02\0\0\0\x0c\0\0\0", 12), invalid,
@@ -255,7 +256,7 @@ TEST(SceneRefusedText, FiltersThatSayBoth) {
 TEST(SceneRefusedText, ScalesThatMultiplyBeyondReason) {
     expect_error(
         [] { load_nodes(R"({"children":[1],"scale":[1e6,1e6,1e6]},)" + node(R"("scale":[1e6,1e6,1e6],)", box)); },
-        invalid, "test.gltf: nodes[1]: lies or reaches too far out, through the transforms above it");
+        invalid, "test.gltf: nodes[1]: is too far from the origin or too large, with the transforms above it");
 }
 
 TEST(SceneRefusedText, FilesThatCannotBeRead) {

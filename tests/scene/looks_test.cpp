@@ -104,7 +104,7 @@ TEST(SceneTextures, ThatCannotBeReadAreALineOfWarningAndGray) {
         void (*change)(TexturedParts&);
     };
     const Case cases[] = {
-        {"is no PNG and no JPEG picture", [](TexturedParts& p) { p.images = R"({"uri":"data:;base64,AAAA"})"; }},
+        {"is neither a PNG nor a JPEG picture", [](TexturedParts& p) { p.images = R"({"uri":"data:;base64,AAAA"})"; }},
         {"other files cannot be read", [](TexturedParts& p) { p.images = R"({"uri":"wood.png"})"; }},
         {"must have a member \"bufferView\"", [](TexturedParts& p) { p.images = "{}"; }},
         {"has no TEXCOORD_0", [](TexturedParts& p) { p.has_coordinates = false; }},

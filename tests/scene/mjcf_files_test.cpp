@@ -153,7 +153,7 @@ TEST_F(MjcfFiles, MistakesNameElementAttributeAndValue) {
                   "body \"x\": must have a mass, by an inertial or by geoms, as every body with joints"},
              Case{"<worldbody><body><body><freejoint/><geom size=\"1\"/></body><joint/><geom "
                   "size=\"1\"/></body></worldbody>",
-                  "freejoint: must stand in a body right in the world"},
+                  "freejoint: must belong to a body directly in the world"},
              Case{"<worldbody/><actuator><motor joint=\"none\"/></actuator>",
                   "motor: joint: must be the name of a joint, got \"none\""},
              Case{"<worldbody/><equality><weld body1=\"none\"/></equality>",

@@ -155,8 +155,8 @@ TEST_F(UrdfPackage, ThreeSlashesBeforeItsNameAreTakenAsTwoAndOneWarningSaysSo) {
     EXPECT_EQ(scene.visuals.size(), 1u);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(
-        scene.warnings[0].find("\"package:///own/meshes/part.obj\" has slashes where the name of its package belongs; "
-                               "it is taken as \"package://own/meshes/part.obj\", and so are all others"),
+        scene.warnings[0].find("\"package:///own/meshes/part.obj\" has slashes in place of the name of its package; it "
+                               "is read as \"package://own/meshes/part.obj\", and so are all other file names"),
         std::string::npos)
         << scene.warnings[0];
     EXPECT_THROW(load("<collision>" + mesh("package:///") + "</collision>"), Error);

@@ -157,9 +157,8 @@ TEST(Urdf, JointsBecomeTheirTypes) {
     EXPECT_TRUE(std::get<GeneralJoint>(def(scene, "floating").joint).limits.empty());
     for (const JointId id : scene.world.joints()) EXPECT_FALSE(scene.world.joint_def(id).enable_collision);
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(
-        scene.warnings[0],
-        "test.urdf: the velocity limits of 1 joint hold for the targets of motors; nothing else is slowed by them");
+    EXPECT_EQ(scene.warnings[0], "test.urdf: the velocity limits of 1 joint hold for the targets of motors only; they "
+                                 "do not limit other motion");
     ASSERT_EQ(scene.speed_limits.size(), 1u);
     EXPECT_EQ(scene.speed_limits[0].joint, scene.world.find_joint("revolute"));
     EXPECT_EQ(scene.speed_limits[0].speed, 2.0f);
@@ -278,9 +277,9 @@ TEST(Urdf, LinksWithoutMassGetOneWithAWarning) {
     ASSERT_EQ(scene.warnings.size(), 2u);
     EXPECT_EQ(
         scene.warnings[0],
-        "test.urdf: link \"a\" has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
+        "test.urdf: link \"a\" has neither inertial nor collision; it is treated as a ball of 1 kg and 0.1 m radius");
     EXPECT_EQ(scene.warnings[1],
-              "test.urdf: link \"b\" has no inertial; its mass is that of its collision shapes at 1000 kg/m3");
+              "test.urdf: link \"b\" has no inertial; its mass is computed from its collision shapes at 1000 kg/m3");
     EXPECT_NEAR(scene.world.body(*scene.world.find_body("b")).mass_properties().mass, 1000.0f, 0.01f);
 }
 
@@ -312,11 +311,10 @@ TEST(Urdf, MistakesAreNamed) {
                    "test.urdf: joint \"j\": dynamics damping: must be >= 0, and finite, got -1.000000");
     expect_refused(pair + joint("j", "continuous", "a", "b", R"(<mimic joint="none"/>)"),
                    "test.urdf: joint \"j\": mimic: must be a joint of the robot, got \"none\"");
-    expect_refused(
-        pair + joint("j", "continuous", "a", "b", R"(<mimic joint="j"/>)"),
-        "test.urdf: joint \"j\": mimic: must not go round in a circle, or through more than 16 joints, got \"j\"");
+    expect_refused(pair + joint("j", "continuous", "a", "b", R"(<mimic joint="j"/>)"),
+                   "test.urdf: joint \"j\": mimic: must not be circular, or chain more than 16 joints, got \"j\"");
     expect_refused(pair + link("c") + joint("j", "continuous", "b", "c") + joint("k", "continuous", "c", "b"),
-                   "test.urdf: link \"b\": must hang on the root link, \"a\"");
+                   "test.urdf: link \"b\": must be connected to the root link, \"a\"");
     expect_refused(pair + link("c") + joint("j", "continuous", "a", "b") + joint("k", "continuous", "a", "c") +
                        joint("l", "continuous", "c", "b"),
                    "test.urdf: link \"b\": must be the child of one joint only");

@@ -98,14 +98,14 @@ TEST(SceneWarnings, OfMillionsOfMistakesSomeAreTold) {
 TEST(SceneWarnings, ASpeedThatIsCutSaysSo) {
     const Scene scene = load_nodes(motion(R"("linearVelocity":[0,3000,0],"angularVelocity":[0,0,-999])"));
     ASSERT_EQ(scene.warnings.size(), 1u) << all(scene);
-    EXPECT_NE(scene.warnings[0].find("linearVelocity is cut to the world's limit of 2000 m/s"), std::string::npos);
+    EXPECT_NE(scene.warnings[0].find("linearVelocity is reduced to the world's limit of 2000 m/s"), std::string::npos);
     EXPECT_TRUE(warns(load_nodes(motion(R"("angularVelocity":[0,0,-2000])")), "limit of 1000 rad/s"));
 }
 
 TEST(SceneWarnings, AnInertiaThatNoBodyHasBecomesTheNearestOne) {
     const Scene scene = load_nodes(motion(R"("mass":2,"inertiaDiagonal":[1,2,6])"));
     ASSERT_EQ(scene.warnings.size(), 1u) << all(scene);
-    EXPECT_NE(scene.warnings[0].find("the nearest possible ones are taken: 2, 3, 5"), std::string::npos)
+    EXPECT_NE(scene.warnings[0].find("the nearest possible moments are used: 2, 3, 5"), std::string::npos)
         << scene.warnings[0];
     const Vec3 moments = scene.world.body(scene.world.bodies().at(0)).mass_properties().inertia_diagonal;
     for (int i = 0; i < 3; ++i) EXPECT_FLOAT_EQ(moments[i], Vec3(2, 3, 5)[i]);
@@ -120,7 +120,7 @@ TEST(SceneWarnings, AnInertiaOfARobotToo) {
     const std::string robot = R"(<robot name="r"><link name="a"><inertial><mass value="1"/>)"
                               R"(<inertia ixx="1" ixy="0" ixz="0" iyy="6" iyz="0" izz="2"/></inertial></link></robot>)";
     const Scene scene = load_text(robot, "r.urdf");
-    EXPECT_TRUE(warns(scene, "the nearest possible ones are taken")) << all(scene);
+    EXPECT_TRUE(warns(scene, "the nearest possible moments are used")) << all(scene);
     const Mat3 inertia = scene.world.body(scene.world.bodies().at(0)).world_inertia();
     const Vec3 found(inertia[0][0], inertia[1][1], inertia[2][2]); // the robot's z axis is the world's y axis
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], Vec3(2, 3, 5)[i], 1e-5f);
@@ -141,7 +141,7 @@ std::string skewed_joint(const std::string& scale) {
 TEST(SceneWarnings, AJointsFrameUnderAnUnevenScaleHasNoShapeToBend) {
     const Scene scene = load_text(skewed_joint("[1,3,1]"));
     ASSERT_EQ(scene.warnings.size(), 1u) << all(scene);
-    EXPECT_NE(scene.warnings[0].find("nodes[3]: is the frame of a joint below an uneven scale"), std::string::npos);
+    EXPECT_NE(scene.warnings[0].find("nodes[3]: is the frame of a joint below a nonuniform scale"), std::string::npos);
     ASSERT_EQ(scene.world.joints().size(), 1u);
     const Transform frame = scene.world.joint_def(scene.world.joints()[0]).frame_a;
     EXPECT_EQ(frame.position, Position(1, 6, 0));

@@ -42,7 +42,7 @@ TEST_F(CliSweep, ThreadsAndShardsGiveTheSameBytes) {
         EXPECT_EQ(bytes(std::string("one/") + file), bytes(std::string("three/") + file)) << file;
         EXPECT_EQ(bytes(std::string("one/") + file), bytes(std::string("parts/") + file)) << file;
     }
-    expect_one_line(cairn("sweep plan.json --out one"), 1, "one: has rows of this sweep: --resume goes on");
+    expect_one_line(cairn("sweep plan.json --out one"), 1, "one: has rows of this sweep: continue with --resume");
     expect_one_line(cairn("sweep plan.json --shard 4/3"), 2, "must be I/N");
 }
 
@@ -67,7 +67,7 @@ TEST_F(CliSweep, AnInterruptKeepsWhatIsThere) {
                                 "kill -INT $pid; wait $pid");
     EXPECT_EQ(result.code, 1);
     EXPECT_NE(result.err.find("interrupted: "), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find("of 100000 rows are in out; --resume goes on"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("of 100000 rows are in out; continue with --resume"), std::string::npos) << result.err;
     EXPECT_FALSE(fs::exists(folder_ / "out" / "rows.csv"));
 }
 

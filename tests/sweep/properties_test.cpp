@@ -106,7 +106,7 @@ TEST_F(SweepProperties, ExpressionsOfSettingsSeeTheSceneAsItWas) {
 
 TEST_F(SweepProperties, APropertyWithANameOfAMillionLettersIsRefused) {
     write_scene();
-    expect_refusal("\"set\": {\"ball.mass" + std::string(1000000, '(') + "\": 1}", "\": names no property");
+    expect_refusal("\"set\": {\"ball.mass" + std::string(1000000, '(') + "\": 1}", "\": does not name a property");
 }
 
 TEST_F(SweepProperties, BadPathsAndExpressionsAreToldWithTheirPlace) {
@@ -118,19 +118,19 @@ TEST_F(SweepProperties, BadPathsAndExpressionsAreToldWithTheirPlace) {
                    "measure[0].of: bal.position.x: there is no body \"bal\"; there are world, "
                    "floor, ball, 'wide crate', door");
     expect_refusal(measure("ball.frictoin"), "there is no property \"frictoin\"; there are position");
-    expect_refusal(measure("ball.position"), "must go on with one of x, y, z");
+    expect_refusal(measure("ball.position"), "must continue with one of x, y, z");
     expect_refusal(measure("ball.position.w"), "has no \"w\"");
     expect_refusal(measure("ball.mass.x"), "must end after \"mass\"");
     expect_refusal(measure("bodies[9].mass"), "there are 4 bodies, numbered from 0");
     expect_refusal(measure("bodies[x].mass"), "whole numbers in brackets");
-    expect_refusal(measure("'wide crate.mass"), "must have a second '");
-    expect_refusal(measure("ball.touches"), "must go on with the name of a body");
+    expect_refusal(measure("'wide crate.mass"), "must have a closing '");
+    expect_refusal(measure("ball.touches"), "must continue with the name of a body");
     expect_refusal(measure("ball..mass"), "must have a name before and after each dot");
-    expect_refusal(measure("ball.mass +"), "is no expression");
+    expect_refusal(measure("ball.mass +"), "is not a valid expression");
     expect_refusal(measure("ball.mass, 2"), "must be one expression");
     expect_refusal(measure("foo(2)"), "foo: must be a parameter, a measure before this one, a function");
     expect_refusal(measure(" "), "is empty");
-    expect_refusal("\"set\": {\"ball.speed\": 2}", "can be measured, and not be set");
+    expect_refusal("\"set\": {\"ball.speed\": 2}", "can be measured, but not set");
     expect_refusal("\"set\": {\"ball.mass\": \"later\"}, " + measure("1"), "set.ball.mass: later: must be a parameter");
     expect_refusal("\"stop\": [\"ball.mass >\"]", "stop[0]");
 }

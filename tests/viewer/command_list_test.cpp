@@ -21,7 +21,7 @@ TEST(CommandList, FindsWhatPeopleType) {
     EXPECT_EQ(best(controller, "screenshot"), "save a picture (screenshot)");
     EXPECT_EQ(best(controller, "Energy"), "plots of energy, momentum and bodies");
     EXPECT_EQ(best(controller, "integr"), "integrators side by side");
-    EXPECT_EQ(best(controller, "ortho"), "parallel rays (orthographic)");
+    EXPECT_EQ(best(controller, "ortho"), "orthographic projection");
     EXPECT_EQ(best(controller, "tower"), "scene: Tower");
     EXPECT_EQ(best(controller, "frcn"), "show or hide friction cones");
     EXPECT_EQ(best(controller, "no such thing"), "");

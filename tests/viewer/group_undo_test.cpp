@@ -248,7 +248,7 @@ TEST(EditBodies, WhereOneCannotBeChangedNoneIsAndTheReasonIsTold) {
         desk.stage.apply(change);
         EXPECT_EQ(Everything(desk), before) << is_undone;
         EXPECT_EQ(desk.stage.world().body(desk.boxes[0]).type(), BodyType::static_);
-        EXPECT_NE(desk.said().find("None of the bodies is changed, since roof cannot be: "), std::string::npos)
+        EXPECT_NE(desk.said().find("No body was changed, because roof cannot be: "), std::string::npos)
             << desk.said();
         change.edits.erase(change.edits.begin() + 2);
         desk.stage.apply(change); // the remaining bodies can be changed

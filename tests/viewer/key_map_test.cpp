@@ -87,7 +87,7 @@ std::string promise_of(Action action) {
     case Action::remove_last:
         return "remove the last";
     case Action::remove_selected:
-        return "remove what is selected";
+        return "remove the selection";
     case Action::remove_joint:
         return "remove the selected joint";
     case Action::join_by_ball:

@@ -101,7 +101,7 @@ void test_handles(Driver& driver) {
     driver.check("the dot in the middle makes it larger, and heavier",
                  [&](const Json& s) { return s.at("inspected").at("mass").get<double>() > 1.5 * mass; });
     driver.cursor(600, 120);
-    for (const char* name : {"scale a body", "move or turn a body"}) {
+    for (const char* name : {"scale a body", "move or rotate a body"}) {
         driver.check(std::string("undoable: ") + name,
                      [&](const Json& s) { return s.at("timeline").at("undoable") == name; });
         driver.chord("ctrl", "z");
@@ -189,7 +189,7 @@ void test_comfort(Driver& driver) {
     if (std::system("command -v ffmpeg >/dev/null") != 0) return;
     driver.key("F10");
     driver.check("F10 begins a video",
-                 [](const Json& s) { return s.at("notice") == "A video is being made: F10 ends it."; });
+                 [](const Json& s) { return s.at("notice") == "A video is being recorded: F10 ends it."; });
     driver.key("F10");
     driver.check("and ends it", [&](const Json& s) {
         const std::string notice = s.at("notice").get<std::string>();
