@@ -108,10 +108,9 @@ TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpointAndTheTable) {
     fs::rename(folder_ / "out.csv", folder_ / ".out.unfinished.csv"); // as if the run had been killed at that time
     const Result full =
         shell("ulimit -f 16; exec \"$CAIRN\" run " + run + "out.csv --frames 30 --checkpoint-every 20 --resume ck");
-    expect_one_line(
-        full, 1,
-        "ck/step_20/part_0: cannot be written: File too large (of the checkpoint of step 20; the last whole "
-        "one is of step 10)");
+    expect_one_line(full, 1,
+                    "ck/step_20/part_0: cannot be written: File too large (of the checkpoint of step 20; the last "
+                    "complete checkpoint is of step 10)");
     const Result resumed = cairn("run --json " + run + "out.csv --frames 30 --resume ck");
     EXPECT_NE(resumed.err.find("ck/step_20: was not finished: it has no index.json"), std::string::npos) << resumed.err;
     fs::remove_all(folder_ / "ck");

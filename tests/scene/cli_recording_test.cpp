@@ -80,7 +80,7 @@ TEST_F(CliRecording, ThatIsCutOffOrNoneSaysSo) {
     EXPECT_EQ(cut.code, 0);
     EXPECT_NE(cut.err.find("warning: cut.mcap was cut off; its first "), std::string::npos) << cut.err;
     expect_one_line(cairn("replay none.mcap"), 1, "none.mcap: cannot be read");
-    expect_one_line(shell("echo hello > text.mcap; \"$CAIRN\" info text.mcap"), 1, "text.mcap: is no recording");
+    expect_one_line(shell("echo hello > text.mcap; \"$CAIRN\" info text.mcap"), 1, "text.mcap: is not a recording");
     expect_one_line(cairn("record nothing -o run.mcap"), 1, "nothing");
     EXPECT_EQ(cairn("replay run.mcap --verify").code, 0); // the old file is unchanged
     expect_one_line(cairn("record tower -o run.txt"), 2, "must end in .mcap");
