@@ -1,4 +1,5 @@
-"""Builds the wheel and the source archive: what pip calls (PEP 517). CMake builds the module; the rest is copied."""
+"""The build backend that pip calls (PEP 517): builds the wheel and the source archive. CMake builds the extension module;
+all other files are copied."""
 import base64
 import hashlib
 import io
@@ -16,13 +17,14 @@ import tomllib
 import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-# What the source archive has of the engine, beside the Python package: enough to build it.
+# The files and folders of the engine that the source archive contains, in addition to the Python package, so that the
+# module can be built from it.
 SOURCES = ["CMakeLists.txt", "LICENSE", "cmake", "include", "src", "scenes"]
 PARALLEL = "CMAKE_BUILD_PARALLEL_LEVEL"
 
 
 def source():
-    """The folder of the engine: around this one in the repository, inside of it in the source archive."""
+    """The folder of the engine: the parent folder in the repository, the subfolder `engine` in the source archive."""
     for folder in (HERE / "engine", HERE.parent):
         if (folder / "include" / "cairn" / "version.h").exists():
             return folder
@@ -40,7 +42,7 @@ def version():
 
 
 def stem():
-    """The beginning of the names of archives."""
+    """The part that the names of all archives begin with: name and version."""
     return f"{project()['name'].replace('-', '_')}-{version()}"
 
 
@@ -59,14 +61,15 @@ def tag():
 
 
 def build_module(folder):
-    """The module, built in a folder. The environment variable CMAKE_ARGS has more options for CMake."""
+    """Builds the extension module in a folder, and returns its file. The environment variable CMAKE_ARGS can contain
+    further options for CMake."""
     for tool in ("cmake", "c++"):
         if not shutil.which(tool):
-            raise RuntimeError(f"{tool} is missing, which the module is built with")
+            raise RuntimeError(f"{tool} is not installed; it is required to build the module")
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DCAIRN_PYTHON=ON", "-DCAIRN_APP=OFF", "-DCAIRN_TESTS=OFF", "-DCAIRN_C_API=OFF",
                f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
-    # What pip puts into the environment for its own isolation is not meant for the programs that CMake runs.
+    # The variables that pip sets for its isolated build must not reach the programs that CMake runs.
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PIP_", "VIRTUAL_ENV"))}
     environment.setdefault(PARALLEL, str(os.cpu_count() or 1))
     subprocess.run(["cmake", "-S", source(), "-B", folder, *generator, *options], check=True, env=environment)
@@ -75,14 +78,14 @@ def build_module(folder):
 
 
 def package_files():
-    """(name in the package, file) of what is written in Python."""
+    """Yields (name in the package, file) for all files of the package except the extension module."""
     for file in sorted((HERE / "cairn").rglob("*")):
         if file.suffix in (".py", ".pyi") or file.name == "py.typed":
             yield f"cairn/{file.relative_to(HERE / 'cairn').as_posix()}", file
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """`--config-settings build-folder=FOLDER`: what CMake builds is kept there, for the next time."""
+    """With `--config-settings build-folder=FOLDER`, CMake builds in that folder, which is kept for later builds."""
     name = f"{stem()}-{tag()}.whl"
     with tempfile.TemporaryDirectory() as temporary:
         module = build_module((config_settings or {}).get("build-folder", temporary))
@@ -110,7 +113,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 
 
 def _add(archive, path, data):
-    """With a date that is always the same, so that the same source gives the same wheel."""
+    """Adds a file with a constant date, so that the same source gives the same wheel."""
     entry = zipfile.ZipInfo(path, (1980, 1, 1, 0, 0, 0))
     entry.compress_type = zipfile.ZIP_DEFLATED
     entry.external_attr = (0o755 if path.endswith(".so") else 0o644) << 16
@@ -128,7 +131,7 @@ def build_sdist(sdist_directory, config_settings=None):
             archive.add(HERE / file, f"{stem()}/{file}", filter=wanted)
         for file in SOURCES:
             archive.add(source() / file, f"{stem()}/engine/{file}", filter=wanted)
-        # CMake looks for the package in the folder python of the engine.
+        # CMake expects the package in the engine's folder `python`.
         for file in ("CMakeLists.txt", "cairn", "module"):
             archive.add(HERE / file, f"{stem()}/engine/python/{file}", filter=wanted)
         text = metadata().encode()

@@ -10,7 +10,8 @@
     world.step(n=600)
     print(world.body(crate).position)
 
-Lengths are in meters, masses in kilograms, angles in radians; y is up. Errors are `cairn.Error`, and leave the world as it was.
+Lengths are in meters, masses in kilograms, angles in radians; y is up. A call with an invalid argument raises a
+`cairn.Error`, and leaves the world unchanged.
 """
 from ._arrays import BodyArray
 from ._cairn import (Body, BodyId, ForceFieldId, HeightField, Hull, JointId, Mesh, ShapeId, Snapshot, World, __version__,

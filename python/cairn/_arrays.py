@@ -1,20 +1,20 @@
-"""Arrays of all bodies of a world: views without copies, which say so when they no longer hold."""
+"""Arrays of all bodies of a world: views of its memory, which raise an error once they are invalid."""
 from __future__ import annotations
 
 import numpy as np
 
 
 class Liveness:
-    """Whether the arrays of a world still follow it; shared by all of them."""
+    """Whether the arrays of a world are still valid; shared by all arrays of a world."""
 
     __slots__ = ("reason",)
 
     def __init__(self) -> None:
-        self.reason: str | None = None  # why they do not
+        self.reason: str | None = None  # why they are invalid; None: they are valid
 
 
 def _checked(value):
-    """The plain array of one that still holds."""
+    """Replaces each `BodyArray`, also in tuples and lists, by a plain array of the same memory; raises if it is invalid."""
     if isinstance(value, BodyArray):
         value.check()
         return value.view(np.ndarray)
@@ -24,10 +24,10 @@ def _checked(value):
 
 
 class BodyArray(np.ndarray):
-    """A row for each body, in order of slot index (`World.bodies`). Read-only. It follows the world: after a step it has
-    the new values. Once bodies come or go it is of no use, and raises `WrongStateError`; `copy()` makes one that stays.
-    `numpy.asarray` makes a plain array of the same memory, which is quicker to index, and neither follows nor complains
-    after that."""
+    """One row for each body, in the order of `World.bodies` (by slot index). Read-only. The array is a view of the world's
+    state: after a step it has the new values. Once bodies are created or destroyed it is invalid, and its use raises
+    `WrongStateError`; `copy()` returns an independent array. `numpy.asarray` returns a plain array of the same memory,
+    which is faster to index; once it is invalid, it keeps its last values and raises no error."""
 
     _liveness: Liveness | None = None
 
@@ -35,18 +35,18 @@ class BodyArray(np.ndarray):
         self._liveness = getattr(obj, "_liveness", None)
 
     def check(self) -> None:
-        """Raises `WrongStateError` if this array no longer follows its world."""
+        """Raises `WrongStateError` if this array is invalid."""
         if self._liveness is not None and self._liveness.reason is not None:
             from ._errors import WrongStateError
 
-            raise WrongStateError(f"array of bodies: {self._liveness.reason}; ask the world for it again",
+            raise WrongStateError(f"array of bodies: {self._liveness.reason}; get a new one from the world",
                                   "array of bodies", "")
 
     def __getitem__(self, key):
         self.check()
         part = super().__getitem__(key)
         if isinstance(part, BodyArray) and not np.may_share_memory(part.view(np.ndarray), self.view(np.ndarray)):
-            return part.view(np.ndarray)  # rows that were picked are a copy, which stays
+            return part.view(np.ndarray)  # rows selected by a mask or by indices are an independent copy
         return part
 
     def __iter__(self):
@@ -59,7 +59,7 @@ class BodyArray(np.ndarray):
     def __array_function__(self, function, types, args, options):
         return function(*(_checked(a) for a in args), **{k: _checked(v) for k, v in options.items()})
 
-    # NumPy makes False of an error in a comparison: the check comes first.
+    # NumPy turns an error in a comparison into False, so that the check must come first.
     def __eq__(self, other):
         return _checked(self) == _checked(other)
 
@@ -75,7 +75,7 @@ class BodyArray(np.ndarray):
         return str(_checked(self))
 
     def copy(self, order="C"):
-        """A plain array with the values of now."""
+        """An independent plain array with the present values."""
         return _checked(self).copy(order)
 
     def __reduce__(self):
@@ -95,7 +95,7 @@ class BodyArray(np.ndarray):
 
 
 def view_of(owner: np.ndarray, liveness: Liveness) -> BodyArray:
-    owner.flags.writeable = False  # and with it no view can be made writable
+    owner.flags.writeable = False  # then no view of it can be made writable either
     view = owner.view(BodyArray)
     view._liveness = liveness
     return view

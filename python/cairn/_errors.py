@@ -1,10 +1,10 @@
-"""What goes wrong: one class for each code of the C++ errors."""
+"""Exceptions: one class for each error code of the C++ API."""
 from __future__ import annotations
 
 
 class Error(Exception):
-    """What went wrong at a call; the world is as it was. `field` names the argument (for example "BodyDef.mass"), `value`
-    is what it was, as text, and `str(error)` says both together with what was expected."""
+    """The error of a rejected call; the world is unchanged. `field` is the name of the argument (for example
+    "BodyDef.mass"), `value` its value as text, and `str(error)` has both, and what was expected."""
 
     def __init__(self, message: str, field: str = "", value: str = "") -> None:
         super().__init__(message, field, value)
@@ -20,11 +20,12 @@ class InvalidValueError(Error, ValueError):
 
 
 class InvalidHandleError(Error, LookupError):
-    """A handle is null, stale, or of another world."""
+    """A handle is null, stale, or belongs to another world."""
 
 
 class WrongStateError(Error, RuntimeError):
-    """The call is not allowed now: the world is closed, or in a step on another thread, or an array no longer holds."""
+    """The call is not allowed in the present state: the world is closed, a step runs on another thread, or an array of
+    bodies is invalid."""
 
 
 class InvalidFileError(Error, ValueError):
@@ -32,12 +33,12 @@ class InvalidFileError(Error, ValueError):
 
 
 class UnsupportedError(Error, NotImplementedError):
-    """A well-formed request for something that this build does not do."""
+    """The request is well formed, but this build does not support it."""
 
 
 class FileError(Error, OSError):
     """A file could not be read or written."""
 
 
-# In the order of the codes of C++.
+# In the order of the error codes of the C++ API.
 BY_CODE = (InvalidValueError, InvalidHandleError, WrongStateError, InvalidFileError, UnsupportedError, FileError)

@@ -1,4 +1,4 @@
-"""Opens the viewer, and renders pictures and videos, by the program `cairn` where it is installed."""
+"""Opens the viewer, and renders pictures and videos, with the program `cairn`, if it is installed."""
 from __future__ import annotations
 
 import os
@@ -12,11 +12,12 @@ from ._errors import UnsupportedError
 
 
 def program() -> str:
-    """The program `cairn`: the environment variable CAIRN_PROGRAM, or the one on the path. Raises UnsupportedError."""
+    """The program `cairn`: the value of the environment variable CAIRN_PROGRAM, or the program found on the PATH. Raises
+    UnsupportedError if there is none."""
     found = os.environ.get("CAIRN_PROGRAM") or shutil.which("cairn")
     if not found:
-        raise UnsupportedError("cairn: the program is not installed here, which has the viewer (or set CAIRN_PROGRAM to it)",
-                               "cairn", "")
+        raise UnsupportedError("cairn: the program with the viewer was not found; install it, or set CAIRN_PROGRAM to its "
+                               "path", "cairn", "")
     return found
 
 
@@ -30,17 +31,18 @@ def _run(world: World, command: list[str], arguments: list[str]) -> None:
 
 
 def view(world: World) -> None:
-    """Opens a window with a copy of the world as it stands now, and returns when it is closed. Raises UnsupportedError where
-    there is no viewer or no display."""
+    """Opens a window with a copy of the world in its present state, and returns when the window is closed. Raises
+    UnsupportedError if there is no viewer or no display."""
     _run(world, ["view"], [])
 
 
 def picture(world: World, path, width: int = 960, height: int = 540) -> None:
-    """Renders the world as it stands now, or rather 0.1 ms later: the program takes a step. A .png or .jpg file."""
+    """Renders the world in its present state to a .png or .jpg file; more exactly 0.1 ms later, because the program performs
+    one step."""
     _run(world, ["run"], ["--frames", "1", "--dt", "0.0001", "--width", str(width), "--height", str(height), "--png", os.fsdecode(path)])
 
 
 def video(world: World, path, seconds: float, width: int = 960, height: int = 540) -> None:
-    """Renders what a copy of the world does for so many seconds to a video file (.mp4, .webm, .gif). Needs ffmpeg."""
+    """Simulates a copy of the world for `seconds`, and renders it to a video file (.mp4, .webm, .gif). Requires ffmpeg."""
     _run(world, ["run"], ["--seconds", str(seconds), "--width", str(width), "--height", str(height),
                           "--video", os.fsdecode(path)])

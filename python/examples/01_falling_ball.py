@@ -1,4 +1,4 @@
-"""A ball falls for a second, and is where v t + g t^2 / 2 says."""
+"""A ball falls for one second. Its position is compared with v t + g t^2 / 2."""
 import cairn
 
 world = cairn.World(gravity=(0, -9.81, 0), max_linear_speed=1e4)

@@ -1,4 +1,4 @@
-"""Balls of different restitution bounce: each returns to the square of it times its height."""
+"""Balls with different restitution bounce. Each should rise to its drop height times the square of its restitution."""
 import numpy as np
 
 import cairn
@@ -14,7 +14,7 @@ for i, restitution in enumerate(restitutions):
     world.add_shape(ball, cairn.Sphere(0.5), material=material)
     balls.append(ball)
 row = {body: i for i, body in enumerate(world.bodies)}
-heights = world.positions[:, 1]  # follows the world
+heights = world.positions[:, 1]  # a view of the state of the world, which steps update
 fell, highest = np.zeros(5, bool), np.zeros(5)
 for _ in range(600):
     world.step(1 / 240)

@@ -1,4 +1,4 @@
-"""A hinge with a motor turns a wheel; a slider with a spring lifts a weight, and shows the force that it bears."""
+"""A hinge with a motor turns a wheel. A slider with a spring lifts a weight, and its reaction force is printed."""
 import numpy as np
 
 import cairn
@@ -23,8 +23,8 @@ spin = world.body(wheel).angular_velocity[2]
 height = world.body(weight).position[1]
 force = world.joint_state(slider).force
 print(f"the wheel turns at {spin:.3f} rad/s, its angle is {world.joint_state(hinge).positions[0]:.2f} rad")
-print(f"the weight hangs at {height:.3f} m, and the slider bears {force[1]:.1f} N")
+print(f"the weight hangs at {height:.3f} m, and the force of the slider is {force[1]:.1f} N")
 assert abs(spin - 2 * np.pi) < 0.01
 assert abs(force[1] - 10 * 9.81) < 1
-sag = 9.81 / (2 * np.pi * 2) ** 2  # of a spring of 2 Hz
+sag = 9.81 / (2 * np.pi * 2) ** 2  # static deflection g / (2 pi f)^2 of a spring with f = 2 Hz
 assert abs(height - (1.5 - sag)) < 0.005

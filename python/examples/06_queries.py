@@ -1,4 +1,4 @@
-"""A lidar: 360 rays around a sensor in a room with pillars. Shape casts and overlaps, too."""
+"""Queries: a lidar that casts 360 rays in a room with pillars, a shape cast, an overlap query and a closest point."""
 import numpy as np
 
 import cairn
@@ -19,16 +19,16 @@ for i, angle in enumerate(angles):
     if hit:
         distances[i] = hit.distance
         seen.add(world.body(hit.body).name)
-print(f"distances {distances.min():.3f} to {distances.max():.3f} m, of {sorted(seen)}")
+print(f"distances {distances.min():.3f} to {distances.max():.3f} m, to bodies with the names {sorted(seen)}")
 assert seen == {"", "pillar"} and np.isfinite(distances).all()
 assert abs(distances.min() - (np.hypot(2, 2) - 0.4)) < 0.01
 
 ball = cairn.Sphere(0.3)
 way = world.cast_shape(ball, cairn.Transform((0, 1, 0)), (10, 0, 0))
-print(f"a ball of 0.3 m gets {10 * way.fraction:.3f} m far")
+print(f"a ball with a radius of 0.3 m can move {10 * way.fraction:.3f} m")
 assert abs(10 * way.fraction - 4.6) < 1e-3
 near = world.overlap(cairn.Box((1, 1, 1)), cairn.Transform((2, 1, 2)))
-print(f"around the first pillar there is {len(near)} shape")
+print(f"the box around the first pillar overlaps {len(near)} shape")
 assert len(near) == 1
 closest = world.closest_point((0, 1, 0), 10)
 assert world.body(closest.body).name == "pillar"

@@ -1,4 +1,4 @@
-"""Random stones roll down hills that are a height field."""
+"""Stones, random convex hulls, roll down hills, a height field."""
 import numpy as np
 
 import cairn
@@ -20,7 +20,7 @@ print(f"the first stone has {len(world.shape(world.body(stones[0]).shapes[0]).fa
 before = world.positions[1:].mean(axis=0)
 world.step(n=600)
 after = world.positions[1:].mean(axis=0)
-print(f"their middle went from x = {before[0]:.2f}, y = {before[1]:.2f} m to x = {after[0]:.2f}, y = {after[1]:.2f} m")
+print(f"their mean position moved from x = {before[0]:.2f}, y = {before[1]:.2f} m to x = {after[0]:.2f}, y = {after[1]:.2f} m")
 assert after[1] < before[1]
 inside = (np.abs(world.positions[1:, ::2]) < 9).all(axis=1)
 ground = -0.15 * world.positions[1:, 0] - 0.5

@@ -1,5 +1,5 @@
-"""Rollback, as games with several players do it: go back eight frames, put in what was late, and arrive at the same state as
-the one who knew it at once."""
+"""Rollback networking of multiplayer games: one world receives inputs eight frames late, restores the snapshot of that
+frame, and simulates the frames again. It reaches the same state as a world that received the inputs in time."""
 import cairn
 
 
@@ -34,7 +34,7 @@ there_bodies = ring(there)
 saved, rolled_back = {}, 0
 for frame in range(120 + delay):
     late = frame - delay
-    if late in inputs:  # what happened then arrives only now
+    if late in inputs:  # an input of frame `late` arrives now
         there.restore(saved[late])
         rolled_back += 1
         known = {f: i for f, i in inputs.items() if f <= late}
@@ -44,5 +44,5 @@ for frame in range(120 + delay):
     if frame < 120:
         saved[frame] = there.save()
         advance(there, there_bodies, frame, {f: i for f, i in inputs.items() if f <= late})
-print(f"{rolled_back} times back {delay} frames: {here.state_hash:016x} and {there.state_hash:016x}")
+print(f"{rolled_back} rollbacks by {delay} frames: state hashes {here.state_hash:016x} and {there.state_hash:016x}")
 assert here.state_hash == there.state_hash

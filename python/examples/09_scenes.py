@@ -1,4 +1,4 @@
-"""Scene files: load one that comes with Cairn, run it, save it, and go on from the file."""
+"""Scene files: load a scene that comes with Cairn, run it, save its state to a file, and load that file."""
 import pathlib
 import tempfile
 
@@ -23,4 +23,4 @@ assert difference < 1e-6, difference
 try:
     cairn.load("no_such_scene.gltf")
 except cairn.FileError as error:
-    print(f"refused: {error}")
+    print(f"error: {error}")

@@ -1,8 +1,9 @@
-"""A rollout on many processes: each takes every so many-th world, and what comes out has the same bits for any number of them.
+"""A rollout on several MPI ranks: rank r of n computes the worlds r, r + n, r + 2 n, ... The results have the same bits for
+any number of ranks.
 
     mpirun -n 4 python3 python/examples/11_many_ranks.py    # Debian: python3-mpi4py, openmpi-bin
 
-Without mpirun, or without mpi4py, it is one process."""
+Without mpirun or mpi4py, a single process computes all worlds."""
 import hashlib
 
 import numpy as np
@@ -17,7 +18,7 @@ try:
 except ImportError:
     ranks, rank, size = None, 0, 1
 
-# A ball is thrown at an angle over rough ground: how far does it come to lie?
+# A ball is thrown over rough ground at different angles; the distance at which it comes to rest is measured.
 world = cairn.World()
 ground = world.create_body(type="static")
 soil = cairn.Material(static_friction=0.5, dynamic_friction=0.5, restitution=0.5)
@@ -34,11 +35,11 @@ run = cairn.rollout(world, {(ball, "linear_velocity"): velocities[mine]}, 240, e
 ways = np.zeros(throws)
 ways[mine] = run["positions"][:, -1, 1, 0]
 if ranks is not None:
-    ranks.Allreduce(MPI.IN_PLACE, ways)  # each place is written by one process, and zero in all others
+    ranks.Allreduce(MPI.IN_PLACE, ways)  # each element is set by one rank, and zero in all others
 
 if rank == 0:
     best = ways.argmax()
-    print(f"{size} processes: farthest at {np.degrees(angles[best]):.1f} degrees, {ways[best]:.2f} m; "
-          f"all of them {hashlib.sha256(ways.tobytes()).hexdigest()[:16]}")
-    # Where it lands it bounces on and rolls, so that it pays to throw lower than at 45 degrees.
+    print(f"{size} processes: greatest distance at {np.degrees(angles[best]):.1f} degrees, {ways[best]:.2f} m; "
+          f"hash of all distances {hashlib.sha256(ways.tobytes()).hexdigest()[:16]}")
+    # The ball continues to bounce and roll after it lands, so that the best angle is below 45 degrees.
     assert 15 < np.degrees(angles[best]) < 45 and ways[best] > 8**2 / 9.81
