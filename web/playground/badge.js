@@ -15,7 +15,7 @@ export function describe({ touched, compared, hashes }) {
     if (touched)
         return {
             state: 'waiting',
-            html: `${same ? `${same}. ` : ''}Changed by hand: there is nothing to compare with. Reset to compare.`,
+            html: `${same ? `${same}. ` : ''}Changed by hand, so that the state cannot be compared. Reset to compare.`,
         };
     if (same) return { state: 'same', html: same };
     const next = Object.keys(hashes)[0];

@@ -79,7 +79,7 @@ function report() {
     const { world } = simulation;
     const { bodies, awakeBodies, contacts, times } = world.statistics;
     $('numbers').textContent =
-        `${bodies} bodies, ${awakeBodies} awake, ${contacts} contacts, ${times.total.toFixed(2)} ms a step`;
+        `${bodies} bodies, ${awakeBodies} awake, ${contacts} contacts, ${times.total.toFixed(2)} ms per step`;
     const { state, html } = describe(simulation);
     if ($('badge').innerHTML !== html) $('badge').innerHTML = html;
     $('badge').dataset.state = state;

@@ -12,7 +12,12 @@ const SECRET = Symbol('made by Geometry');
 export class Geometry {
     constructor(address, secret) {
         if (secret !== SECRET)
-            refuse('Geometry', 'new', 'is made by Geometry.hull, Geometry.mesh or Geometry.heightField', 'wrongState');
+            refuse(
+                'Geometry',
+                'new',
+                'must be created by Geometry.hull, Geometry.mesh or Geometry.heightField',
+                'wrongState',
+            );
         this.address = address;
         lost.register(this, address, this);
     }

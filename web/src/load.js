@@ -9,11 +9,11 @@ let started = null; // the entry that started loading, and its promise
 
 /**
  * The promise of `load()`, which is called once. Both entries have the same classes, which use a single module:
- * therefore loading a second entry throws.
+ * therefore loading the other entry is an error.
  */
 export function once(entry, load) {
     if (started !== null && started.entry !== entry) {
-        const expected = `must be imported from one of both, after '${started.entry}' was initialized`;
+        const expected = `must be imported from '${started.entry}', which was initialized before`;
         return new Promise(() => refuse('init', `init() of '${entry}'`, expected, 'wrongState'));
     }
     started ??= {
@@ -50,7 +50,7 @@ async function fromResponse(response, field) {
     return fromBytes(await response.arrayBuffer(), where);
 }
 
-const HINT = `where a bundler is used, see "Bundlers" in the README of cairn-physics`;
+const HINT = `if a bundler is used, see "Bundlers" in the README of cairn-physics`;
 const MAGIC = [0, 0x61, 0x73, 0x6d];
 
 // Servers of single-page applications answer requests for missing files with a page and a success status.

@@ -122,7 +122,7 @@ export function keysOf(value, where) {
 }
 
 export function unknown(struct, key, names) {
-    refuse(`${struct}.${key}`, key, `is no member of ${struct}, which has ${names.join(', ') || 'none'}`);
+    refuse(`${struct}.${key}`, key, `must be a member of ${struct}, which has ${names.join(', ') || 'no members'}`);
 }
 
 export function indexOf(names, value, where) {
@@ -172,7 +172,7 @@ const decoder = new TextDecoder();
 /** Copies a string to the module's memory until the call ends: UTF-8, zero-terminated. */
 export function textAt(value, where) {
     if (typeof value !== 'string') refuse(where, value, 'must be a string');
-    if (value.includes('\0')) refuse(where, value, 'must have no character 0');
+    if (value.includes('\0')) refuse(where, value, 'must not contain the character 0');
     const bytes = encoder.encode(value);
     const at = room(bytes.length + 1);
     M.HEAPU8.set(bytes, at);

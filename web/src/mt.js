@@ -33,7 +33,12 @@ function threadsOf(options) {
     if (!Number.isInteger(threads) || threads < 1 || threads > MAX_THREADS)
         refuse('InitOptions.threads', threads, `must be a whole number from 1 to ${MAX_THREADS}`);
     if (asked !== 0 && threads !== asked)
-        refuse('InitOptions.threads', String(threads), `must be ${asked}, as ${ENTRY} was initialized`, 'wrongState');
+        refuse(
+            'InitOptions.threads',
+            String(threads),
+            `must be ${asked}, the number with which ${ENTRY} was initialized`,
+            'wrongState',
+        );
     return threads;
 }
 
@@ -83,6 +88,6 @@ function sharedMemory() {
     try {
         return new WebAssembly.Memory({ ...PAGES, shared: true });
     } catch (error) {
-        throw new CairnError('outOfMemory', `${ENTRY}: no shared memory to be had: ${error.message}`, 'memory');
+        throw new CairnError('outOfMemory', `${ENTRY}: shared memory cannot be allocated: ${error.message}`, 'memory');
     }
 }

@@ -187,7 +187,7 @@ export class World extends WorldCalls {
             const expected =
                 M.PThread === undefined
                     ? `must be 1 with 'cairn-physics'; 'cairn-physics/mt' has more threads`
-                    : `must be at most ${most}: init had ${M.workers + 1} threads, of which other worlds use the rest`;
+                    : `must be at most ${most}: other worlds use the rest of the ${M.workers + 1} threads of init`;
             refuse('World.threads', count, expected, 'unsupported');
         }
         // The engine requests new workers before it releases its current ones: there may not be enough workers for
@@ -256,7 +256,7 @@ export class World extends WorldCalls {
                     refuse(
                         `arrays.${name}`,
                         arrays[name],
-                        `must have ${count * column.components} numbers, ${column.components} of each body`,
+                        `must have ${count * column.components} numbers, ${column.components} for each body`,
                     );
                 }
             }
@@ -342,7 +342,7 @@ if (Symbol.dispose) {
     Snapshot.prototype[Symbol.dispose] = Snapshot.prototype.dispose;
 }
 
-/** The spring with which a jointed body oscillates at `hertz`, with that ratio of critical damping. */
+/** The spring with which a jointed body oscillates at `hertz`, with that damping ratio. */
 export function springFromFrequency(hertz, dampingRatio) {
     return during(() => {
         const spring = room(values.JOINT_SPRING_BYTES);
