@@ -1,12 +1,12 @@
-// Pages in browsers without a window, drawn by software.
+// Opens pages in headless browsers that render in software.
 import { existsSync } from 'node:fs';
 import { writeFile } from 'node:fs/promises';
 import puppeteer from 'puppeteer-core';
 import { serve } from '../../web/playground/serve.mjs';
 
 /**
- * Chromium and Firefox. For the tests that need one, `skip` is false or why it cannot be; `skipDrawing` is the same for
- * those that draw by WebGL.
+ * Chromium and Firefox. `skip`: false, or the reason for which tests in this browser are skipped; `skipDrawing`: the
+ * same for tests that draw with WebGL.
  */
 export const BROWSERS = [
     {
@@ -27,18 +27,18 @@ export const BROWSERS = [
     },
 ].map((browser) => {
     const { name, path, variable, drawsWithDisplay } = browser;
-    const skip = existsSync(path) ? false : `${name} is not installed: no ${path} (${variable} names another program)`;
+    const skip = existsSync(path) ? false : `${name} is not installed: no ${path} (${variable}: path of another program)`;
     const noDisplay =
         drawsWithDisplay && !process.env.DISPLAY
-            ? `${name} has no WebGL without a display: xvfb-run gives it one`
+            ? `${name} has no WebGL without a display, which xvfb-run provides`
             : false;
     return { ...browser, skip, skipDrawing: skip || noDisplay };
 });
 export const CHROMIUM = BROWSERS[0];
 
 /**
- * Runs `visit(page, address)` with a folder that is served, or with an address (http://...) that is served already.
- * What goes wrong in the page is an error. `headers`: instead of those that `serve` sends for threads.
+ * Runs `visit(page, address)`. `site`: a folder to be served, or the address (http://...) of a running server. Throws
+ * if the page reports an error. `headers`: response headers, instead of those that `serve` sends for threads.
  */
 export async function inBrowser(site, visit, { browser: { path, options } = CHROMIUM, headers } = {}) {
     const server = site.startsWith('http://') ? null : await serve(site, 0, headers);
@@ -62,7 +62,7 @@ export async function inBrowser(site, visit, { browser: { path, options } = CHRO
     }
 }
 
-/** A picture of the page: its bytes in base64. It is left in a file, to be looked at. */
+/** A screenshot of the page, in base64. It is also written to `file`, for inspection. */
 export async function pictureOf(page, file) {
     const base64 = await page.screenshot({ encoding: 'base64' });
     await writeFile(file, Buffer.from(base64, 'base64'));
@@ -70,8 +70,8 @@ export async function pictureOf(page, file) {
 }
 
 /**
- * How many different colors a picture has, by the upper four bits of each channel, and which share of it is not of the
- * most frequent one.
+ * The number of different colors of a picture (the upper four bits of each channel), and the fraction of its pixels
+ * that do not have the most frequent color.
  */
 export async function colorsOf(page, base64) {
     return page.evaluate(async (data) => {

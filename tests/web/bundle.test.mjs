@@ -1,5 +1,5 @@
-// A project that has the package from its tarball: bundled by esbuild, checked by the compiler of TypeScript, run in
-// Node and in browsers, where boxes fall in a picture by three.js.
+// A project with the package installed from its tarball: it is bundled by esbuild, checked by the TypeScript compiler,
+// and run in Node and in browsers, where three.js draws falling boxes.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -45,15 +45,15 @@ export function fall(World) {
 }
 `;
 
-test('the module is under 900 kB as servers send it', async () => {
+test('the module is smaller than 900 kB in Brotli compression', async () => {
     const bytes = await readFile(join(folder, 'node_modules/cairn-physics/dist/cairn.wasm'));
     const size = brotliCompressSync(bytes).length;
     assert.ok(size < 900e3, `${size} bytes`);
 });
 
-// Where nobody reads the upper two of four lanes, zeros could stand for them; but engines know an instruction for the
-// first form alone.
-test('shuffles have the form that engines know', async () => {
+// If the upper two of the four lanes of a shuffle are unused, their indices are arbitrary. WebAssembly engines have a
+// single instruction only for the form `known`, not for the form with zeros.
+test('shuffles have the form that WebAssembly engines recognize', async () => {
     const known = Buffer.from([0xfd, 0x0d, 8, 9, 10, 11, 24, 25, 26, 27, 12, 13, 14, 15, 28, 29, 30, 31]);
     const withZeros = Buffer.concat([known.subarray(0, 10), Buffer.alloc(8)]);
     for (const file of ['cairn.wasm', 'mt/cairn.wasm']) {
@@ -75,7 +75,7 @@ console.log(JSON.stringify(Array.from(world.positions).filter((_, i) => i % 3 ==
     const { stdout } = await run('node', ['fall.mjs'], { cwd: folder });
     const heights = JSON.parse(stdout);
     assert.equal(heights.length, 41);
-    for (const y of heights.slice(1)) assert.ok(y > 0.29 && y < 44, `a box at ${y}`);
+    for (const y of heights.slice(1)) assert.ok(y > 0.29 && y < 44, `a box at the height ${y}`);
     assert.ok(Math.min(...heights.slice(1)) < 0.52);
 });
 
@@ -132,7 +132,7 @@ globalThis.ready = true;`,
         assert.ok(begin[3 * 40 + 1] > 43 && end[3 * 40 + 1] < 30, 'the last box has fallen');
         assert.notEqual(first, last);
         const { colors, foreground } = await colorsOf(page, last);
-        assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the picture`);
+        assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the pixels in the foreground`);
     };
     for (const browser of BROWSERS)
         await context.test(`in ${browser.name}`, { skip: browser.skipDrawing }, () =>
@@ -140,7 +140,7 @@ globalThis.ready = true;`,
         );
 });
 
-test('the types accept what the package does, and refuse what it refuses', async () => {
+test('the types accept valid code, and refuse code that the package refuses', async () => {
     await writeFile(
         join(folder, 'good.ts'),
         `import init, { World, Geometry, CairnError, type BodyDef, type Shape } from 'cairn-physics';

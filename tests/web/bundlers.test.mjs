@@ -1,5 +1,5 @@
-// A page of ten lines, built from the packed tarball in an empty folder by each bundler, with and without threads, and
-// opened in browsers: the boxes have fallen, to the bits where they fall in Node.
+// A page of ten lines is built from the tarball in an empty folder by each bundler, with and without threads, and
+// opened in browsers. The boxes must fall to the same positions as in Node, to the bit.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -14,10 +14,10 @@ import { BROWSERS, colorsOf, inBrowser, pictureOf } from './browser.mjs';
 import { ISOLATED } from '../../web/playground/serve.mjs';
 
 const run = promisify(execFile);
-// Debian 12 has an older Node than Vite wants.
+// The Node of Debian 12 is too old for Vite.
 const [major, minor] = process.versions.node.split('.').map(Number);
 const noVite =
-    major > 20 || (major === 20 && minor >= 19) ? false : `vite 8 needs Node 20.19, this is ${process.version}`;
+    major > 20 || (major === 20 && minor >= 19) ? false : `vite 8 requires Node 20.19, this is ${process.version}`;
 const vite = noVite ? null : await import('vite');
 let folder, expected;
 
@@ -70,7 +70,7 @@ before(async () => {
 });
 after(() => rm(folder, { recursive: true, force: true }));
 
-test('with threads, the boxes fall in Node to the same places', async () =>
+test('with threads, the boxes fall to the same positions in Node', async () =>
     assert.deepEqual(JSON.parse((await run('node', ['mt.js'], { cwd: folder })).stdout), expected));
 
 async function fallenIn(site, file, options) {
@@ -85,7 +85,7 @@ async function fallenIn(site, file, options) {
     );
 }
 
-// Each builds a page, and says what opens it: a folder to be served, or an address.
+// Each function builds a page, and returns where it is: `site`, a folder to be served or an address, and `file`.
 const BUNDLERS = {
     async none(name) {
         const map = { imports: { 'cairn-physics': './node_modules/cairn-physics/src/index.js' } };
@@ -169,7 +169,7 @@ for (const [bundler, build] of Object.entries(BUNDLERS)) {
     }
 }
 
-test('the page of the guide, built by vite, shows boxes that fall', { skip: noVite }, async (context) => {
+test('the page of the guide, built by vite, shows falling boxes', { skip: noVite }, async (context) => {
     const guide = await readFile(new URL('../../docs/guide/web.md', import.meta.url), 'utf8');
     const [, html] = guide.match(/```html\n(.*?)```/s);
     const root = join(folder, 'guide');
@@ -177,7 +177,8 @@ test('the page of the guide, built by vite, shows boxes that fall', { skip: noVi
     await cp(fileURLToPath(new URL('node_modules/three', import.meta.url)), join(folder, 'node_modules/three'), {
         recursive: true,
     });
-    const icon = html.replace('<body', '<link rel="icon" href="data:," /><body'); // else browsers ask for one
+    // Without this link, browsers would request an icon, which does not exist.
+    const icon = html.replace('<body', '<link rel="icon" href="data:," /><body');
     await writeFile(join(root, 'index.html'), icon.replace('</script>', 'globalThis.world = world;</script>'));
     await vite.build({ root, logLevel: 'error' });
     const visit = async (browser, page, address) => {
@@ -190,7 +191,7 @@ test('the page of the guide, built by vite, shows boxes that fall', { skip: noVi
         const last = await pictureOf(page, join(process.env.CAIRN_WEB, `guide_${browser.name.toLowerCase()}.png`));
         assert.notEqual(first, last);
         const { colors, foreground } = await colorsOf(page, last);
-        assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the picture`);
+        assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the pixels in the foreground`);
         const heights = await page.evaluate(() =>
             Array.from(globalThis.world.positions).filter((_, i) => i > 3 && i % 3 === 1),
         );
@@ -206,7 +207,7 @@ test('the page of the guide, built by vite, shows boxes that fall', { skip: noVi
         );
 });
 
-test('a page that is not cross-origin isolated is told what its server must send', () =>
+test('in a page that is not cross-origin isolated, the error names the headers that the server must send', () =>
     inBrowser(
         folder,
         async (page, address) => {

@@ -1,24 +1,24 @@
-// How the playground looks at scenes first.
+// The initial cameras of scenes in the playground.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraOf, halfHeight } from '../../web/playground/cameras.js';
 
 const near = (a, b) => a.forEach((value, i) => assert.ok(Math.abs(value - b[i]) < 1e-6, `${a} is not ${b}`));
 
-test('a scene without a camera is looked at from aside', () => {
+test('a scene without a camera has the default camera', () => {
     assert.equal(cameraOf({}).orthographic, false);
     assert.equal(cameraOf({ scenes: [{ nodes: [0] }], nodes: [{}] }).vertical_fov_degrees, 45);
 });
 
-test('parallel rays of CAIRN_world are not shown in perspective', () => {
+test('an orthographic camera of CAIRN_world stays orthographic', () => {
     const camera = { position: [0, 0, 10], target: [0, 0, 0], vertical_fov_degrees: 90, orthographic: true };
     const found = cameraOf({ scenes: [{ extensions: { CAIRN_world: { camera } } }] });
     assert.ok(found.orthographic);
     assert.ok(Math.abs(halfHeight(found) - 10) < 1e-9);
 });
 
-test('an orthographic camera of a glTF file shows as much as it says', () => {
-    const half = Math.SQRT1_2; // of a quarter turn about y: it looks along -x
+test('an orthographic camera of a glTF file shows the height that the file specifies', () => {
+    const half = Math.SQRT1_2; // quaternion component of a rotation by 90 degrees about y: the camera looks along -x
     const found = cameraOf({
         scenes: [{ nodes: [0] }],
         nodes: [
@@ -34,7 +34,7 @@ test('an orthographic camera of a glTF file shows as much as it says', () => {
     assert.ok(Math.abs(halfHeight(found) - 3) < 1e-6);
 });
 
-test('a perspective camera of a glTF file keeps its angle', () => {
+test('a perspective camera of a glTF file keeps its field of view', () => {
     const found = cameraOf({
         scenes: [{ nodes: [0] }],
         nodes: [{ camera: 0, translation: [0, 0, 5] }],

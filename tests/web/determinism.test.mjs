@@ -1,4 +1,4 @@
-// The scenes of the determinism tests, made by calls of the npm package: the same hashes as in native code.
+// The scenes of the determinism tests, created by calls of the npm package, have the same hashes as in native code.
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import init, { Geometry, World } from 'cairn-physics';

@@ -1,13 +1,13 @@
-// What is wrong is refused with an error that names it, and nothing is lost.
+// Invalid calls throw an error that names the invalid argument, change nothing, and leak no memory.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import init, { Body, CairnError, Geometry, World, springFromFrequency } from 'cairn-physics';
 
-test('before init every call says what is missing', () => {
+test('calls before init throw an error that names init', () => {
     assert.throws(() => new World(), { name: 'CairnError', code: 'wrongState', field: 'init' });
 });
 
-test('a source that cannot be read is an error, and another one may follow', async () => {
+test('a source that cannot be read is an error, and init can be called again', async () => {
     await assert.rejects(init(5), { code: 'invalidValue', field: 'init.source', value: '5' });
     await assert.rejects(init(new Uint8Array([0, 1, 2])), { code: 'invalidFile', field: 'init.source' });
     const cut = new Uint8Array([0, 0x61, 0x73, 0x6d, 1]);
@@ -15,10 +15,10 @@ test('a source that cannot be read is an error, and another one may follow', asy
     await assert.rejects(init(new TextEncoder().encode('<!doctype html>')), { value: '"<!doctype html>"' });
     await assert.rejects(init('file:///nothing/cairn.wasm'), { code: 'io', value: 'ENOENT' });
     await init();
-    await init(new URL('https://example.invalid/never.wasm')); // done already
+    await init(new URL('https://example.invalid/never.wasm')); // ignored: the module is loaded already
 });
 
-// A world with a box on a plane, and what a call must leave as it was.
+// A world with a box on a plane.
 function boxWorld() {
     const world = new World();
     world.createBody({ type: 'static', name: 'ground' }).addShape({ kind: 'plane' });
@@ -26,6 +26,7 @@ function boxWorld() {
     const shape = box.addShape({ kind: 'box', halfExtents: [0.5, 0.5, 0.5] });
     return { world, box, shape };
 }
+// The state that a rejected call must leave unchanged.
 const stateOf = (world) => [world.stateHash, world.bodies.length, world.saveScene()];
 
 function refused(world, call, expected) {
@@ -83,7 +84,7 @@ const wrong = [
         (w, b) => b.addShape({ kind: 'torus' }),
         { code: 'invalidValue', field: 'Shape.kind', value: '"torus"' },
     ],
-    ['a shape that is none', (w, b) => b.addShape(null), { code: 'invalidValue', field: 'Shape', value: 'null' }],
+    ['null as a shape', (w, b) => b.addShape(null), { code: 'invalidValue', field: 'Shape', value: 'null' }],
     [
         'a radius of zero',
         (w, b) => b.addShape({ kind: 'sphere', radius: 0 }),
@@ -92,16 +93,20 @@ const wrong = [
     ['a half extent of NaN', (w, b) => b.addShape({ kind: 'box', halfExtents: [1, NaN, 1] }), { code: 'invalidValue' }],
     ['a plane on a dynamic body', (w, b) => b.addShape({ kind: 'plane' }), {}],
     [
-        'a hull without a geometry',
+        'a hull whose geometry is no Geometry',
         (w, b) => b.addShape({ kind: 'hull', geometry: {} }),
         { code: 'invalidValue', field: 'Hull.geometry' },
     ],
-    ['a hull of no geometry', (w, b) => b.addShape({ kind: 'hull' }), { code: 'invalidValue', field: 'Hull.geometry' }],
+    [
+        'a hull with an undefined geometry',
+        (w, b) => b.addShape({ kind: 'hull' }),
+        { code: 'invalidValue', field: 'Hull.geometry' },
+    ],
     ['a step of zero', (w) => w.step(0), { code: 'invalidValue' }],
     ['a step of NaN', (w) => w.step(NaN), { code: 'invalidValue' }],
     ['half a step', (w) => w.step(0.01, 0.5), { code: 'invalidValue', field: 'count', value: '0.5' }],
     ['steps backwards', (w) => w.step(0.01, -1), { code: 'invalidValue', field: 'count', value: '-1' }],
-    ['a ray of no direction', (w) => w.castRay([0, 9, 0], [0, 0, 0], 10), { code: 'invalidValue' }],
+    ['a ray with the direction zero', (w) => w.castRay([0, 9, 0], [0, 0, 0], 10), { code: 'invalidValue' }],
     [
         'layers below zero',
         (w) => w.castRay([0, 9, 0], [0, -1, 0], 10, { layers: -1n }),
@@ -113,16 +118,16 @@ const wrong = [
         { code: 'invalidValue', field: 'QueryFilter.layers' },
     ],
     ['a handle that is a number', (w) => w.destroyBody(12), { code: 'invalidHandle', field: 'body', value: '12' }],
-    ['no handle', (w) => w.destroyBody(undefined), { code: 'invalidHandle', field: 'body' }],
+    ['undefined as a handle', (w) => w.destroyBody(undefined), { code: 'invalidHandle', field: 'body' }],
     ['the null handle', (w) => w.destroyBody(null), { code: 'invalidHandle' }],
-    ['a shape for a body', (w, b, s) => w.destroyBody(s + (1n << 40n)), { code: 'invalidHandle' }],
+    ['the handle of a shape instead of a body', (w, b, s) => w.destroyBody(s + (1n << 40n)), { code: 'invalidHandle' }],
     ['a joint without bodies', (w) => w.createJoint({ joint: { kind: 'ball' } }), {}],
     [
-        'a joint of too few limits',
+        'a joint limit with too few axes',
         (w, b) => w.createJoint({ bodyB: b, joint: { kind: 'general', limits: [{ axes: [true] }] } }),
         { code: 'invalidValue', field: 'JointLimit.axes', value: 'Array of 1' },
     ],
-    ['a text with a zero', (w) => w.findBody('a\0b'), { code: 'invalidValue', field: 'name' }],
+    ['a string with the character 0', (w) => w.findBody('a\0b'), { code: 'invalidValue', field: 'name' }],
     [
         'too short an array',
         (w) => w.readBodies({ positions: new Float64Array(5) }),
@@ -134,7 +139,7 @@ const wrong = [
         { code: 'invalidValue', field: 'arrays.rotations' },
     ],
     [
-        'an array of another kind',
+        'an array of another type',
         (w) => w.readBodies({ positions: new Float32Array(6) }),
         { code: 'invalidValue', field: 'arrays.positions' },
     ],
@@ -144,9 +149,9 @@ const wrong = [
         { code: 'invalidValue', field: 'arrays.places' },
     ],
     ['no arrays', (w) => w.readBodies(null), { code: 'invalidValue', field: 'arrays' }],
-    ['a snapshot that is none', (w) => w.restore({}), { code: 'invalidValue', field: 'snapshot' }],
+    ['an object that is no snapshot', (w) => w.restore({}), { code: 'invalidValue', field: 'snapshot' }],
     [
-        'settings of less than no substeps',
+        'a negative number of substeps',
         (w) => (w.settings = { substeps: -1 }),
         { code: 'invalidValue', field: 'WorldDef.substeps', value: '-1' },
     ],
@@ -161,7 +166,7 @@ for (const [name, call, expected] of wrong) {
     });
 }
 
-test('stale handles stay stale when their slot is used again', () => {
+test('a stale handle stays stale when its slot is reused', () => {
     const { world, box, shape } = boxWorld();
     box.destroy();
     const other = world.createBody({ name: 'other' });
@@ -174,7 +179,7 @@ test('stale handles stay stale when their slot is used again', () => {
     world.dispose();
 });
 
-test('a body of another world is no body of this one', () => {
+test('a body of another world is refused', () => {
     const one = boxWorld(),
         other = boxWorld();
     refused(one.world, () => one.world.destroyBody(other.box), { code: 'invalidHandle' });
@@ -215,7 +220,7 @@ test('a disposed world refuses everything, and may be disposed of again', () => 
     next.dispose();
 });
 
-test('a disposed geometry is refused, and its shapes keep what they need', () => {
+test('a disposed geometry is refused, and shapes that use it remain valid', () => {
     const { world, box } = boxWorld();
     const hull = Geometry.hull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
     box.addShape({ kind: 'hull', geometry: hull });
@@ -251,11 +256,11 @@ const shapeless = [
     [() => World.load(new Uint8Array()), 'invalidFile'],
     [() => World.load(5), 'invalidValue'],
 ];
-test('data that makes no shape or scene is refused', () => {
+test('invalid data of shapes and scenes is refused', () => {
     for (const [call, code] of shapeless) assert.throws(call, { name: 'CairnError', code }, String(call));
 });
 
-test('a getter that disposes of the world in the middle of a call is noticed', () => {
+test('a getter that disposes of the world during a call causes an error', () => {
     const { world } = boxWorld();
     const definition = {
         get mass() {
@@ -266,7 +271,7 @@ test('a getter that disposes of the world in the middle of a call is noticed', (
     assert.throws(() => world.createBody(definition), { code: 'wrongState', value: 'disposed' });
 });
 
-test('a getter that calls other worlds in the middle of a call does not disturb it', () => {
+test('a getter that calls other worlds during a call does not affect the call', () => {
     const { world, box } = boxWorld(),
         other = boxWorld();
     const position = {
@@ -283,12 +288,12 @@ test('a getter that calls other worlds in the middle of a call does not disturb 
     other.world.dispose();
 });
 
-test('refused calls leave no memory behind', () => {
+test('rejected calls leak no memory', () => {
     const { world, box } = boxWorld();
     const many = Array.from({ length: 20000 }, () => ({ kind: 'angular', axes: [true, true, true], min: 0, max: NaN }));
     const before = process.memoryUsage().rss;
     for (let i = 0; i < 400; ++i) {
-        // of each a megabyte would be left
+        // each call would leak a megabyte
         assert.throws(() => world.createJoint({ bodyB: box, joint: { kind: 'general', limits: many } }), CairnError);
     }
     const grown = process.memoryUsage().rss - before;

@@ -1,5 +1,5 @@
-// Calls of the API as a program in JavaScript: what the recorder of scenes is made of. The rest is made from the table
-// of the API (generated/recorded_world.h).
+// Writes API calls as a JavaScript program: the hand-written part of the recorder of scenes. The other part is
+// generated from the table of the API (generated/recorded_world.h).
 #pragma once
 
 #include <cairn/cairn.h>
@@ -20,7 +20,7 @@ inline std::string js(bool x) { return x ? "true" : "false"; }
 inline std::string js(int x) { return std::to_string(x); }
 inline std::string js(std::uint32_t x) { return std::to_string(x); }
 inline std::string js(std::uint64_t x) { return std::to_string(x) + "n"; }
-// 17 digits name every double, and with them every float.
+// 17 digits identify every double, and therefore every float.
 inline std::string js(double x) {
     if (std::isnan(x)) return "NaN";
     if (std::isinf(x)) return x > 0 ? "Infinity" : "-Infinity";
@@ -55,7 +55,7 @@ inline std::string js(const Quat& q) {
     return object({{"x", js(q.x)}, {"y", js(q.y)}, {"z", js(q.z)}, {"w", js(q.w)}});
 }
 
-// A handle is known in the program by its bits here: there it may have others.
+// In the program, a handle is identified by its bits in this recording; when the program runs, its bits may differ.
 template <class Tag> std::string name(Handle<Tag> handle) { return '"' + std::to_string(handle.bits) + '"'; }
 template <class Tag> std::string js(Handle<Tag> handle) { return handle ? "at(" + name(handle) + ")" : "null"; }
 
@@ -84,7 +84,7 @@ inline std::string js(const HeightField& x) {
                                     js(x.spacing()) + ", " + list(x.heights()) + ")"}});
 }
 
-// A world, and the program that does to another one what was done to it.
+// A world, and the JavaScript program that repeats all calls of this world for another one.
 class Recording {
   public:
     explicit Recording(const WorldDef& def = {}) : world_(def) {}

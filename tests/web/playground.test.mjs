@@ -1,4 +1,4 @@
-// The playground in browsers: what a visitor sees and does.
+// The playground in browsers, operated as by a user.
 import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -30,10 +30,10 @@ function visits(browser) {
         await page.waitForFunction(() => document.getElementById('badge').dataset.state === 'same', { timeout: 20000 });
         assert.match(await textOf(page, 'badge'), /^After \d+ steps: this browser ([0-9a-f]{16}) = native \1$/);
         const { colors, foreground } = await colorsOf(page, await picture(page, 'welcome'));
-        assert.ok(colors > 20 && foreground > 0.2, `${colors} colors, ${foreground} of the picture`);
+        assert.ok(colors > 20 && foreground > 0.2, `${colors} colors, ${foreground} of the pixels in the foreground`);
     });
 
-    visit('a badge that compares with other numbers says so', async (page, address) => {
+    visit('the badge reports hashes that differ', async (page, address) => {
         await page.setRequestInterception(true);
         page.on('request', (request) => {
             if (!request.url().endsWith('list.json')) return request.continue();
@@ -51,7 +51,7 @@ function visits(browser) {
         assert.match(await textOf(page, 'badge'), /0123456789abcdef: not the same/);
     });
 
-    visit('a scene may be chosen by the address, paused, stepped and reset', async (page, address) => {
+    visit('a scene can be chosen by the address, paused, stepped and reset', async (page, address) => {
         await page.goto(`${address}#scene=07_pyramid`);
         await stepped(page, 20);
         assert.equal(await page.$eval('#scenes', (select) => select.value), '07_pyramid');
@@ -68,7 +68,7 @@ function visits(browser) {
         assert.ok((await steps()) < paused);
     });
 
-    visit('what is spawned falls and lies on the ground, is drawn, and ends the comparison', async (page, address) => {
+    visit('spawned bodies fall, are drawn, and end the comparison of hashes', async (page, address) => {
         await page.goto(`${address}#scene=01_open_plane`);
         await stepped(page, 5);
         for (const kind of ['box', 'sphere', 'capsule', 'cylinder', 'cone', 'hull']) {
@@ -96,11 +96,11 @@ function visits(browser) {
         await picture(page, 'spawned');
     });
 
-    visit('a body that is dragged follows the mouse, and is let go', async (page, address) => {
+    visit('a dragged body follows the mouse, and is released', async (page, address) => {
         await page.goto(`${address}#scene=08_tower`);
         await stepped(page, 10);
         const at = await page.evaluate(() => {
-            // the place of the topmost body in the picture
+            // the position of the topmost body on the screen
             const {
                 simulation: { world },
                 stage,
@@ -130,7 +130,7 @@ function visits(browser) {
         assert.equal(await page.evaluate(() => globalThis.dragged.joints.length), 0);
     });
 
-    visit('a shared scene is the same for who opens the link', async (page, address) => {
+    visit('a link to a shared scene opens the same scene', async (page, address) => {
         await page.goto(`${address}#scene=11_newtons_cradle`);
         await stepped(page, 30);
         await page.click('#play');
@@ -151,7 +151,7 @@ function visits(browser) {
     });
 
     visit(
-        'a file of the visitor opens, and one that is no scene is refused while the other goes on',
+        'a scene file of the user opens; a file that is no scene is refused, and the open scene continues',
         async (page, address) => {
             await page.goto(`${address}#scene=01_open_plane`);
             await stepped(page, 5);
@@ -172,7 +172,7 @@ function visits(browser) {
     for (const [name, fragment] of [
         ['a damaged link', '#gltf=AAAA'],
         ['an unknown scene', '#scene=99_nothing'],
-        ['a link that says nothing', '#nonsense'],
+        ['a link without a scene', '#nonsense'],
     ]) {
         visit(`${name} is refused with a message`, async (page, address) => {
             await page.goto(address + fragment);

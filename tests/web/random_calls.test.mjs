@@ -1,5 +1,5 @@
-// Calls in random order with random arguments, right and wrong: nothing but a CairnError comes out, what is refused
-// changes nothing, and the same calls give the same states again.
+// Calls in random order with random arguments, valid and invalid: they throw nothing but CairnError, rejected calls
+// change nothing, and the same calls give the same states again.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import init, { CairnError, Geometry, World } from 'cairn-physics';

@@ -1,4 +1,4 @@
-// Comes before the scenes of tests/determinism when they are compiled to be recorded.
+// Included before the scenes of tests/determinism when they are compiled for the recorder.
 #pragma once
 
 #include "generated/recorded_world.h"

@@ -2,7 +2,7 @@
 // the same calls of the npm package: NAME.mjs, with `settings`, `run` (a generator that yields after each step) and
 // `hashes` of the state after the given steps.
 //
-// The scenes are compiled once more for it, with RecordedWorld in the place of World.
+// For this program the scenes are compiled again, with RecordedWorld in place of World.
 #include "scenes_of_bodies.cpp"
 #include "scenes_of_changes.cpp"
 #include "scenes_of_joints.cpp"

@@ -1,4 +1,4 @@
-// The scenes of the determinism tests as cairn_record_scenes wrote them: CAIRN_RECORDED_SCENES is the folder.
+// Imports the scenes of the determinism tests that cairn_record_scenes has written to the folder CAIRN_RECORDED_SCENES.
 import { readdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 

@@ -1,5 +1,5 @@
-// cairn_scene_hashes FOLDER: for each scene file in it, its name, title and the hashes of its state after 60, 120, ...
-// 600 steps on this machine, as JSON: what the playground compares with.
+// cairn_scene_hashes FOLDER: prints as JSON, for each scene file in the folder, its name, its title and the hashes of
+// its state after 60, 120, ... 600 steps on this machine. The playground compares its states with them.
 #include "scene/scene.h"
 
 #include <nlohmann/json.hpp>

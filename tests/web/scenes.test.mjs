@@ -1,4 +1,4 @@
-// All scene files that come with Cairn, loaded in JavaScript: the same states as in native code.
+// All scene files that come with Cairn, loaded in JavaScript, have the same states as in native code.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -8,7 +8,7 @@ await init();
 const scenes = new URL('../../scenes/', import.meta.url);
 const list = JSON.parse(await readFile(`${process.env.CAIRN_WEB}/scene_hashes.json`, 'utf8'));
 
-test('the list has all scenes', () => assert.ok(list.length > 30));
+test('the list contains all scenes', () => assert.ok(list.length > 30));
 
 for (const { name, file, hashes } of list) {
     test(`${name} has the same state in JavaScript as in native code`, async () => {

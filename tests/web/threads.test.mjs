@@ -1,4 +1,4 @@
-// cairn-physics/mt in Node: the hashes of native code by any number of threads, and what is refused.
+// cairn-physics/mt in Node: the same hashes as in native code on any number of threads, and invalid calls.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { test } from 'node:test';
@@ -17,22 +17,22 @@ for (const [what, options, expected] of [
     ['zero threads', { threads: 0 }, { code: 'invalidValue', field: 'InitOptions.threads', value: '0' }],
     ['half a thread', { threads: 1.5 }, { code: 'invalidValue', field: 'InitOptions.threads', value: '1.5' }],
     ['257 threads', { threads: 257 }, { code: 'invalidValue', field: 'InitOptions.threads', value: '257' }],
-    ['a source that is none', { source: 5 }, { code: 'invalidValue', field: 'InitOptions.source', value: '5' }],
+    ['a number as the source', { source: 5 }, { code: 'invalidValue', field: 'InitOptions.source', value: '5' }],
     ['a source that is a page', { source: new TextEncoder().encode('<!doctype html>') }, { code: 'invalidFile' }],
-    ['a file that is not there', { source: 'file:///nothing/cairn.wasm' }, { code: 'io', value: 'ENOENT' }],
+    ['a file that does not exist', { source: 'file:///nothing/cairn.wasm' }, { code: 'io', value: 'ENOENT' }],
     [
-        'a worker that is not there',
+        'a worker script that does not exist',
         { worker: 'file:///nothing/worker.js', threads: 2 },
         { code: 'other', field: 'worker' },
     ],
 ])
     test(`init refuses ${what}`, { timeout: 20000 }, () => assert.rejects(init(options), expected));
 
-test('after that, it can be loaded', () => init({ threads: THREADS }));
-test('again is the same', () => Promise.all([init(), init({ threads: THREADS })]));
-test('again with other threads is refused', () =>
+test('after these errors, the module can be loaded', () => init({ threads: THREADS }));
+test('a second init has no effect', () => Promise.all([init(), init({ threads: THREADS })]));
+test('a second init with another number of threads is refused', () =>
     assert.rejects(init({ threads: 2 }), { code: 'wrongState', field: 'InitOptions.threads', value: '2' }));
-test('the entry without threads is refused beside it', async () => {
+test('the entry without threads cannot be initialized as well', async () => {
     const { default: other } = await import('cairn-physics');
     await assert.rejects(other(), { code: 'wrongState', field: 'init', message: /'cairn-physics\/mt'/ });
 });
@@ -41,10 +41,10 @@ const scenes = await recordedScenes();
 test('all scenes of the determinism tests are there', () => assert.equal(scenes.length, 17));
 for (let threads = 1; threads <= THREADS; ++threads)
     for (const [name, scene] of scenes)
-        test(`${name} has the same state by ${threads} threads as in native code`, () =>
+        test(`${name} has the same state on ${threads} threads as in native code`, () =>
             replay(scene, { World, Geometry }, { threads }));
 
-// Islands and chunks enough for all threads, which the scenes above are too small for.
+// A world with enough islands and chunks for all threads; the scenes above are too small.
 function crowd() {
     const world = new World({ enableSleep: false });
     world.createBody({ type: 'static' }).addShape({ kind: 'plane' });
@@ -55,7 +55,7 @@ function crowd() {
     return world;
 }
 
-test('a crowd of boxes has the same state by any number of threads, which may change on the way', () => {
+test('a crowd of boxes has the same state on any number of threads, which may change between steps', () => {
     const hashes = [1, 2, 3, 'other'].map((threads) => {
         const world = crowd();
         for (let i = 0; i < 4; ++i) {
@@ -69,7 +69,7 @@ test('a crowd of boxes has the same state by any number of threads, which may ch
     assert.deepEqual(new Set(hashes).size, 1);
 });
 
-test('worlds share the workers, and give them back', () => {
+test('worlds share the workers, and release them', () => {
     const a = new World(),
         b = new World();
     a.threads = 2;
@@ -97,10 +97,10 @@ test('worlds share the workers, and give them back', () => {
     }
 });
 
-test('memory that another thread made grow is seen', async () => {
+test('memory that another thread has grown is accessible', async () => {
     const module = await M();
     const before = module.HEAPU8.length;
-    module.wasmMemory.grow(1024); // as a worker does it: the loader of this thread does not come to know
+    module.wasmMemory.grow(1024); // as by a worker: the loader of this thread is not notified
     const world = new World();
     for (let i = 0; i < 20000; ++i) world.createBody({ position: [i, 0, 0] }).addShape({ kind: 'sphere', radius: 1 });
     assert.equal(world.positions[3 * 19999], 19999);
@@ -112,7 +112,7 @@ test('memory that another thread made grow is seen', async () => {
     world.dispose();
 });
 
-test('Node ends when the program does, while a world has threads', { timeout: 30000 }, async () => {
+test('Node exits at the end of the program, although a world has threads', { timeout: 30000 }, async () => {
     const program = `import init, { World } from 'cairn-physics/mt';
         await init({ threads: 3 });
         const world = new World();

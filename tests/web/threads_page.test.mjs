@@ -1,4 +1,4 @@
-// cairn-physics/mt in pages: the scenes of the determinism tests have the hashes of native code, however many threads.
+// cairn-physics/mt in pages: the scenes of the determinism tests have the hashes of native code on 1 to 3 threads.
 import assert from 'node:assert/strict';
 import { cp, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -23,7 +23,7 @@ after(() => rm(folder, { recursive: true, force: true }));
 
 for (const browser of BROWSERS)
     test(
-        `all scenes have the states of native code in ${browser.name} by 1, 2 and 3 threads`,
+        `all scenes have the states of native code in ${browser.name} on 1, 2 and 3 threads`,
         { skip: browser.skip },
         () =>
             inBrowser(

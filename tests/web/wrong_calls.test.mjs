@@ -1,5 +1,5 @@
-// Every call that is made from the table of the API, with each of its arguments spoiled in turn: it is refused, and the
-// world is as it was. With none of them spoiled it is not refused.
+// Every generated call is made with one invalid argument, for each argument in turn: the call must throw, and leave the
+// world unchanged. With valid arguments it must not throw.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import init, { CairnError, World } from 'cairn-physics';
@@ -7,7 +7,7 @@ import { CALLS, ENUMS } from './generated/calls.mjs';
 
 await init();
 
-// A world with one of each thing.
+// A world with one object of each type: body, shape, joint and force field.
 function sample() {
     const world = new World();
     const ground = world.createBody({ type: 'static' });
@@ -20,7 +20,7 @@ function sample() {
     return { world, body, shape, fixed, joint, field };
 }
 
-// An argument as it should be.
+// A valid argument of a type.
 function right(type, { body, shape, fixed, joint, field }, name) {
     const values = {
         BodyId: body,
@@ -95,7 +95,7 @@ const stateOf = ({ world }) => `${world.stateHash} ${world.saveScene()}`;
 let spoiled = 0;
 
 for (const call of CALLS) {
-    test(`${call.owner}.${call.name}${call.isSetter ? ' =' : ''} refuses what is wrong`, () => {
+    test(`${call.owner}.${call.name}${call.isSetter ? ' =' : ''} refuses invalid arguments`, () => {
         const ready = sample();
         const needsCharacter = ['walkVelocity', 'jump', 'removeCharacter'].includes(call.name);
         if (needsCharacter || ['moveTo', 'character'].includes(call.name)) ready.body.type = 'kinematic';
@@ -122,5 +122,5 @@ for (const call of CALLS) {
     });
 }
 
-test('that was some hundred calls', () =>
+test('the tests above made several hundred calls', () =>
     assert.ok(CALLS.length > 40 && spoiled > 500, `${CALLS.length} calls, ${spoiled} times`));
