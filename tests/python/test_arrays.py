@@ -1,4 +1,5 @@
-"""world.positions and the others: they follow the world, and say so when they no longer do."""
+"""The arrays world.positions, rotations, velocities and angular_velocities: they are views of the state of the world, and
+raise an error once they are invalid."""
 import gc
 import time
 import unittest
@@ -36,7 +37,7 @@ class Follow(unittest.TestCase):
         held = [getattr(world, name) for name in NAMES]
         world.step(n=7)
         self.expect_true_to(world)
-        for name, array in zip(NAMES, held):  # the same memory as before
+        for name, array in zip(NAMES, held):  # the property returns the same array as before the steps
             self.assertIs(getattr(world, name), array)
         self.assertEqual([a.shape for a in held], [(600, 3), (600, 4), (600, 3), (600, 3)])
         self.assertEqual([a.dtype for a in held], [np.float64, np.float32, np.float32, np.float32])
@@ -69,7 +70,7 @@ class Follow(unittest.TestCase):
                 array[0] = 1
                 raise AssertionError("written")
         with self.assertRaises(ValueError):
-            world.body(ids[0]).position[0] = 3  # of a copy, where it would be lost
+            world.body(ids[0]).position[0] = 3  # position returns a copy, so that the write would have no effect
 
     def test_what_is_computed_from_them_is_plain_and_stays(self):
         world, ids = balls(30)

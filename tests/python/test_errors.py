@@ -1,4 +1,4 @@
-"""Bad input: an exception that says what, and the world as it was."""
+"""Invalid arguments: the call raises an exception that names the argument, and leaves the world unchanged."""
 import math
 import os
 import pickle

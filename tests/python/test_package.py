@@ -1,4 +1,4 @@
-"""The package as a whole: stubs, examples, viewer."""
+"""The package as a whole: stubs, documentation, examples, viewer."""
 import ast
 import os
 import pathlib
@@ -9,7 +9,7 @@ import unittest
 
 import cairn
 
-PYTHON = pathlib.Path(os.environ["CAIRN_TEST_PYTHON"])  # the folder python of the source
+PYTHON = pathlib.Path(os.environ["CAIRN_TEST_PYTHON"])  # the folder `python` of the source
 
 
 class Stubs(unittest.TestCase):
@@ -59,7 +59,7 @@ class Examples(unittest.TestCase):
 
     def test_the_plot_of_the_pendulums(self):
         try:
-            import matplotlib  # noqa: F401 # only whether it is there
+            import matplotlib  # noqa: F401 # only tests whether it is installed
         except ImportError:
             self.skipTest("no matplotlib (Debian: python3-matplotlib)")
         with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
-"""`pip install ./python` without network, in an environment of its own; and the source archive. Takes minutes where no compiler
-cache helps. The folder to work in is in CAIRN_TEST_FOLDER."""
+"""`pip install ./python` without network access, in a new virtual environment; and the source archive. Takes minutes without
+a compiler cache. The environment variable CAIRN_TEST_FOLDER contains the working folder."""
 import json
 import os
 import pathlib
@@ -14,7 +14,7 @@ FOLDER = pathlib.Path(os.environ["CAIRN_TEST_FOLDER"])
 PYTHON = pathlib.Path(os.environ["CAIRN_TEST_PYTHON"])
 ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PIP_"))}
 sys.path.insert(0, str(PYTHON))
-import cairn_build  # noqa: E402 # beside what it builds
+import cairn_build  # noqa: E402 # it is in the folder that was just added to the path
 
 
 def run(*command, **options):
@@ -25,7 +25,7 @@ def run(*command, **options):
 
 
 def compiled(folder):
-    """What CMake is about to compile, as paths in the engine."""
+    """The files that CMake would compile, as paths relative to the engine."""
     run("cmake", "-S", folder, "-B", folder / "configured", "-DCAIRN_PYTHON=ON", "-DCAIRN_APP=OFF", "-DCAIRN_TESTS=OFF",
         "-DCAIRN_C_API=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", f"-DPython_EXECUTABLE={sys.executable}", "-DCAIRN_UNITY=OFF")
     commands = json.loads((folder / "configured" / "compile_commands.json").read_text(encoding="utf-8"))
@@ -61,7 +61,7 @@ class SourceArchive(unittest.TestCase):
             self.assertIn(f"{inside.name}/PKG-INFO", names)
             self.assertFalse([n for n in names if n.endswith((".so", ".o")) or "__pycache__" in n])
             from_archive = compiled(inside / "engine")
-            root = folder / "repository"  # the same files by links, as the build writes beside them
+            root = folder / "repository"  # a copy of the files, because the build writes into their folder
             root.mkdir()
             for entry in PYTHON.parent.iterdir():
                 if entry.name in ("CMakeLists.txt", "cmake", "include", "src", "scenes", "python", "LICENSE"):

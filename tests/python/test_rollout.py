@@ -1,4 +1,4 @@
-"""cairn.rollout: the same as worlds that are run one by one."""
+"""cairn.rollout: the results are the same as those of worlds that are simulated one by one."""
 import _thread
 import threading
 import time
@@ -39,7 +39,7 @@ class Rollout(unittest.TestCase):
                            (self.hinge, "motor_velocity"): self.motor}
 
     def one(self, i):
-        """What a user would write for one of the worlds."""
+        """Simulates world `i` without rollout, by ordinary calls."""
         world = cairn.World()
         world.restore(self.world.save())
         settings = world.settings

@@ -1,4 +1,4 @@
-"""Worlds by way of Python: what a user sees, and the same bits as by way of C."""
+"""Worlds in Python: the behavior of the API, and the same bits as with the C API."""
 import ctypes
 import os
 import pathlib
@@ -217,7 +217,7 @@ class Members(unittest.TestCase):
         self.assertEqual(sorted(hits), [0, 1])
         self.assertEqual([world.cast_ray((x, 1, 1), (0, -1, 0), 5).triangle // 2 for x in (-2, 2)], [0, 1])
         self.assertLess(fastest[0], 0.1)
-        self.assertGreater(fastest[1], 3)  # of 4.4 m/s
+        self.assertGreater(fastest[1], 3)  # the balls land at 4.4 m/s
         with self.assertRaisesRegex(cairn.InvalidValueError, "material_numbers"):
             cairn.Mesh(np.eye(3), [[0, 1, 2]], [rubber], [2])
         with self.assertRaisesRegex(cairn.InvalidValueError, "numbers"):
@@ -328,7 +328,7 @@ class Events(unittest.TestCase):
 
 
 def plain(value):
-    """A dataclass as nested tuples, with numbers as floats of 32 bits."""
+    """Converts a dataclass to nested tuples, with numbers rounded to 32-bit floats."""
     if hasattr(type(value), "__dataclass_fields__"):
         return tuple(plain(getattr(value, name)) for name in type(value).__dataclass_fields__)
     if isinstance(value, (list, tuple, np.ndarray)):
