@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ./dev tells what a command does, and refuses what it does not know, before it installs or builds anything: in a folder
-# where nothing could be built.
+# Usage: dev_arguments_test.sh DEV. ./dev must print the help of its commands, and reject unknown commands and arguments,
+# before it installs or builds anything. It runs in a folder without sources, in which a build is impossible.
 set -u
 dev=$1
 folder=$(mktemp -d)
@@ -8,14 +8,14 @@ trap 'rm -rf "$folder"' EXIT
 cp "$dev" "$folder/dev"
 failed=0
 
-# expect CODE WORDS ARGUMENT...: how it ends, and what it says.
+# expect CODE WORDS ARGUMENT...: ./dev with these arguments must exit with CODE, print WORDS, and create no build folder.
 expect() {
     local code=$1 words=$2 said rc
     shift 2
     said=$(PATH=/usr/bin:/bin timeout 20 "$folder/dev" "$@" 2>&1)
     rc=$?
     if [ "$rc" -ne "$code" ] || [[ $said != *"$words"* ]] || [ -e "$folder/build" ]; then
-        echo "dev $*: ended with $rc and said: $said"
+        echo "dev $*: exited with $rc and printed: $said"
         failed=1
     fi
 }
