@@ -1,7 +1,8 @@
-# For ./dev, without Debian's tools: looks for what the named Debian packages have, and tells how to install what is missing.
+# For ./dev on systems without apt-get: checks whether the contents of the required Debian packages are installed, and
+# prints how to install missing ones.
 # shellcheck shell=bash
 
-# Whether something is there: cmd:COMMAND, h:HEADER or pc:MODULE (of pkg-config).
+# is_there KIND:NAME: whether something is installed: cmd:COMMAND, h:HEADER or pc:MODULE (a module of pkg-config).
 is_there() {
     case $1 in
     cmd:*) command -v "${1#cmd:}" >/dev/null ;;
@@ -10,8 +11,9 @@ is_there() {
     esac
 }
 
-# need_elsewhere PACKAGE...: ends with an error if anything is missing.
-# Packages without a line in tools/packages.txt are drivers, or of one command that will say itself what it misses.
+# need_elsewhere PACKAGE...: exits with an error if any of these Debian packages has no counterpart installed. Packages
+# without a line in tools/packages.txt are not checked: they are drivers, or belong to a single command, which reports
+# itself what is missing.
 need_elsewhere() {
     local manager='' column install package check dnf pacman brew names=() unnamed=()
     for manager in dnf pacman brew ''; do
@@ -33,11 +35,11 @@ need_elsewhere() {
     done < <(grep -v '^#' tools/packages.txt)
     [ $((${#names[@]} + ${#unnamed[@]})) -eq 0 ] && return
     if [ -z "$install" ]; then
-        say "missing (as Debian calls them): ${names[*]}"
+        say "missing packages (names of Debian): ${names[*]}"
     elif [ ${#names[@]} -gt 0 ]; then
         say "missing; install with:"
         printf '%s\n' "${names[@]}" | awk '!seen[$0]++' | tr '\n' ' ' | sed "s/^/    $install /; s/ \$/\n/" >&2
     fi
-    [ ${#unnamed[@]} -eq 0 ] || say "missing, and not known to be in a package of $manager: ${unnamed[*]}"
+    [ ${#unnamed[@]} -eq 0 ] || say "missing, and in no known package of $manager: ${unnamed[*]}"
     exit 1
 }
