@@ -27,7 +27,7 @@ export const BROWSERS = [
     },
 ].map((browser) => {
     const { name, path, variable, drawsWithDisplay } = browser;
-    const skip = existsSync(path) ? false : `${name} is not installed: no ${path} (${variable}: path of another program)`;
+    const skip = existsSync(path) ? false : `${name} is not installed: no ${path} (or set ${variable} to its path)`;
     const noDisplay =
         drawsWithDisplay && !process.env.DISPLAY
             ? `${name} has no WebGL without a display, which xvfb-run provides`
