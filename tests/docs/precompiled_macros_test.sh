@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Usage: precompiled_macros_test.sh DEV. Programs that ./dev builds with a compiler cache must have the present values of
 # the macros in their headers. Without CCACHE_DEPEND, the cache confuses precompiled headers that differ only in their
-# macros: the C library was once built with version 3 of its interface instead of 4.
+# macros, so that for example the C library reports a previous version of its interface.
 set -euo pipefail
 command -v ccache >/dev/null || { echo "no ccache"; exit 77; }
 dev=$(readlink -f "$1")
