@@ -1,5 +1,5 @@
 // Worlds behave alike whatever the length of their steps, at a cost that does not grow as steps become short
-// (docs/decisions/substeps.md): the length of a substep is what matters.
+// (docs/decisions/step_length.md): the length of a substep is what matters.
 #include "support.h"
 
 #include "validation/random_starts.h"
