@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that the compiler does not make: includes respect the order of rooms, stages of the step name the groups of
-state that they use, files stay short, and links have targets.
+state that they use, files and decisions stay short, comments name their subjects, and links have targets.
 
 usage: tools/lint.py [ROOT]   Prints one line per finding; exit status 1 if there is any.
 """
@@ -34,6 +34,10 @@ WHOLE_STATE = re.compile(r"\bState\b")
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
 MAX_LINES, MAX_COLUMNS = 500, 120
 INCLUDE = re.compile(r'^\s*#include "([^"/]+)/[^"]+"')
+# A comment names its subject, so that it can be read alone.
+COMMENT = re.compile(r"^\s*(?://+|#) ")
+ELLIPTIC = re.compile(r"^\s*(?://+|#) (?:Of (?:what|those|that|these|it) |Likewise\b|That of |Those of |So (?:is|are|do|does) )")
+MAX_DECISION_LINES = 60
 SOURCES = (".h", ".cpp", ".py", ".sh", ".js", ".mjs")
 # Markdown links: [text](target), and [text](target "title"); code is skipped.
 LINK = re.compile(r"\]\(([^()\s]+)(?:\s+\"[^\"]*\")?\)")
@@ -68,6 +72,8 @@ def check(root, path):
             yield number, f"{len(line)} columns, at most {MAX_COLUMNS} are meant"
         if re.search(r"\b(TODO|FIXME|XXX)\b", line) and path.name != "lint.py":
             yield number, "unfinished work is an issue, not a comment"
+        if ELLIPTIC.match(line) and not COMMENT.match(lines[number - 2] if number > 1 else "") and not is_made:
+            yield number, "a comment names its subject, so that it can be read alone"
         if is_stage and WHOLE_STATE.search(line.partition("//")[0]):
             yield number, "a stage takes the groups of the state that it uses (Bodies, Shapes, ...), not the whole State"
         found = INCLUDE.match(line)
@@ -79,6 +85,13 @@ def headings(text):
     """The anchors of a page: its headings in the form in which GitHub writes them."""
     titles = re.findall(r"^#+ +(.+?)\s*$", re.sub(r"```.*?```", "", text, flags=re.S), re.M)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def check_length(root, path):
+    """A decision fits one screen."""
+    lines = (root / path).read_text(encoding="utf-8").count("\n")
+    if path.parent.name == "decisions" and path.name != "README.md" and lines > MAX_DECISION_LINES:
+        yield 1, f"{lines} lines, at most {MAX_DECISION_LINES} are meant"
 
 
 def check_links(root, path):
@@ -117,7 +130,7 @@ def main():
                 print(f"{path}:{line}: {text}")
                 findings += 1
     for path in pages(root):
-        for line, text in check_links(root, path):
+        for line, text in [*check_length(root, path), *check_links(root, path)]:
             print(f"{path}:{line}: {text}")
             findings += 1
     print(f"{findings} findings" if findings else "lint: clean")
