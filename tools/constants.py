@@ -21,8 +21,9 @@ MARKS = {"unused", "unlimited", "not_found", "unknown_speed", "no_impact_speed",
          "keys_per_color", "keys_per_batch", "side_by_side", "min_handed_out", "ahead", "early", "early_pairs", "capacity", "count"}
 
 # Names of values in encodings, and numbers that a formula brings with it: nobody chose them, and nobody could.
-GIVEN = {"every_rank", "absent", "sleep_requested", "cut_by_body", "nothing_can_buckle", "outcome_bits", "points_shift",
-         "is_open", "form_with_turn", "no_row", "rows_per_point", "travel_units", "euler", "greenhill", "of_outline"}
+GIVEN = {"every_rank", "absent", "sleep_requested", "cut_by_body", "nothing_can_buckle", "outcome_bits",
+         "points_shift", "points_bits", "one_of_round_surfaces", "is_open", "form_with_turn", "no_row",
+         "rows_per_point", "travel_units", "euler", "greenhill", "of_outline"}
 
 
 def constants(room):

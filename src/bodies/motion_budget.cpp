@@ -16,6 +16,9 @@ namespace {
 constexpr double max_creep = 0.1;
 constexpr double max_step = 0.25; // share of that length in one step: the solver cannot detect such a slow creep
 
+// m, in the whole step: a body that moves by less counts as being at rest until the middle of the step.
+constexpr double still = 2e-6;
+
 constexpr int bodies_per_chunk = 1024; // bodies that a thread takes at a time
 constexpr int bodies_ahead = 8;        // bodies ahead of the loop that are prefetched
 
@@ -48,6 +51,23 @@ void count(CountedPose& counted, Travel& travel, const BodyMotion& motion, float
     counted = {motion.x, motion.q};
 }
 
+// Lists the bodies of awake islands, each of which is a linked list. The list of the last
+// step, mostly the same, tells which links to prefetch. Returns their number.
+int list_awake(const Bodies& bodies, const Islands& islands, std::vector<std::int32_t>& list) {
+    std::size_t count = 0;
+    for (const std::int32_t i : islands.awake)
+        for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island, ++count) {
+            if (const std::size_t later = count + bodies_ahead; later < list.size())
+                prefetch(&(bodies.links.data() + list[later])->next_in_island);
+            if (count < list.size())
+                list[count] = b;
+            else
+                list.push_back(b);
+        }
+    list.resize(count);
+    return int(count);
+}
+
 } // namespace
 
 void spend_budget(Bodies& bodies, std::int32_t b) {
@@ -65,23 +85,22 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
                   ThreadPool& thread_pool, float dt) {
     const double h = double(dt) / substeps_of(settings, dt);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
-    // The turn reach of bodies that do not move is zero.
     std::vector<std::int32_t>& moving = narrow.moving;
-    for (const std::int32_t b : moving) narrow.rotation_bound[b] = 0;
-    narrow.rotation_bound.resize(bodies.links.size());
-    moving.clear();
-    for (const std::int32_t i : islands.awake)
-        for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
-            moving.push_back(b);
-    const int awake = int(moving.size());
+    for (const std::int32_t b : moving) narrow.motion_ahead[std::size_t(b)] = {};
+    narrow.motion_ahead.resize(bodies.links.size());
+    const int awake = list_awake(bodies, islands, moving);
     const BodyMotion* const motions = bodies.motion.data();
     const BodyLinks* const links = bodies.links.data();
     CountedPose* const counted = bodies.counted.data();
     Travel *const travel = bodies.travel.data(), *const ahead = bodies.ahead.data();
-    float* const turn_reaches = narrow.rotation_bound.data();
-    const auto look_ahead = [=](std::int32_t b, float turn_speed) {
-        const float reach = turn_reaches[b] = predicted_rotation(dt * turn_speed) * links[b].radius;
-        ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
+    MotionAhead* const motions_ahead = narrow.motion_ahead.data();
+    const auto look_ahead = [=](std::int32_t b) {
+        const BodyMotion& motion = motions[b];
+        const float bound = predicted_rotation(dt * math::length(motion.w)) * links[b].radius;
+        ahead[b] = travel[b] + travelled(double(dt * math::length(motion.v) + bound));
+        const bool moves =
+            !(motion.v == math::Vec3{} && motion.w == math::Vec3{}) && ahead[b] - travel[b] > budget_of(still);
+        motions_ahead[b] = {motion.v, bound, motion.w, moves, links[b].joint_count > 0, false};
     };
     thread_pool.for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
         const std::int32_t* const list = moving.data();
@@ -91,13 +110,13 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
             const BodyMotion& motion = motions[b];
             if (!rests(counted[b], motion, links[b].radius, shift, speed))
                 count(counted[b], travel[b], motion, links[b].radius);
-            look_ahead(b, math::length(motion.w));
+            look_ahead(b);
         }
     });
     for (const std::int32_t b : bodies.kinematics) {
         const BodyMotion& motion = motions[b];
         if (!stands_still(counted[b], motion)) count(counted[b], travel[b], motion, links[b].radius);
-        look_ahead(b, math::length(motion.w));
+        look_ahead(b);
         moving.push_back(b);
     }
 }

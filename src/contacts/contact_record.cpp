@@ -230,6 +230,7 @@ void write_record(const Shapes& shapes, ContactInfo& c, ContactRecord& r, const 
     put(r.center_offset, at.x_a_from_b);
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (may_be_round(c.kind)) find_roundness(shapes, c, m, normal, at, r);
+    c.is_round_touch = m.count == 1 && is_round_touch(r);
     c.point_count = std::uint8_t(m.count);
     r.touch_time = at.time;
     r.features = packed_features(m);

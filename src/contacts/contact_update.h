@@ -30,11 +30,10 @@ inline bool moves(const Bodies& bodies, std::int32_t body) {
 }
 
 // The separation up to which a pair has contact points, m: what the next step can close. Triggers have no such margin.
-inline float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
+inline float contact_margin(const NarrowScratch& narrow, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
-    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) +
-           (narrow.rotation_bound[c.body_a] + narrow.rotation_bound[c.body_b]);
+    const MotionAhead &a = narrow.motion_ahead[std::size_t(c.body_a)], &b = narrow.motion_ahead[std::size_t(c.body_b)];
+    return c.base_margin + dt * math::length(b.v - a.v) + (a.rotation_bound + b.rotation_bound);
 }
 // The smallest separation of a manifold that has points, m.
 inline float least_separation(const Manifold& m) {

@@ -333,7 +333,7 @@ bool meets_from(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
     const math::DVec3 up = -math::to_double(to_vec(contacts.records[ground.contact].normal)),
                       lift = double(std::max(ground.depth, 0.0f) + tolerance) * up,
                       axis = math::to_double(to_vec(contacts.records[id].normal));
-    const float margin = contact_margin(in.bodies, narrow, c, dt);
+    const float margin = contact_margin(narrow, c, dt);
     Touch touch;
     const Approach approach = c.kind == PairKind::patch ? find_lifted_touch(in, contacts.info[c.related], lift, dt,
                                                                             margin, narrow.at_work[0], touch)

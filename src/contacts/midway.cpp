@@ -27,8 +27,8 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const std::int32_t b = narrow.moving[std::size_t(k)];
-            if (bodies.links[b].contact_count == 0 || !moves_until_midway(bodies, b))
-                continue; // no contacts, or at rest
+            const MotionAhead& ahead = narrow.motion_ahead[std::size_t(b)];
+            if (!ahead.moves || !ahead.is_tested) continue;
             const BodyMotion& m = bodies.motion[b];
             const math::Quat turn = turn_by(time * m.w);
             const math::Vec3 way = time * m.v;

@@ -66,8 +66,8 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
     if (c.touching) {
         const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
         if ((c.flipped ? -along : along) <= 0) return false;
-        if (leaves_face(in.shapes, c, contacts.records[id], m, midway_pose(in.bodies, in.shapes, narrow, c.shape_a),
-                        midway_pose(in.bodies, in.shapes, narrow, c.shape_b)))
+        if (leaves_face(in.shapes, c, contacts.records[id], m, midway_pose(in.shapes, narrow, c.shape_a, c.body_a),
+                        midway_pose(in.shapes, narrow, c.shape_b, c.body_b)))
             return false;
     } else if (least_separation(m) > c.base_margin + (1 - time / dt) * (margin - c.base_margin)) {
         return false; // at the start of the step the separation may exceed the margin
@@ -97,9 +97,10 @@ class WideTest {
     void run(const std::uint32_t* places, int count) {
         own_.at_start.clear(), own_.midway.clear();
         for (int i = 0; i < count; ++i) {
-            if (i + ahead < count) prefetch(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
+            if (i + 2 * ahead < count) prefetch(&contacts_.info[narrow_.candidates[places[i + 2 * ahead]]]);
+            if (i + ahead < count) prefetch_touching(narrow_.candidates[places[i + ahead]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
-            const bool is_midway = is_looked_for_midway(in.bodies, in.shapes, contacts_, id, midway_);
+            const bool is_midway = is_looked_for_midway(in.bodies, in.shapes, contacts_, narrow_, id, midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
         }
         if (!own_.midway.empty()) test_midway();
@@ -112,7 +113,7 @@ class WideTest {
     void fill(int i, const ContactInfo& c, std::uint32_t id) {
         PairBatch& batch = own_.pairs;
         const bool keeps_features = kind_ == PairKind::box_box;
-        batch.margin[i] = contact_margin(in.bodies, narrow_, c, dt_);
+        batch.margin[i] = contact_margin(narrow_, c, dt_);
         batch.kept[i] = keeps_features && c.force > 0 ? contacts_.records[id].features : no_features;
     }
     void collide(const ShapePose* poses, int count) {
@@ -124,9 +125,19 @@ class WideTest {
         }
         wide_kernel(kind_)(poses, batch.first, batch.second, batch.margin, batch.kept, padded, own_.manifolds);
     }
-    void ask_for_record(std::uint32_t id, const ContactInfo& c) {
+    void prefetch_touching(std::uint32_t id) const {
+        if (contacts_.info[id].touching) prefetch_record_of_kind(id);
+    }
+    void prefetch_record_of_kind(std::uint32_t id) const {
         prefetch_record(contacts_, id,
                         has_one_point(kind_) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord));
+    }
+    void prefetch_midway(std::uint32_t id) const {
+        const ContactInfo& c = contacts_.info[id];
+        prefetch(&narrow_.midway_poses[c.shape_a]), prefetch(&narrow_.midway_poses[c.shape_b]);
+    }
+    void ask_for_record(std::uint32_t id, const ContactInfo& c) {
+        prefetch_record_of_kind(id);
         if (may_be_round(kind_))
             for (const std::uint32_t shape : {c.shape_a, c.shape_b}) prefetch(&in.shapes.geometry[shape]);
     }
@@ -138,13 +149,18 @@ class WideTest {
         for (int i = 0; i < count; ++i) {
             const std::uint32_t id = narrow_.candidates[own_.midway[std::size_t(i)]];
             const ContactInfo& c = contacts_.info[id];
-            own_.poses[2 * i] = midway_pose(in.bodies, in.shapes, narrow_, c.flipped ? c.shape_b : c.shape_a);
-            own_.poses[2 * i + 1] = midway_pose(in.bodies, in.shapes, narrow_, c.flipped ? c.shape_a : c.shape_b);
+            if (i + ahead < count) prefetch_midway(narrow_.candidates[own_.midway[std::size_t(i + ahead)]]);
+            own_.poses[2 * i + c.flipped] = midway_pose(in.shapes, narrow_, c.shape_a, c.body_a);
+            own_.poses[2 * i + 1 - c.flipped] = midway_pose(in.shapes, narrow_, c.shape_b, c.body_b);
             batch.first[i] = std::uint32_t(2 * i), batch.second[i] = std::uint32_t(2 * i + 1);
             fill(i, c, id);
         }
         collide(own_.poses, count);
         for (int i = 0; i < count; ++i) {
+            if (const int next = i + ahead; next < count && own_.manifolds[next].count > 0) {
+                const std::uint32_t id = narrow_.candidates[own_.midway[std::size_t(next)]];
+                ask_for_record(id, contacts_.info[id]);
+            }
             const std::uint32_t place = own_.midway[std::size_t(i)];
             if (!take_midway_test(in, contacts_, narrow_, narrow_.candidates[place], place, own_.manifolds[i],
                                   own_.pairs.margin[i], midway_, dt_))
@@ -191,7 +207,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
     const std::uint32_t id = narrow.candidates[place];
     const ContactInfo& c = contacts.info[id];
     const PosedShape a = posed_shape(in.shapes, c.shape_a), b = posed_shape(in.shapes, c.shape_b);
-    const float margin = contact_margin(in.bodies, narrow, c, dt), midway = midway_time(in.substeps, dt);
+    const float margin = contact_margin(narrow, c, dt), midway = midway_time(in.substeps, dt);
     const math::Vec3 guess = to_vec(contacts.records[id].normal);
     ContactMemory memory = contacts.records[id].features;
     bool is_settled = false;
@@ -202,9 +218,9 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
             return;
         }
     }
-    if (is_looked_for_midway(in.bodies, in.shapes, contacts, id, midway)) {
-        const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
-                         b_then = shape_midway(in.bodies, in.shapes, narrow, c.shape_b);
+    if (is_looked_for_midway(in.bodies, in.shapes, contacts, narrow, id, midway)) {
+        const PosedShape a_then = shape_midway(in.shapes, narrow, c.shape_a, c.body_a),
+                         b_then = shape_midway(in.shapes, narrow, c.shape_b, c.body_b);
         Manifold m = test_convex_pair(kind, a_then, b_then, guess, margin, memory);
         if (kind == PairKind::convex_convex && !c.touching) part_points(a_then, b_then, m);
         drop_separated_points(in, c, c.touching != 0, a_then, b_then, dt, m);
@@ -232,6 +248,17 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
     }
 }
 
+// Whether the solver keeps the contact of a pair up to date while its bodies move little: several points of faces, and
+// the point of two round surfaces. Balls that bounce are tested in each step all the same, as a test decides whether
+// they are in flight: only there are impacts in order of time, as Newton's cradle needs them.
+bool solver_follows(const ContactInfo& c) {
+    if (c.point_count == 1 && c.is_round_touch) return !c.bounces;
+    return c.point_count > 0 && !c.is_round && (is_group(c) || c.point_count > 1);
+}
+
+// Whether go_along changes the record of such a contact.
+bool is_followed_apart(const ContactInfo& c) { return !c.touching && solver_follows(c); }
+
 // Keeps the contact of a pair whose bodies have moved little since its test: the solver has moved its points along.
 std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     for_each_patch(contacts, id, [&](std::uint32_t contact) {
@@ -249,12 +276,10 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
     if (rests && bodies.is_dynamic(c.body_a)) // otherwise it is a trigger and a kinematic body
         return c.point_count > 0 ? skipped : apart;
     if (!is_placed(bodies, c)) {
-        const bool has_points = c.point_count > 0;
         // Pairs without points are tested, as points may come near each other on the way, the more so the larger the
-        // shapes are. So are pairs with one point or with round shapes: their points move over both surfaces as they
-        // roll and rock.
-        if (has_points && !c.is_round && (is_group(c) || c.point_count > 1) && is_near(bodies, contacts, id))
-            return go_along(bodies, contacts, islands, id);
+        // shapes are. So are other pairs with one point or with round shapes: their points move over both surfaces as
+        // they roll and rock.
+        if (solver_follows(c) && is_near(bodies, contacts, id)) return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
@@ -333,17 +358,25 @@ std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& con
         const std::uint32_t *const places = narrow.open.data(), *const candidates = narrow.candidates.data();
         const ContactInfo* const info = contacts.info.data();
         std::uint8_t* const outcomes = narrow.outcomes.data();
+        MotionAhead* const motion_ahead = narrow.motion_ahead.data();
         KindCounts kinds{};
         bool any = false;
         for (int i = begin; i < end; ++i) {
-            if (i + int(contacts_ahead) < end) prefetch(&info[candidates[places[i + int(contacts_ahead)]]]);
+            constexpr int ahead = int(contacts_ahead);
+            if (i + 2 * ahead < end) prefetch(&info[candidates[places[i + 2 * ahead]]]);
+            if (i + ahead < end)
+                if (const std::uint32_t next = candidates[places[i + ahead]]; is_followed_apart(info[next]))
+                    prefetch_record(contacts, next);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
             std::uint8_t outcome = before_test(bodies, contacts, islands, id);
             if (info[id].is_one_way) [[unlikely]]
                 outcome = before_one_way_test(shapes, info[id], outcome);
             outcomes[places[i]] = outcome;
-            if (outcome >= to_test) ++kinds[std::size_t(outcome - to_test)];
+            if (outcome < to_test) continue;
+            ++kinds[std::size_t(outcome - to_test)];
+            for (const std::int32_t b : {info[id].body_a, info[id].body_b})
+                __atomic_store_n(&motion_ahead[b].is_tested, true, __ATOMIC_RELAXED);
         }
         narrow.kinds_in_chunk[std::size_t(begin / pairs_per_chunk)] = kinds;
         if (any) any_groups = true;

@@ -53,7 +53,7 @@ float reach_of(const ContactInfo& group, float margin) {
 // none.
 float find_at_start(const NarrowInput& in, const Contacts& contacts, const NarrowScratch& narrow,
                     const ContactInfo& group, float dt, NarrowBatch& own) {
-    const float margin = contact_margin(in.bodies, narrow, group, dt);
+    const float margin = contact_margin(narrow, group, dt);
     const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
     const float distance = find_patches(a, b, margin, reach_of(group, margin), own.surface, own.hits);
     const bool meets = touches(contacts, group);
@@ -122,7 +122,7 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
                 float dt) {
     const std::uint32_t id = narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
-    const float margin = contact_margin(in.bodies, narrow, group, dt);
+    const float margin = contact_margin(narrow, group, dt);
     narrow.outcomes[place] = tested_patches;
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
@@ -153,17 +153,17 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
 bool stays_until_midway(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
                         NarrowBatch& own, float dt) {
     const ContactInfo& group = contacts.info[id];
-    const float time = midway_time(in.substeps, dt), margin = contact_margin(in.bodies, narrow, group, dt);
+    const float time = midway_time(in.substeps, dt), margin = contact_margin(narrow, group, dt);
     if (group.point_count == 0 ||
-        !may_be_midway(in.bodies, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
+        !may_be_midway(narrow, group, time, 0.5f * in.bodies.links[group.body_a].inner_radius))
         return false;
-    if (may_leave_predicted_path(in.bodies, group, time))
+    if (may_leave_predicted_path(narrow, group, time))
         for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
             if (contacts.info[p].touching &&
                 !keeps_normal(in.bodies, in.shapes, contacts.info[p], contacts.records[p], time))
                 return false;
-    const PosedShape a_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_a),
-                     b_then = shape_midway(in.bodies, in.shapes, narrow, group.shape_b);
+    const PosedShape a_then = shape_midway(in.shapes, narrow, group.shape_a, group.body_a),
+                     b_then = shape_midway(in.shapes, narrow, group.shape_b, group.body_b);
     find_patches(a_then, b_then, margin, margin, own.surface, own.hits);
     const bool meets = touches(contacts, group);
     for (Manifold& hit : own.hits) drop_separated_points(in, group, meets, a_then, b_then, dt, hit);

@@ -42,8 +42,10 @@ class Stream {
 };
 
 // Layout of the first byte sent for a contact, usually the only one: bits of its Outcome. The number of points follows,
-// and a flag: the pair was tested at the present poses, and may touch from now on.
-constexpr std::uint8_t outcome_bits = 15, points_shift = 4, is_open = 128;
+// or that it is one of two round surfaces, and a flag: the pair was tested at the present poses, and may touch from now
+// on.
+constexpr std::uint8_t outcome_bits = 15, points_shift = 4, points_bits = 7, is_open = 128;
+constexpr std::uint8_t one_of_round_surfaces = 5; // in place of the number of points, which is at most 4
 static_assert(to_test <= outcome_bits);
 
 // Sends test results from the rank that made them to the others. TestSender and TestReceiver visit pairs, patches and
@@ -67,7 +69,8 @@ class TestSender {
         const ContactInfo& c = s.contacts.info[id];
         const Travel until = s.contacts.separation_budgets[id].until;
         const bool is_of_now = c.placed_at == travel_of(in.bodies, c) && until == c.placed_at;
-        stream_.put(std::uint8_t(outcome | c.point_count << points_shift | (is_of_now ? is_open : 0)));
+        const int points = c.point_count == 1 && c.is_round_touch ? one_of_round_surfaces : c.point_count;
+        stream_.put(std::uint8_t(outcome | points << points_shift | (is_of_now ? is_open : 0)));
         if (!is_of_now) stream_.put(c.placed_at), stream_.put(until);
         if (outcome == begun) stream_.put(how_it_begins(s.contacts, id, dt_));
     }
@@ -129,7 +132,9 @@ class TestReceiver {
             c.placed_at = until = travel_of(in.bodies, c);
         else
             c.placed_at = stream.take<Travel>(), until = stream.take<Travel>();
-        c.point_count = head >> points_shift & 7;
+        const std::uint8_t points = head >> points_shift & points_bits;
+        if (points > 0) c.is_round_touch = points == one_of_round_surfaces;
+        c.point_count = points == one_of_round_surfaces ? 1 : points;
         if (outcome == begun) s.narrow.begun.push_back(stream.take<BegunContact>());
         return outcome;
     }

@@ -316,8 +316,7 @@ std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowSc
     if (!moves_far(in, c, m, dt)) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m);
     Touch touch;
     const DVec3 n = math::to_double(math::to_vec(m.normal));
-    const Approach approach =
-        find_touch(in, c, c.flipped ? -n : n, dt, contact_margin(in.bodies, narrow, c, dt), touch);
+    const Approach approach = find_touch(in, c, c.flipped ? -n : n, dt, contact_margin(narrow, c, dt), touch);
     if (approach == Approach::now) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m);
     if (approach == Approach::passes) return take_distance(in.bodies, contacts, id, 0);
     return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);

@@ -39,8 +39,8 @@ class ImpactQueue {
           movers_({s.settings, s.islands, s.fields, s.bodies, s.shapes, s.broad_phase, s.clamped_speeds},
                   step.solver.sweep, dt),
           assemblies_(s.bodies, s.joints, step.solver.sweep),
-          pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow, step.solved,
-                  step.solver.fast, step.solver.strayed, *step.thread_pool, s.ranks},
+          pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow,
+                  step.solver.of_batches, step.solver.fast, step.solver.strayed, *step.thread_pool, s.ranks},
                  step.solver.sweep, movers_, assemblies_) {
         meetings_.clear();
     }

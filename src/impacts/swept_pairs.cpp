@@ -4,6 +4,7 @@
 #include "collision/one_way.h"
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
+#include "core/cache.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -209,6 +210,9 @@ void SweptPairs::find() {
 void SweptPairs::list_passing() {
     const auto write = [&](int begin, int end, PassingPair* next) {
         for (int i = begin; i < end; ++i) {
+            constexpr int ahead = 2 * int(contacts_ahead);
+            if (i + ahead < end)
+                prefetch(&in.contacts.separation_budgets[in.narrow.candidates[in.narrow.open[std::size_t(i + ahead)]]]);
             const std::uint32_t id = in.narrow.candidates[in.narrow.open[std::size_t(i)]];
             const SeparationBudget& answer = in.contacts.separation_budgets[id];
             const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
@@ -272,11 +276,9 @@ void SweptPairs::list_known() {
     scratch_.has_known = true;
     scratch_.first_known.assign(in.bodies.links.size(), none);
     scratch_.known.clear();
-    for (const std::uint32_t id : in.solved) {
-        const ContactInfo& c = in.contacts.info[id];
-        if (!c.in_use || c.point_count == 0) continue;
-        std::int32_t& first = scratch_.first_known[c.body_a];
-        scratch_.known.push_back({id, first});
+    for (const SortedContact& c : in.solved) {
+        std::int32_t& first = scratch_.first_known[std::size_t(c.body_a)];
+        scratch_.known.push_back({c.id, first});
         first = std::int32_t(scratch_.known.size()) - 1;
     }
 }

@@ -16,7 +16,7 @@ struct SweptInput {
     const Joints& joints;
     const BroadPhase& broad_phase;
     const NarrowScratch& narrow;
-    const std::vector<std::uint32_t>& solved;
+    const std::vector<SortedContact>& solved;
     const std::vector<std::int32_t>&fast, &strayed; // of SolverScratch
     ThreadPool& thread_pool;
     Communicator* ranks;

@@ -47,7 +47,7 @@ IslandLoad load_of(const Island& island) {
 }
 
 bool may_be_slender(const WorldDef& settings, const Island& island, IslandLoad load, float dt) {
-    if (load.has_joints) return false; // structures with joints do not sink
+    if (load.has_joints || !(load.demand > 0)) return false; // structures with joints do not sink
     const int for_loads = wanted_substeps(settings, load, dt);
     load.stable_sinking = island.min_buckling_penetration;
     return wanted_substeps(settings, load, dt) > for_loads;

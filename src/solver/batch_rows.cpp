@@ -49,9 +49,10 @@ void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float w
     sum.energy += double(mass.mass) * math::dot(v, v);
 }
 
-// Computes the weight, agitation and extent of an island.
-void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, const BodyWeights& weights,
-           std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
+// Computes the weight, agitation and extent of an island. An island without contacts cannot buckle: its loads are zero
+// until it has any.
+void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, bool has_contacts,
+           const BodyWeights& weights, std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
     const math::DVec3 origin = bodies.motion[members.front()].x;
     const auto sum = [&](std::span<const std::int32_t> part) {
         MotionSum r;
@@ -77,7 +78,7 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
     }
     island.weight = float(all.weight);
     if (!(all.mass > 0)) return;
-    island.min_buckling_penetration = min_buckling_penetration(all.extent);
+    if (has_contacts) island.min_buckling_penetration = min_buckling_penetration(all.extent);
     island.pull_by_width = pull_by_width(all.extent);
     const math::DVec3 mean = (1 / all.mass) * all.momentum;
     island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));
@@ -249,10 +250,12 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const ForceFields& fi
     std::vector<std::int32_t>& members = scratch.members;
     members.clear();
     for (std::int32_t k = 0; k < batch.island_count; ++k) {
-        Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
+        const std::int32_t number = solver.batch_islands[batch.first_island + k];
+        Island& island = islands.all[number];
         const std::size_t begin = members.size();
         for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) members.push_back(b);
-        weigh(bodies, std::span(members).subspan(begin), island, weights, scratch.sums, thread_pool);
+        weigh(bodies, std::span(members).subspan(begin), island, solver.contacts_of_island[number] > 0, weights,
+              scratch.sums, thread_pool);
     }
     const auto list = [&](bool free, std::vector<std::int32_t>& out) {
         list_in_order(thread_pool, int(members.size()), bodies_per_sum, out, scratch.parts,

@@ -111,12 +111,22 @@ struct DepthOfContact {
     float depth; // m
 };
 
+// The motion of a body as a step begins. Pair tests read it for both bodies of each pair, so it is kept small.
+struct alignas(32) MotionAhead {
+    math::Vec3 v;             // m/s
+    float rotation_bound = 0; // m: see bodies.h
+    math::Vec3 w;             // rad/s
+    bool moves = false;       // by more than a micrometer until the middle of the step
+    bool has_joints = false;  // that are solved
+    bool is_tested = false;   // a pair of the body is tested
+};
+
 struct NarrowScratch {
     // Pairs to test, one list per PairKind: places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> moving;         // awake bodies, then kinematic bodies
-    std::vector<float> rotation_bound;        // by body, m: see bodies.h
+    std::vector<MotionAhead> motion_ahead;    // by body; all zero for bodies that do not move
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic bodies at rest
     std::vector<std::uint8_t> changes;        // 1 for solved contacts that began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs; pairs nearby in space are near each other

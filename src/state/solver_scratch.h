@@ -34,22 +34,22 @@ struct ColorRun {
 };
 
 // The number of sort keys of the contacts of a batch (solver/contact_order.h).
-inline constexpr std::size_t keys_per_batch = 256;
+inline constexpr std::size_t keys_per_batch = 512;
 
 // A contact to be solved.
 struct SortedContact {
     std::uint32_t id;
     std::int32_t body_a, body_b; // B: none if it does not move
     std::int32_t island;
-    std::uint8_t key; // color, whether it carried a load in the last step, one point or four (solver/contact_order.h)
-    std::uint8_t bounces, is_conveyor;
-    std::uint8_t begins; // it has carried no load yet
+    std::uint16_t key; // color, and what work the contact needs (solver/contact_order.h)
+    std::uint16_t bounces : 1, is_conveyor : 1;
+    std::uint16_t begins : 1; // it has carried no load yet
 };
 
 // Islands whose new contacts get their loads from the weights above them (solver/standing_loads.h), one at a time.
 struct StandingContact {
     std::uint32_t id;
-    std::int32_t a, b; // bodies; B: none if it does not move by forces
+    std::int32_t a, b; // bodies, later their indices in StandingLoads::bodies; B: none if forces do not move it
     bool begins;
     float last_load; // N: load in the last step
 };
@@ -61,9 +61,13 @@ struct StandingLoads {
         std::int32_t depth;          // contacts between it and a body that does not move; none: not known yet
         std::uint32_t first_contact; // of the body, in contacts_of_body
     };
+    struct ContactOfBody {
+        std::int32_t other;    // the body on the other side: index in `bodies`, or none
+        std::uint32_t contact; // index in `contacts`
+    };
     std::vector<Body> bodies;                    // of one island, and an end marker
     std::vector<std::int32_t> place_of;          // by body: index in `bodies`
-    std::vector<std::uint32_t> contacts_of_body; // indices in `contacts`, grouped by body
+    std::vector<ContactOfBody> contacts_of_body; // grouped by body
     std::vector<std::int32_t> from_below;        // bodies by increasing depth
 };
 

@@ -268,7 +268,7 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
                       const SolverInertia* inertia, const SolverVelocity* velocity, float half_step, float h) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
-        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
+        if (k + 1 < count) prefetch_records(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
                          velocity, lanes.first_discard + k, half_step, h);
     }
@@ -379,7 +379,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
     ContactRecord discarded = empty_record;
     for (int k = 0; k < count; ++k) {
-        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
+        if (k + 1 < count) prefetch_records(lanes.record + 8 * (k + 1), records);
         const ContactBlock<N>& b = block[k];
         const std::int32_t* ids = lanes.record + 8 * k;
         ContactRecord* record[8];

@@ -47,11 +47,10 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
 }
 
 // The contacts of one color are scattered over the array of records.
-template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
-    constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
     for (int i = 0; i < 8; ++i) {
         const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
-        for (std::size_t at = 0; at < used; at += 64) prefetch(record + at);
+        for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) prefetch(record + at);
     }
 }
 
