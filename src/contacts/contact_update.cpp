@@ -340,8 +340,9 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
         std::uint8_t* const change = changes.data();
         float own = 0;
         for (int k = begin; k < end; ++k) {
-            if (k + int(contacts_ahead) < end) {
-                const std::uint32_t next = list[k + int(contacts_ahead)].id;
+            constexpr int ahead = 2 * int(contacts_ahead);
+            if (k + ahead < end) {
+                const std::uint32_t next = list[k + ahead].id;
                 prefetch(&info[next]);
                 prefetch(&reports[next]);
             }

@@ -440,7 +440,7 @@ void drop_internal_edges(const NarrowInput& in, Contacts& contacts, NarrowScratc
     list_in_order(&thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
                   [&](int begin, int end, std::uint32_t* next) {
                       for (int k = begin; k < end; ++k) {
-                          if (const int later = k + int(contacts_ahead); later < end)
+                          if (const int later = k + 2 * int(contacts_ahead); later < end)
                               prefetch(&contacts.info[solved[std::size_t(later)]]);
                           const std::uint32_t id = solved[std::size_t(k)];
                           if (!contacts.info[id].b_moves) *next++ = id;

@@ -1,4 +1,5 @@
 #include "contacts/midway.h"
+#include "core/cache.h"
 #include "core/room.h"
 
 namespace cairn {
@@ -17,6 +18,18 @@ math::Quat turn_by(math::Vec3 rotation) {
     return {sine * half.x, sine * half.y, sine * half.z, cosine};
 }
 
+// Prefetches what is read for the bodies that follow in the list, and for their first shapes.
+void prefetch_poses(const Bodies& bodies, const Shapes& shapes, const std::vector<std::int32_t>& list, std::size_t k) {
+    if (k + 2 * contacts_ahead < list.size()) {
+        const std::int32_t b = list[k + 2 * contacts_ahead];
+        prefetch(&bodies.links[b].first_shape), prefetch(&bodies.motion[b].v);
+    }
+    if (k + contacts_ahead < list.size()) {
+        const std::int32_t shape = bodies.links[list[k + contacts_ahead]].first_shape;
+        if (shape != none) prefetch(&shapes.poses[shape]), prefetch(&shapes.links[shape]);
+    }
+}
+
 } // namespace
 
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
@@ -26,6 +39,7 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
     set_size(narrow.midway_arms, shapes.poses.size());
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
+            prefetch_poses(bodies, shapes, narrow.moving, std::size_t(k));
             const std::int32_t b = narrow.moving[std::size_t(k)];
             const MotionAhead& ahead = narrow.motion_ahead[std::size_t(b)];
             if (!ahead.moves || !ahead.is_tested) continue;

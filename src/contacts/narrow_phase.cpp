@@ -126,18 +126,17 @@ class WideTest {
         wide_kernel(kind_)(poses, batch.first, batch.second, batch.margin, batch.kept, padded, own_.manifolds);
     }
     void prefetch_touching(std::uint32_t id) const {
-        if (contacts_.info[id].touching) prefetch_record_of_kind(id);
-    }
-    void prefetch_record_of_kind(std::uint32_t id) const {
-        prefetch_record(contacts_, id,
-                        has_one_point(kind_) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord));
+        const ContactInfo& c = contacts_.info[id];
+        for (const std::int32_t body : {c.body_a, c.body_b}) prefetch(&narrow_.motion_ahead[std::size_t(body)]);
+        if (c.touching) prefetch_record(contacts_, id);
     }
     void prefetch_midway(std::uint32_t id) const {
         const ContactInfo& c = contacts_.info[id];
         prefetch(&narrow_.midway_poses[c.shape_a]), prefetch(&narrow_.midway_poses[c.shape_b]);
     }
     void ask_for_record(std::uint32_t id, const ContactInfo& c) {
-        prefetch_record_of_kind(id);
+        prefetch_record(contacts_, id);
+        for (const std::int32_t body : {c.body_a, c.body_b}) prefetch(&in.bodies.motion[body]);
         if (may_be_round(kind_))
             for (const std::uint32_t shape : {c.shape_a, c.shape_b}) prefetch(&in.shapes.geometry[shape]);
     }
@@ -251,13 +250,13 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
 // Whether the solver keeps the contact of a pair up to date while its bodies move little: several points of faces, and
 // the point of two round surfaces. Balls that bounce are tested in each step all the same, as a test decides whether
 // they are in flight: only there are impacts in order of time, as Newton's cradle needs them.
-bool solver_follows(const ContactInfo& c) {
+bool is_kept_by_solver(const ContactInfo& c) {
     if (c.point_count == 1 && c.is_round_touch) return !c.bounces;
     return c.point_count > 0 && !c.is_round && (is_group(c) || c.point_count > 1);
 }
 
 // Whether go_along changes the record of such a contact.
-bool is_followed_apart(const ContactInfo& c) { return !c.touching && solver_follows(c); }
+bool is_kept_apart(const ContactInfo& c) { return !c.touching && is_kept_by_solver(c); }
 
 // Keeps the contact of a pair whose bodies have moved little since its test: the solver has moved its points along.
 std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
@@ -279,7 +278,7 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
         // Pairs without points are tested, as points may come near each other on the way, the more so the larger the
         // shapes are. So are other pairs with one point or with round shapes: their points move over both surfaces as
         // they roll and rock.
-        if (solver_follows(c) && is_near(bodies, contacts, id)) return go_along(bodies, contacts, islands, id);
+        if (is_kept_by_solver(c) && is_near(bodies, contacts, id)) return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
@@ -365,7 +364,7 @@ std::size_t list_pairs(const Bodies& bodies, const Shapes& shapes, Contacts& con
             constexpr int ahead = int(contacts_ahead);
             if (i + 2 * ahead < end) prefetch(&info[candidates[places[i + 2 * ahead]]]);
             if (i + ahead < end)
-                if (const std::uint32_t next = candidates[places[i + ahead]]; is_followed_apart(info[next]))
+                if (const std::uint32_t next = candidates[places[i + ahead]]; is_kept_apart(info[next]))
                     prefetch_record(contacts, next);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);

@@ -6,6 +6,7 @@
 #include "bodies/free_body.h"
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
+#include "core/cache.h"
 #include "core/order.h"
 #include "core/room.h"
 #include "islands/slenderness.h"
@@ -49,6 +50,11 @@ void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion, float w
     sum.energy += double(mass.mass) * math::dot(v, v);
 }
 
+void prefetch_mass(const Bodies& bodies, std::int32_t b) {
+    prefetch(&bodies.mass[b]), prefetch(&bodies.motion[b].x), prefetch(&bodies.motion[b].v);
+    prefetch(&bodies.settings[b]);
+}
+
 // Computes the weight, agitation and extent of an island. An island without contacts cannot buckle: its loads are zero
 // until it has any.
 void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, bool has_contacts,
@@ -56,7 +62,11 @@ void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& 
     const math::DVec3 origin = bodies.motion[members.front()].x;
     const auto sum = [&](std::span<const std::int32_t> part) {
         MotionSum r;
-        for (const std::int32_t b : part) add(r, bodies.mass[b], bodies.motion[b], weights(b), origin, weights.pull(b));
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            if (k + bodies_ahead < part.size()) prefetch_mass(bodies, part[k + bodies_ahead]);
+            const std::int32_t b = part[k];
+            add(r, bodies.mass[b], bodies.motion[b], weights(b), origin, weights.pull(b));
+        }
         return r;
     };
     const std::size_t count = members.size();
