@@ -65,7 +65,7 @@ template <> struct NotInImpact<AxisBlock> { // springs in limits, drives and fri
 template <int N> struct NotInImpact<PointRows<N>> {
     using B = PointRows<N>;
     static constexpr auto list =
-        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope);
+        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::slip_rate_slope);
 };
 template <> struct NotInImpact<PointRows<1>> {
     using B = PointRows<1>;
@@ -75,8 +75,8 @@ template <> struct NotInImpact<PointRows<1>> {
 template <int N> struct NotInImpact<ContactBlock<N>> { // only friction at the friction center acts
     using B = ContactBlock<N>;
     static constexpr auto list = std::tuple(
-        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::max_offset_change_square, &B::turning,
-        &B::sliding, &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius,
+        &B::moved_moment, &B::d0, &B::found, &B::radius_a, &B::radius_b, &B::max_offset_change_square, &B::slip_rate,
+        &B::departure, &B::torsion_mass, &B::torsion_coupling, &B::static_friction, &B::torsion_radius,
         &B::tangent_impulse, &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse);
 };
 

@@ -41,9 +41,10 @@ void solve_impact_run(BatchScratch& scratch, int type, std::size_t first, int co
         } else {
             const SolverKernels& k = kernels().solver;
             const std::size_t points = type == four_points_type ? 4 : 1;
-            const float* const leave = in_impact.leave.empty() ? nullptr : in_impact.leave[points * first].value;
+            const float* const speed =
+                in_impact.rebound_speeds.empty() ? nullptr : in_impact.rebound_speeds[points * first].value;
             (type == four_points_type ? k.four_points : k.one_point)
-                .impact_pass(blocks, impacts, leave, count, velocity, 1 / h);
+                .impact_pass(blocks, impacts, speed, count, velocity, 1 / h);
         }
     });
 }
@@ -65,10 +66,11 @@ template <class F> void for_impact_contacts(BatchScratch& scratch, F&& f) {
 void find_rebounds(BatchScratch& scratch, const SolverBodies& bodies, const BounceSettings& settings) {
     for_impact_contacts(scratch, [&](const SolverKernels::ForPoints& k, auto& in_impact, std::size_t points) {
         if (in_impact.blocks.empty()) return;
-        in_impact.leave.resize(points * in_impact.blocks.size()), in_impact.meets.resize(in_impact.leave.size());
+        in_impact.rebound_speeds.resize(points * in_impact.blocks.size()),
+            in_impact.arrivals.resize(in_impact.rebound_speeds.size());
         k.find_rebounds(in_impact.blocks.data(), in_impact.impacts.data(),
-                        {in_impact.leave[0].value, in_impact.meets[0].value}, int(in_impact.blocks.size()), bodies,
-                        settings);
+                        {in_impact.rebound_speeds[0].value, in_impact.arrivals[0].value}, int(in_impact.blocks.size()),
+                        bodies, settings);
     });
 }
 
@@ -145,10 +147,10 @@ void correct_poses(BatchScratch& scratch, const SolverBodies& bodies) {
             ImpactWork::Group& group = work.groups[std::size_t(in_impact.lanes[i].group)];
             for (std::size_t k = 0; k < points; ++k) {
                 const std::size_t place = i / 8 * points + k;
-                if (in_impact.leave[place].value[i % 8] == does_not_arrive) continue;
+                if (in_impact.rebound_speeds[place].value[i % 8] == does_not_arrive) continue;
                 const double impulse = double(in_impact.impacts[i / 8].impulse[k][i % 8]);
                 group.impulse += impulse;
-                group.moment += impulse * double(in_impact.meets[place].value[i % 8]);
+                group.moment += impulse * double(in_impact.arrivals[place].value[i % 8]);
             }
         }
     });

@@ -26,9 +26,9 @@ template <class Block, class Impact> struct ImpactBlocks {
     std::vector<Impact> impacts; // one for each block
     std::vector<Lane> lanes;     // 8 for each block; without a group: empty
     // For each point of a block of contacts, if any of them bounces, else empty: see ReboundTargets.
-    std::vector<Lanes> leave, meets;
+    std::vector<Lanes> rebound_speeds, arrivals;
 
-    void clear() { blocks.clear(), impacts.clear(), lanes.clear(), leave.clear(), meets.clear(); }
+    void clear() { blocks.clear(), impacts.clear(), lanes.clear(), rebound_speeds.clear(), arrivals.clear(); }
 };
 
 // Blocks of one color and type, in ImpactWork::blocks.
@@ -85,7 +85,7 @@ struct ImpactWork {
         std::size_t begin, end; // in `rows`
         bool is_settled;
         bool continues; // one of its bodies is driven into a body that took no part
-        // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (ReboundTargets::meets).
+        // Impulse of its bouncing contacts, N s; sum of impulse x time of arrival (ReboundTargets::arrival).
         double impulse = 0, moment = 0;
     };
     std::vector<Group> groups;

@@ -167,7 +167,7 @@ CAIRN_C_API cairn_result cairn_world_usual_substeps(const cairn_world* world, fl
 
 /// Sets the number of threads that a step may use, 1 to 256: the caller's, and `count` - 1 that the world keeps.
 /// Default: 1. Results do not depend on it, and it is not part of snapshots. Refused (invalid_value) outside that
-/// range, and (unsupported) if the system cannot create the threads. Errors: invalid_value, wrong_state.
+/// range, and (unsupported) if the system cannot create the threads. Errors: invalid_value, wrong_state, unsupported.
 CAIRN_C_API cairn_result cairn_world_set_threads(cairn_world* world, int count);
 
 /// The number of threads that a step may use. Errors: wrong_state.
@@ -245,7 +245,8 @@ CAIRN_C_API cairn_result cairn_world_save(const cairn_world* world, cairn_snapsh
 
 /// Restores the state that was saved. Handles of that time are valid again. Handles of objects that were created since
 /// are stale, until objects that are created next get the same handles. Refused (invalid_file, unsupported) for a
-/// damaged or foreign snapshot; the world then stays as it was. Errors: invalid_file, invalid_value, wrong_state.
+/// damaged or foreign snapshot; the world then stays as it was. Errors: invalid_file, invalid_value, wrong_state,
+/// unsupported.
 CAIRN_C_API cairn_result cairn_world_restore(cairn_world* world, const cairn_snapshot* snapshot);
 
 /// How the size of a snapshot, in bytes, is made up. Errors: invalid_value.

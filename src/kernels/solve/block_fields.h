@@ -66,7 +66,7 @@ CAIRN_BLOCK_IS_LISTED(1, AxisBlock);
 template <int N> struct BlockFields<PointRows<N>> {
     using B = PointRows<N>;
     static constexpr auto list =
-        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::turning_slope, &B::arm,
+        std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::slip_rate_slope, &B::arm,
                    &B::share, &B::effective_mass, &B::impulse, &B::separation);
 };
 CAIRN_BLOCK_IS_LISTED(0, PointRows<4>);
@@ -82,14 +82,15 @@ CAIRN_BLOCK_IS_LISTED(0, PointRows<1>);
 template <int N> struct BlockFields<ContactBlock<N>> {
     using B = ContactBlock<N>;
     using Base = PointRows<N>;
-    static constexpr auto list = std::tuple(
-        &B::a, &B::b, &B::write_b, &B::center, &B::normal, &B::d, &B::mass_a, &B::mass_b, &B::inertia_a, &B::inertia_b,
-        &B::moved_moment, &B::moved, &B::isotropic, &B::rolls, &B::bounces, &B::round, &B::turns, &B::rims_a,
-        &B::rims_b, &B::rounds, &B::axes_a, &B::axes_b, &B::round_arms, &B::rounds_moved, &B::joined, &B::in_impact,
-        &B::in_impact_once, &B::in_impact_twice, &B::d0, &B::d_touch, &B::found, &B::radius_a, &B::radius_b,
-        &B::max_offset_change_square, &B::turning, &B::sliding, &B::tangent, &B::tangent_mass, &B::torsion_mass,
-        &B::torsion_coupling, &B::friction, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
-        &B::torsion_impulse, &B::total_tangent, &B::rolling_radius, &B::rolling_impulse, &B::restitution);
+    static constexpr auto list =
+        std::tuple(&B::a, &B::b, &B::write_b, &B::center, &B::normal, &B::d, &B::mass_a, &B::mass_b, &B::inertia_a,
+                   &B::inertia_b, &B::moved_moment, &B::moved, &B::isotropic, &B::rolls, &B::bounces, &B::round,
+                   &B::moving_points, &B::rims_a, &B::rims_b, &B::round_pairs, &B::axes_a, &B::axes_b, &B::round_arms,
+                   &B::round_pairs_moved, &B::joined, &B::in_impact, &B::in_impact_once, &B::in_impact_twice, &B::d0,
+                   &B::d_touch, &B::found, &B::radius_a, &B::radius_b, &B::max_offset_change_square, &B::slip_rate,
+                   &B::departure, &B::tangent, &B::tangent_mass, &B::torsion_mass, &B::torsion_coupling, &B::friction,
+                   &B::static_friction, &B::torsion_radius, &B::tangent_impulse, &B::torsion_impulse, &B::total_tangent,
+                   &B::rolling_radius, &B::rolling_impulse, &B::restitution);
 };
 CAIRN_BLOCK_IS_LISTED(1, ContactBlock<1>);
 CAIRN_BLOCK_IS_LISTED(1, ContactBlock<4>);

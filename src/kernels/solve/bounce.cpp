@@ -49,10 +49,10 @@ CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x
     const f32x8 u = max(approach - offset * ah, zero());
     const f32x8 w = sqrt(u * u + splat(2.0f) * acceleration * gap);
     const f32x8 t = min(splat(2.0f) * gap / max(u + w, splat(1e-20f)), h), left = h - t;
-    const f32x8 leave = restitution * w;
-    const f32x8 end_gap = max(left * (leave - splat(0.5f) * acceleration * left), zero());
+    const f32x8 rebound = restitution * w;
+    const f32x8 end_gap = max(left * (rebound - splat(0.5f) * acceleration * left), zero());
     // A contact does not close again in the same substep: if the rebound is that slow, it stays on the surface.
-    const f32x8 velocity = max(leave - acceleration * left + (one() - offset) * ah, zero());
+    const f32x8 velocity = max(rebound - acceleration * left + (one() - offset) * ah, zero());
     return {velocity, (end_gap - gap) / h - velocity - other_correction};
 }
 
@@ -123,8 +123,8 @@ template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block
     const f32x8 box_share = select(load(block.mass_b) == zero(), zero(), splat(0.5f));
     if constexpr (N == 1) {
         f32x8 radius_a = load(block.radius_a), radius_b = load(block.radius_b);
-        if (has_rounds(block)) {
-            const mask8 rounds = mask_from_bits(block.rounds);
+        if (has_round_pairs(block)) {
+            const mask8 rounds = mask_from_bits(block.round_pairs);
             const f32x8 farther = select(rounds, half_gap(block, load(block.separation[0])), zero());
             radius_a += farther, radius_b += farther;
         }
@@ -362,15 +362,15 @@ void find_contact_rebounds(const void* blocks, void* impacts, const ReboundTarge
             const f32x8 shift = velocity_of(now, i, other_a, other_b);
             const f32x8 gap = load(block.separation[i]) + splat(settings.h) * shift;
             const f32x8 way = select(arrives[i], splat(-settings.h) * v, one());
-            const f32x8 meets = clamp(gap / way, zero(), one());
+            const f32x8 arrival = clamp(gap / way, zero(), one());
             // The velocity that forces add between the moment that stored velocities belong to and the impact.
             const f32x8 late =
-                (forced + velocity_of(now, i, drive_a, drive_b)) * (meets - splat(settings.velocity_offset));
+                (forced + velocity_of(now, i, drive_a, drive_b)) * (arrival - splat(settings.velocity_offset));
             const f32x8 after = restitution * max(-v - late, zero()) - late;
             // A point that forces would bring back within the substep stays on the surface, held by the solver.
-            const f32x8 leave = select(after >= zero(), after, min(forced, zero()));
-            store(aimed.leave + 8 * (N * k + i), select(arrives[i], leave, splat(does_not_arrive)));
-            store(aimed.meets + 8 * (N * k + i), meets);
+            const f32x8 rebound = select(after >= zero(), after, min(forced, zero()));
+            store(aimed.speed + 8 * (N * k + i), select(arrives[i], rebound, splat(does_not_arrive)));
+            store(aimed.arrival + 8 * (N * k + i), arrival);
         }
         given[k].active = std::uint8_t(given[k].active & bits(takes_part));
     }

@@ -48,19 +48,19 @@ CAIRN_INLINE mask8 turns_little(f32x8 square_time, Vec3x8 w, Vec3x8 arm, Vec3x8 
     return square_time * dot(w, w) * moved <= splat(small * small) * square;
 }
 
-// How the contact point moves, and how the relative velocity there changes as a result (slip_of_turning). If the point
-// moves with velocity p' as seen from A, the relative velocity changes at the rate (w_B - w_A) x p', as rows keep B's
-// arm up to where A is. A corner moves with its body; the contact point of a round surface with the radius of curvature
-// R falls behind that by R (w_A - w_B) x n as it rolls over a face. A single point on a face is followed (rims.h): only
-// the rotation of the face is added here. The face rotates the normal: the velocity along the normal also changes by
-// w x n times the relative velocity, and a corner, or center of curvature, that slides over the face separates from it
-// by w x n times its displacement and the time. If neither surface is a face, two edges touch, and the point moves with
-// the mean of both. This holds for small rotations up to the time `until`: the points of lanes that rotate farther, or
-// whose change would be negligible, do not move.
+// How the contact point moves, and how the relative velocity there changes as a result (slip_of_moving_points). If the
+// point moves with velocity p' as seen from A, the relative velocity changes at the rate (w_B - w_A) x p', as rows keep
+// B's arm up to where A is. A corner moves with its body; the contact point of a round surface with the radius of
+// curvature R falls behind that by R (w_A - w_B) x n as it rolls over a face. A single point on a face is followed
+// (rims.h): only the rotation of the face is added here. The face rotates the normal: the velocity along the normal
+// also changes by w x n times the relative velocity, and a corner, or center of curvature, that slides over the face
+// separates from it by w x n times its displacement and the time. If neither surface is a face, two edges touch, and
+// the point moves with the mean of both. This holds for small rotations up to the time `until`: the points of lanes
+// that rotate farther, or whose change would be negligible, do not move.
 template <int N>
-CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
-                                  const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper,
-                                  Vec3x8 rim) {
+CAIRN_INLINE void prepare_moving_points(ContactBlock<N>& block, mask8 is_edge, mask8 face_a, mask8 face_b, f32x8 until,
+                                        const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d, Vec3x8 taper,
+                                        Vec3x8 rim) {
     const Vec3x8 r = load3(block.center), apart = b.v - a.v;
     const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d), rolling = cross(a.w - b.w, normal);
     const auto times_curvature = [&](Vec3x8 u) {
@@ -75,10 +75,10 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
     const mask8 any_a = N == 1 ? face_b : mask_from_bits(0), any_b = N == 1 ? face_a : mask_from_bits(0);
     const Vec3x8 along_face = select(face_b, one(), splat(-1)) * times_curvature(turned);
     const Vec3x8 moving = N == 1 ? select(is_edge, from_a, along_face) : from_a;
-    const Vec3x8 turning = cross(b.w - a.w, moving) + dot(turned, with_b - with_a) * normal;
+    const Vec3x8 slip_rate = cross(b.w - a.w, moving) + dot(turned, with_b - with_a) * normal;
     const Vec3x8 dw = b.w - a.w;
     Vec3x8 slope = zero3();
-    f32x8 most = dot(turning, turning); // maximum over the points
+    f32x8 most = dot(slip_rate, slip_rate); // maximum over the points
     if constexpr (N > 1) {
         slope = cross(cross(normal, dw), select(face_b, a.w, b.w)) + cross(turned, dw) - dot(rolling, rolling) * taper;
         f32x8 lever = zero();
@@ -94,14 +94,14 @@ CAIRN_INLINE void prepare_turning(ContactBlock<N>& block, mask8 is_edge, mask8 f
                         (any_a | turns_little(square, a.w, r, r - load(block.radius_a) * normal)) &
                         (any_b | turns_little(square, b.w, r + d, r + d + load(block.radius_b) * normal)) &
                         (square * square * most > splat(negligible_motion * negligible_motion));
-    block.turns = std::uint8_t(bits(moves));
-    if (!block.turns) return;
+    block.moving_points = std::uint8_t(bits(moves));
+    if (!block.moving_points) return;
     const f32x8 sliding = dot(turned, (with_b - with_a) + select(face_b, one(), splat(-1)) * rolled +
                                           splat(0.5f) * times_curvature(turned)),
                 found = load(block.found);
-    store3(block.turning, select(moves, turning, zero3()));
-    if constexpr (N > 1) store3(block.turning_slope, select(moves, slope, zero3()));
-    store(block.sliding, select(moves, sliding, zero()));
+    store3(block.slip_rate, select(moves, slip_rate, zero3()));
+    if constexpr (N > 1) store3(block.slip_rate_slope, select(moves, slope, zero3()));
+    store(block.departure, select(moves, sliding, zero()));
     const f32x8 parted = select(moves, found * found * sliding, zero());
     for (int i = 0; i < N; ++i) store(block.separation0[i], load(block.separation0[i]) + parted);
 }

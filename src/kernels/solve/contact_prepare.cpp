@@ -203,8 +203,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_a, max(radius_a, zero()));
     store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
-    block.turns = block.rims_a = block.rims_b = block.rounds = block.axes_a = block.axes_b = block.round_arms =
-        block.rounds_moved = 0;
+    block.moving_points = block.rims_a = block.rims_b = block.round_pairs = block.axes_a = block.axes_b =
+        block.round_arms = block.round_pairs_moved = 0;
 
     Before start = {zero3(), zero3(), zero()};
     const bool found_later = any(found > zero());
@@ -230,8 +230,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     if constexpr (N == 1) {
         store3(block.rim_lead, zero3());
         const mask8 both = (radius_a > zero()) & (radius_b > zero());
-        if (any(both)) rounds = begin_rounds(block, record, both, found, at_a, at_b, d, normal);
-        d = select(mask_from_bits(block.rounds), d0, d);
+        if (any(both)) rounds = begin_round_pairs(block, record, both, found, at_a, at_b, d, normal);
+        d = select(mask_from_bits(block.round_pairs), d0, d);
         store3(block.normal, normal);
     }
     const auto place_of = [&](Vec3x8 r, f32x8 s_found, f32x8& s) {
@@ -239,8 +239,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
             if (any_face)
                 r = begin_rims(block, RimLanes(face_b, face_a, normal), rim_axis, rim_radius, normal, r, d, until, at_a,
                                at_b, h, s);
-            if (has_rounds(block)) {
-                const mask8 lanes = mask_from_bits(block.rounds);
+            if (has_round_pairs(block)) {
+                const mask8 lanes = mask_from_bits(block.round_pairs);
                 s = select(lanes, s_found + rounds.grown, s);
                 r = select(lanes, rounds.arm, r);
             }
@@ -257,8 +257,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         gather_field(record, point_offset(3), taper.x, taper.y, taper.z, separation);
         taper = select(separation >= splat(unused_separation), taper, zero3());
     }
-    prepare_turning<N>(block, is_edge, face_a, face_b, until, at_a, at_b, normal, d, taper,
-                       rim_curvature(rim_axis, rim_radius, normal));
+    prepare_moving_points<N>(block, is_edge, face_a, face_b, until, at_a, at_b, normal, d, taper,
+                             rim_curvature(rim_axis, rim_radius, normal));
 }
 
 } // namespace
@@ -364,7 +364,7 @@ CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* po
         r = select(moves, moved, r), s = select(moves, now, s);
         scatter4(point, r.x, r.y, r.z, s);
         if constexpr (N == 1)
-            if (has_rounds(block)) store_rounds(block, pose, moves, record);
+            if (has_round_pairs(block)) store_round_pairs(block, pose, moves, record);
     }
     Vec3x8 d = load3(block.d0);
     d = d + select(is_finite(m.passed, zero()), m.passed, zero3());

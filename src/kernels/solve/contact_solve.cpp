@@ -54,11 +54,11 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
 
 // Applies the moment on A and the impulse on both that carried impulses lack as points moved and normals rotated.
 CAIRN_INLINE void apply_missing_impulses(const ContactBlock<1>& block, Velocityx8& a, Velocityx8& b) {
-    const mask8 rounds = mask_from_bits(block.rounds_moved), places = mask_from_bits(block.rims_a | block.rims_b);
-    if (has_rims(block) || block.rounds_moved)
+    const mask8 rounds = mask_from_bits(block.round_pairs_moved), places = mask_from_bits(block.rims_a | block.rims_b);
+    if (has_rims(block) || block.round_pairs_moved)
         a.w = a.w - select(places | rounds, turned_a(block, load3(block.rim_moment)), zero3());
-    if (!block.rounds_moved) return;
-    const Vec3x8 push = select(rounds, load3(block.turning), zero3());
+    if (!block.round_pairs_moved) return;
+    const Vec3x8 push = select(rounds, load3(block.slip_rate), zero3());
     a.v = a.v - load(block.mass_a) * push;
     b.v = b.v + load(block.mass_b) * push;
 }
@@ -108,15 +108,16 @@ template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactB
     }
 }
 
-// Adds the effect of the motion of contact points within the step on their opening velocities (slip_of_turning), which
-// varies linearly with the position among several points.
+// Adds the effect of the motion of contact points within the step on their opening velocities (slip_of_moving_points),
+// which varies linearly with the position among several points.
 template <int N>
-CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal, f32x8* v) {
-    f32x8 slip = dot(slip_of_turning(block, softness.middle), normal);
+CAIRN_INLINE void add_slip_of_moving_points(const ContactBlock<N>& block, const ContactSoftness& softness,
+                                            Vec3x8 normal, f32x8* v) {
+    f32x8 slip = dot(slip_of_moving_points(block, softness.middle), normal);
     if constexpr (N == 1) {
         v[0] += slip;
     } else {
-        const Vec3x8 slope = (splat(softness.middle) - load(block.found)) * load3(block.turning_slope);
+        const Vec3x8 slope = (splat(softness.middle) - load(block.found)) * load3(block.slip_rate_slope);
         const f32x8 along = dot(slope, normal);
         const Vec3x8 across = cross(slope, normal);
         slip -= dot(slope, load3(block.center));
@@ -130,11 +131,11 @@ CAIRN_INLINE void add_turning(const ContactBlock<N>& block, const ContactSoftnes
 template <int N>
 CAIRN_INLINE void add_contact_point_motion(const ContactBlock<N>& block, const ContactSoftness& softness, Vec3x8 normal,
                                            const Velocityx8& a, const Velocityx8& b, float late, f32x8* v) {
-    if (!block.turns && !has_rims(block)) return;
-    const mask8 moves = mask_from_bits(block.turns | block.rims_a | block.rims_b);
+    if (!block.moving_points && !has_rims(block)) return;
+    const mask8 moves = mask_from_bits(block.moving_points | block.rims_a | block.rims_b);
     const f32x8 of_arm = select(moves, splat(late) * dot(normal, cross(b.w, b.v - a.v)), zero());
     for (int i = 0; i < N; ++i) v[i] += of_arm;
-    if (block.turns) add_turning<N>(block, softness, normal, v);
+    if (block.moving_points) add_slip_of_moving_points<N>(block, softness, normal, v);
     if (has_rims(block)) v[0] += dot(slip_of_rims(block, b.w - a.w), normal);
 }
 
@@ -149,9 +150,9 @@ CAIRN_INLINE void opening_velocities(const ContactBlock<N>& block, const Contact
         add_contact_point_motion<N>(block, softness, normal, rows.a, rows.b, late, v);
     }
     if constexpr (N == 1)
-        if (has_rounds(block)) {
+        if (has_round_pairs(block)) {
             const f32x8 opening = round_velocity(block, rows.a, rows.b, separation, now, softness.h);
-            v[0] = is_all_round(block) ? opening : select(mask_from_bits(block.rounds), opening, v[0]);
+            v[0] = is_all_round(block) ? opening : select(mask_from_bits(block.round_pairs), opening, v[0]);
         }
 }
 
@@ -292,7 +293,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.b = gather_velocity(bodies.velocity, block.b);
     opening_velocities<N>(block, softness, normal, rows, 0.5f * softness.h, s[0], &rows.round, v);
     if constexpr (N == 1)
-        if (has_rounds(block)) advance_rounds(block, rows.round);
+        if (has_round_pairs(block)) advance_round_pairs(block, rows.round);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);

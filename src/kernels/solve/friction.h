@@ -92,8 +92,8 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w, dv = b.v - a.v;
     Vec3x8 velocity = dv + cross(dw, center) + cross(b.w, d + splat(0.5f * softness.h) * dv);
-    if (block.turns) velocity = velocity + slip_of_turning(block, softness.middle);
-    if (has_rims(block) || has_rounds(block)) velocity = velocity + slip_of_rims(block, dw);
+    if (block.moving_points) velocity = velocity + slip_of_moving_points(block, softness.middle);
+    if (has_rims(block) || has_round_pairs(block)) velocity = velocity + slip_of_rims(block, dw);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};

@@ -10,16 +10,16 @@ namespace {
 // Computes the wanted impulses of the points, over-relaxed, and from them the new impulses, swept as in solve.
 template <int N>
 CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, const f32x8* v, f32x8 inverse_h,
-                                const f32x8* leave, const f32x8* old, f32x8* impulse) {
+                                const f32x8* speed, const f32x8* old, f32x8* impulse) {
     f32x8 wanted[N];
     mask8 takes_part[N];
     const mask8 bounces = load(block.restitution) > zero();
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
         // As in relax: a contact that will bounce must reach the surface with its full speed.
-        const mask8 leaves = leave[i] > splat(does_not_arrive);
-        const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), leaves);
-        const f32x8 left = select(leaves, -leave[i], max(s, zero()) * inverse_h);
+        const mask8 bounces_now = speed[i] > splat(does_not_arrive);
+        const mask8 flies = and_not(bounces & (s > zero()) & (load(block.impulse[i]) <= zero()), bounces_now);
+        const f32x8 left = select(bounces_now, -speed[i], max(s, zero()) * inverse_h);
         impulse[i] = old[i];
         takes_part[i] = and_not(active, flies);
         wanted[i] = old[i] - mass * (v[i] + left);
@@ -35,17 +35,18 @@ CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, cons
 }
 
 template <int N>
-CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact, const float* to_leave,
+CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact, const float* rebound_speed,
                                SolverVelocity* velocity, f32x8 inverse_h) {
     const mask8 active = mask_from_bits(impact.active);
     Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
     const Vec3x8 normal = load3(block.normal), d = load3(block.d), c = cross(d, normal);
-    f32x8 v[N], leave[N], old[N], impulse[N], sum = zero(), load_sum = zero();
+    f32x8 v[N], speed[N], old[N], impulse[N], sum = zero(), load_sum = zero();
     Vec3x8 torque = zero3(), load_torque = zero3();
     normal_velocities<N>(block, a, b, normal, c, v);
     for (int i = 0; i < N; ++i)
-        old[i] = load(impact.impulse[i]), leave[i] = to_leave ? load(to_leave + 8 * i) : splat(does_not_arrive);
-    strike_points<N>(block, active, v, inverse_h, leave, old, impulse);
+        old[i] = load(impact.impulse[i]),
+        speed[i] = rebound_speed ? load(rebound_speed + 8 * i) : splat(does_not_arrive);
+    strike_points<N>(block, active, v, inverse_h, speed, old, impulse);
     const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
     mask8 idle = (old1 == zero()) & (old2 == zero());
     for (int i = 0; i < N; ++i) idle = idle & (old[i] == zero()) & (impulse[i] == zero());
@@ -85,13 +86,14 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
 } // namespace
 
 template <int N>
-void solve_impact_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
+void solve_impact_contacts(void* blocks, void* impacts, const float* rebound_speed, int count, SolverVelocity* velocity,
                            float inverse_h) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k)
         if (given[k].active)
-            strike_block<N>(all[k], given[k], leave ? leave + 8 * N * k : nullptr, velocity, splat(inverse_h));
+            strike_block<N>(all[k], given[k], rebound_speed ? rebound_speed + 8 * N * k : nullptr, velocity,
+                            splat(inverse_h));
 }
 
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,

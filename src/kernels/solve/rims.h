@@ -69,7 +69,7 @@ CAIRN_INLINE void store_lead(ContactBlock<1>& block, const RimLanes& lanes, Vec3
 // the contact point at the start of the substep, or at its end for two round surfaces.
 template <int N> CAIRN_INLINE Vec3x8 slip_of_rims(const ContactBlock<N>& block, Vec3x8 turning) {
     if constexpr (N == 1)
-        if (has_rims(block) || has_rounds(block)) return cross(turning, load3(block.rim_lead));
+        if (has_rims(block) || has_round_pairs(block)) return cross(turning, load3(block.rim_lead));
     return zero3();
 }
 

@@ -128,15 +128,16 @@ CAIRN_INLINE f32x8 round_velocity(const ContactBlock<1>& block, const Velocityx8
 // At the start of a step: converts the normal and the centers of curvature of lanes with two round surfaces from the
 // time `found`, at which the contact was found, to the start of the step. `both`: lanes in which both surfaces have a
 // radius. Returns the contact at the start of the step.
-CAIRN_INLINE RoundTouch begin_rounds(ContactBlock<1>& block, const ContactRecord* const* record, mask8 both,
-                                     f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 d, Vec3x8& normal) {
+CAIRN_INLINE RoundTouch begin_round_pairs(ContactBlock<1>& block, const ContactRecord* const* record, mask8 both,
+                                          f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 d,
+                                          Vec3x8& normal) {
     Vec3x8 axis, center;
     f32x8 kind, separation;
     RoundTouch touch;
     gather_field(record, point_offset(1), axis.x, axis.y, axis.z, kind);
     const mask8 lanes = both & (kind > zero());
-    block.rounds = std::uint8_t(bits(lanes));
-    if (!block.rounds) return touch;
+    block.round_pairs = std::uint8_t(bits(lanes));
+    if (!block.round_pairs) return touch;
     gather_field(record, point_offset(0), center.x, center.y, center.z, separation);
     block.axes_a = std::uint8_t(bits(lanes & (kind == splat(round_about_axis_of_a))));
     block.axes_b = std::uint8_t(bits(lanes & (kind == splat(round_about_axis_of_b))));
@@ -192,15 +193,15 @@ CAIRN_INLINE Vec3x8 tangent_near(Vec3x8 t1, Vec3x8 t2, Vec3x8 normal) {
 // After a substep: updates the normal, the tangent, the friction center and d to the current poses. The impulses that
 // are carried over acted with the old ones; the impulse and the moments that they lack since are applied by the next
 // `solve`. Friction needs the slip in the middle of the substep: rim_lead leads halfway back to the old contact point.
-CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) {
+CAIRN_INLINE void advance_round_pairs(ContactBlock<1>& block, const RoundTouch& now) {
     constexpr float negligible_fraction = 1e-6f; // of the distance of the centers: smaller displacements are neglected
     const Vec3x8 normal = load3(block.normal), center = load3(block.center), d = load3(block.d);
     const Vec3x8 run = now.arm - center, passed = now.d - d;
     const f32x8 least = splat(negligible_fraction) * now.distance;
-    const mask8 moves = mask_from_bits(block.rounds) & (dot(run, run) + dot(passed, passed) > least * least);
-    block.rounds_moved = 0;
+    const mask8 moves = mask_from_bits(block.round_pairs) & (dot(run, run) + dot(passed, passed) > least * least);
+    block.round_pairs_moved = 0;
     const Vec3x8 lead = select(moves, splat(-0.5f) * run, zero3());
-    store3(block.rim_lead, select(mask_from_bits(block.rounds), lead, load3(block.rim_lead)));
+    store3(block.rim_lead, select(mask_from_bits(block.round_pairs), lead, load3(block.rim_lead)));
     if (!any(moves)) return;
     const Vec3x8 t1 = load3(block.tangent), tilted = now.normal - normal;
     const Vec3x8 next_t1 = tangent_near(t1, cross(t1, normal), now.normal);
@@ -215,9 +216,9 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) 
                      moment_b = (cross(now.arm + now.d, after) - cross(center + d, before)) + couple;
         const Vec3x8 moment = select(carries, moment_b, zero3());
         store3(block.rim_moment, select(carries, moment_a, load3(block.rim_moment)));
-        store3(block.turning, select(carries, after - before, load3(block.turning)));
+        store3(block.slip_rate, select(carries, after - before, load3(block.slip_rate)));
         store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
-        block.rounds_moved = std::uint8_t(bits(carries));
+        block.round_pairs_moved = std::uint8_t(bits(carries));
         block.moved = 1;
     }
     store3(block.normal, select(moves, now.normal, normal));
@@ -229,8 +230,8 @@ CAIRN_INLINE void advance_rounds(ContactBlock<1>& block, const RoundTouch& now) 
 }
 
 // At the end of a step: writes the current normal, contact point, radii and axis to the records of two round surfaces.
-CAIRN_INLINE void store_rounds(const ContactBlock<1>& block, const SolverPose* pose, mask8 among,
-                               ContactRecord* const* record) {
+CAIRN_INLINE void store_round_pairs(const ContactBlock<1>& block, const SolverPose* pose, mask8 among,
+                                    ContactRecord* const* record) {
     const f32x8 ra = load(block.radius_a), rb = load(block.radius_b), separation = load(block.separation[0]);
     const Vec3x8 n = load3(block.normal);
     const f32x8 wider = half_gap(block, separation), now_a = ra + wider, now_b = rb + wider;
@@ -239,7 +240,7 @@ CAIRN_INLINE void store_rounds(const ContactBlock<1>& block, const SolverPose* p
     alignas(32) float normal[3][8], point[3][8], axis[3][8], radius_a[8], radius_b[8];
     store3(normal, n), store3(point, place), store3(axis, load3(block.d_touch));
     store(radius_a, now_a), store(radius_b, now_b);
-    const int axes = block.axes_a | block.axes_b, lanes = block.rounds & int(bits(among));
+    const int axes = block.axes_a | block.axes_b, lanes = block.round_pairs & int(bits(among));
     for (int i = 0; i < 8; ++i) {
         if ((lanes >> i & 1) == 0) continue;
         ContactRecord& r = *record[i];

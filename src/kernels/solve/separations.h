@@ -20,7 +20,7 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
     const f32x8 limit = load(block.max_offset_change_square);
     Vec3x8 d = load3(block.d0) + passed, change = d - old;
     mask8 moves = among(dot(change, change) > splat(min_offset_change * min_offset_change) * limit);
-    if (has_rounds(block)) moves = and_not(moves, mask_from_bits(block.rounds));
+    if (has_round_pairs(block)) moves = and_not(moves, mask_from_bits(block.round_pairs));
     if (!any(moves)) return;
     // The couplings K are those of d_touch: d is followed only as far from it as they still hold.
     const Vec3x8 beyond = d - fitting;
@@ -58,7 +58,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
     f32x8 on_rounds = zero();
     if constexpr (N == 1)
-        if (has_rounds(block)) {
+        if (has_round_pairs(block)) {
             round = round_touch_at(block, a, b, a.dx - b.dx, normal);
             s[0] = on_rounds = load(block.separation0[0]) + round.grown;
             if (is_all_round(block)) return store(block.separation[0], s[0]);
@@ -68,9 +68,9 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
                  delta_b = turned_back_difference(b.dq, normal, bend);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = -dot(normal, passed);
-    if (block.turns) {
+    if (block.moving_points) {
         const float elapsed = 1 / inverse_elapsed;
-        common += splat(elapsed * elapsed) * bend * load(block.sliding);
+        common += splat(elapsed * elapsed) * bend * load(block.departure);
     }
     f32x8 on_rims = zero();
     if constexpr (N == 1)
@@ -88,7 +88,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
             height = load(block.height[i]);
         s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
         if (has_rims(block)) s[i] = select(mask_from_bits(block.rims_a | block.rims_b), on_rims, s[i]);
-        if (has_rounds(block)) s[i] = select(mask_from_bits(block.rounds), on_rounds, s[i]);
+        if (has_round_pairs(block)) s[i] = select(mask_from_bits(block.round_pairs), on_rounds, s[i]);
         store(block.separation[i], s[i]);
     }
     refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });

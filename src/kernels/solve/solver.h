@@ -164,13 +164,13 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
 }
 
 // The change of the relative velocity at a contact point that moves within the step, with a corner of a body or because
-// a round body rolls: `turning` times the time from the moment at which the contact was found to `middle`, the middle
+// a round body rolls: `slip_rate` times the time from the moment at which the contact was found to `middle`, the middle
 // of the substep. Bodies move during a substep by its velocities, which should therefore be those of its middle; then
 // the rotation takes as much energy from the bodies as it gives back, from substep to substep. With arms fixed at the
 // middle of the step, Euler's disk loses a third of its energy in a second.
-template <int N> CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<N>& block, float middle) {
-    const mask8 turns = mask_from_bits(block.turns);
-    return (splat(middle) - load(block.found)) * select(turns, load3(block.turning), zero3());
+template <int N> CAIRN_INLINE Vec3x8 slip_of_moving_points(const ContactBlock<N>& block, float middle) {
+    const mask8 turns = mask_from_bits(block.moving_points);
+    return (splat(middle) - load(block.found)) * select(turns, load3(block.slip_rate), zero3());
 }
 
 // The inverse inertia tensor of A or of B times a vector.
@@ -204,9 +204,9 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
     b.w = b.w + turned_b(block, torque + sum * c);
 }
 
-CAIRN_INLINE bool has_rounds(const ContactBlock<1>& block) { return block.rounds != 0; }
-CAIRN_INLINE bool has_rounds(const ContactBlock<4>&) { return false; }
-template <int N> CAIRN_INLINE bool is_all_round(const ContactBlock<N>& block) { return block.rounds == 0xff; }
+CAIRN_INLINE bool has_round_pairs(const ContactBlock<1>& block) { return block.round_pairs != 0; }
+CAIRN_INLINE bool has_round_pairs(const ContactBlock<4>&) { return false; }
+template <int N> CAIRN_INLINE bool is_all_round(const ContactBlock<N>& block) { return block.round_pairs == 0xff; }
 // How much farther than its radius each center of curvature of two round surfaces is from the contact point, at this
 // separation.
 CAIRN_INLINE f32x8 half_gap(const ContactBlock<1>& block, f32x8 separation) {
@@ -216,7 +216,7 @@ CAIRN_INLINE f32x8 half_gap(const ContactBlock<1>& block, f32x8 separation) {
 // d at the poses that the block's normal belongs to.
 template <int N> CAIRN_INLINE Vec3x8 d_of_normal(const ContactBlock<N>& block) {
     const Vec3x8 d = load3(block.d_touch);
-    return has_rounds(block) ? select(mask_from_bits(block.rounds), load3(block.d), d) : d;
+    return has_round_pairs(block) ? select(mask_from_bits(block.round_pairs), load3(block.d), d) : d;
 }
 
 // The tangential impulse that stops the slip (x, y) at `center`, the load of the whole contact in an impact.

@@ -94,8 +94,8 @@ template <int N> struct PointRows {
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
     float square_lever[N][8];              // m^2: squared distance of each point from the friction center
     float total_impulse[N][8];
-    float turning_slope[3][8]; // 1/s^2: gradient of the normal part of `turning` over the contact points; set where the
-                               // block turns
+    float slip_rate_slope[3][8]; // 1/s^2: gradient of the normal part of `slip_rate` over the contact points; set where
+                                 // the block has moving points
     // Used by solve and relax.
     float arm[N][3][8];          // j_i
     float share[share_count][8]; // K_ji / K_jj, i != j, see share_index; 0 for unused points j
@@ -127,20 +127,20 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float normal[3][8];
     float d[3][8]; // x_A - x_B at the latest poses
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float moved_moment[3][8];            // on B: the moment that the impulses carried over lack because d has
-                                         // changed
-    std::uint8_t moved;                  // whether the next solve has to apply moved_moment
-    std::uint8_t isotropic;              // all inertia tensors are multiples of 1: only their xx are stored
-    std::uint8_t rolls;                  // any rolling resistance
-    std::uint8_t bounces;                // any restitution
-    std::uint8_t round;                  // any round surface
-    std::uint8_t turns;                  // lane bits: contact points move within the step
-    std::uint8_t rims_a, rims_b;         // lane bits: the point is followed over a face, as a point of A or of B
-    std::uint8_t rounds, axes_a, axes_b; // lane bits: both surfaces are round; A or B is round about an axis
-    std::uint8_t round_arms;             // of `rounds`: a center of curvature is not a center of mass
-    std::uint8_t rounds_moved;           // of `rounds`: `turning` holds an impulse
-    std::uint8_t joined;                 // lane bits: a body is jointed; such contacts bounce in an impact
-    std::uint8_t in_impact;              // lane bits: left to the passes of an impact
+    float moved_moment[3][8];                 // on B: the moment that the impulses carried over lack because d has
+                                              // changed
+    std::uint8_t moved;                       // whether the next solve has to apply moved_moment
+    std::uint8_t isotropic;                   // all inertia tensors are multiples of 1: only their xx are stored
+    std::uint8_t rolls;                       // any rolling resistance
+    std::uint8_t bounces;                     // any restitution
+    std::uint8_t round;                       // any round surface
+    std::uint8_t moving_points;               // lane bits: contact points move within the step
+    std::uint8_t rims_a, rims_b;              // lane bits: the point is followed over a face, as a point of A or of B
+    std::uint8_t round_pairs, axes_a, axes_b; // lane bits: both surfaces are round; A or B is round about an axis
+    std::uint8_t round_arms;                  // of `round_pairs`: a center of curvature is not a center of mass
+    std::uint8_t round_pairs_moved;           // of `round_pairs`: `slip_rate` holds an impulse
+    std::uint8_t joined;                      // lane bits: a body is jointed; such contacts bounce in an impact
+    std::uint8_t in_impact;                   // lane bits: left to the passes of an impact
     std::uint8_t in_impact_once, in_impact_twice; // lane bits: so left once, or twice, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
@@ -149,11 +149,11 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float found[8];                 // s from the start of the step: the moment at which the contact was found
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations; else 0
     float max_offset_change_square[8]; // m^2: square of the greatest distance of d from d_touch
-    float turning[3][8];      // m/s^2: see slip_of_turning, for lanes of `turns`; for lanes of rounds_moved, N s:
-                              // the impulse on B that the impulses carried over lack
-    float sliding[8];         // m/s^2: for lanes of `turns`; the points separate by this times the squared time,
-                              // as they slide over a face that rotates
-    float tangent[3][8];      // the first tangent; the second is this x normal
+    float slip_rate[3][8];             // m/s^2: see slip_of_moving_points, for lanes of `moving_points`; for lanes of
+                           // round_pairs_moved, N s: the impulse on B that the impulses carried over lack
+    float departure[8];  // m/s^2: for lanes of `moving_points`; the points separate by this times the squared time,
+                         // as they slide over a face that rotates
+    float tangent[3][8]; // the first tangent; the second is this x normal
     float tangent_mass[3][8]; // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
     float friction[8], static_friction[8], torsion_radius[8];
@@ -225,8 +225,8 @@ struct BounceCount {
 // do not reach the surface within the substep, or too slowly to bounce.
 inline constexpr float does_not_arrive = -1e30f;
 struct ReboundTargets {
-    float* leave; // m/s: opening speed after the impact, with what is carried over; or does_not_arrive
-    float* meets; // time of impact, in units of the substep
+    float* speed;   // m/s: opening speed after the impact, with what is carried over; or does_not_arrive
+    float* arrival; // time of impact, in units of the substep
 };
 
 // 8 bodies with unequal moments of inertia, see spin.cpp.
@@ -269,10 +269,10 @@ struct SolverKernels {
         int (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
         // Recomputes the effective masses and couplings with the current inertia.
         void (*renew_masses)(void* blocks, int count, const SolverInertia* inertia);
-        // One pass of an impact. `impacts`: an array of ContactImpact, parallel to the blocks; `leave`: as written by
-        // `find_rebounds`; null: nothing bounces.
-        void (*impact_pass)(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
-                            float inverse_h);
+        // One pass of an impact. `impacts`: an array of ContactImpact, parallel to the blocks; `rebound_speed`: as
+        // written by `find_rebounds`; null: nothing bounces.
+        void (*impact_pass)(void* blocks, void* impacts, const float* rebound_speed, int count,
+                            SolverVelocity* velocity, float inverse_h);
         // Before the first pass: computes the rebound speeds of arriving contacts. Contacts with restitution that do
         // not arrive take no part: they may bounce next, as the balls of a cradle do one after the other.
         void (*find_rebounds)(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
