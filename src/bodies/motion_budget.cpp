@@ -51,8 +51,8 @@ void count(CountedPose& counted, Travel& travel, const BodyMotion& motion, float
     counted = {motion.x, motion.q};
 }
 
-// Lists the bodies of awake islands, each of which is a linked list. The list of the last
-// step, mostly the same, tells which links to prefetch. Returns their number.
+// Lists the bodies of awake islands, each of which is a linked list. The list of the last step, mostly the same, tells
+// which links to prefetch. Returns their number.
 int list_awake(const Bodies& bodies, const Islands& islands, std::vector<std::int32_t>& list) {
     std::size_t count = 0;
     for (const std::int32_t i : islands.awake)
