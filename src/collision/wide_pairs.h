@@ -4,7 +4,7 @@
 #pragma once
 
 // X(type of the kernel's first shape, type of its second), as ShapeTypes; the kernel is named first_second. Pairs with
-// a single contact point come first, see has_one_point.
+// a single contact point come first.
 #define CAIRN_WIDE_PAIRS(X)                                                                                            \
     X(sphere, sphere)                                                                                                  \
     X(sphere, box)                                                                                                     \

@@ -134,7 +134,11 @@ class WideTest {
         const ContactInfo& c = contacts_.info[id];
         prefetch(&narrow_.midway_poses[c.shape_a]), prefetch(&narrow_.midway_poses[c.shape_b]);
     }
-    void ask_for_record(std::uint32_t id, const ContactInfo& c) {
+    // Prefetches what the result of a test is written to, and what it is written from.
+    void prefetch_for_result(const std::vector<std::uint32_t>& places, int i, int count) const {
+        if (i >= count || own_.manifolds[i].count == 0) return;
+        const std::uint32_t id = narrow_.candidates[places[std::size_t(i)]];
+        const ContactInfo& c = contacts_.info[id];
         prefetch_record(contacts_, id);
         for (const std::int32_t body : {c.body_a, c.body_b}) prefetch(&in.bodies.motion[body]);
         if (may_be_round(kind_))
@@ -156,10 +160,7 @@ class WideTest {
         }
         collide(own_.poses, count);
         for (int i = 0; i < count; ++i) {
-            if (const int next = i + ahead; next < count && own_.manifolds[next].count > 0) {
-                const std::uint32_t id = narrow_.candidates[own_.midway[std::size_t(next)]];
-                ask_for_record(id, contacts_.info[id]);
-            }
+            prefetch_for_result(own_.midway, i + ahead, count);
             const std::uint32_t place = own_.midway[std::size_t(i)];
             if (!take_midway_test(in, contacts_, narrow_, narrow_.candidates[place], place, own_.manifolds[i],
                                   own_.pairs.margin[i], midway_, dt_))
@@ -172,8 +173,6 @@ class WideTest {
         PairBatch& batch = own_.pairs;
         for (int i = 0; i < count; ++i) {
             const std::uint32_t id = narrow_.candidates[own_.at_start[std::size_t(i)]];
-            if (i + ahead < count && kind_ == PairKind::box_box)
-                prefetch(&contacts_.records[narrow_.candidates[own_.at_start[std::size_t(i + ahead)]]].features);
             const ContactInfo& c = contacts_.info[id];
             batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
             batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
@@ -183,10 +182,7 @@ class WideTest {
         collide(in.shapes.poses.data(), count);
         std::uint8_t* const outcomes = narrow_.outcomes.data();
         for (int i = 0; i < count; ++i) {
-            if (const int next = i + ahead; next < count && own_.manifolds[next].count > 0) {
-                const std::uint32_t id = narrow_.candidates[own_.at_start[std::size_t(next)]];
-                ask_for_record(id, contacts_.info[id]);
-            }
+            prefetch_for_result(own_.at_start, i + ahead, count);
             const std::uint32_t place = own_.at_start[std::size_t(i)], id = narrow_.candidates[place];
             outcomes[place] = take_first_test(in, contacts_, narrow_, id, place, own_.manifolds[i], own_, dt_);
         }

@@ -35,7 +35,6 @@ enum class PairKind : std::uint8_t {
     patch,
 };
 inline constexpr int wide_kinds = int(PairKind::convex_plane), tested_kinds = int(PairKind::patch);
-inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
 inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
 
 // The state of a pair whose fat boxes overlap, besides its ContactRecord. Body A is dynamic, except with triggers.
