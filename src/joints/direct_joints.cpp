@@ -85,7 +85,9 @@ void stiffen_bodies(const SetView& v) {
             const double w = math::dot(b.axes.column(k), b.w);
             lost[k] = stiffness_damping * (1 - b.moments[k] * inverse[k]) * w;
         }
-        b.inverse_inertia = math::rotated_diagonal(b.axes, inverse);
+        b.inverse_inertia = inverse.x == inverse.y && inverse.x == inverse.z
+                                ? math::DSym3{inverse.x, 0, 0, inverse.x, 0, inverse.x}
+                                : math::rotated_diagonal(b.axes, inverse);
         b.dw -= b.axes * lost;
     }
 }

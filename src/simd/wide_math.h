@@ -34,6 +34,10 @@ CAIRN_INLINE Vec3x8 operator*(const Sym3x8& m, Vec3x8 b) {
 CAIRN_INLINE Vec3x8 select(mask8 m, Vec3x8 a, Vec3x8 b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
+CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
+    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
+            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
+}
 CAIRN_INLINE Vec3x8 zero3() { return {zero(), zero(), zero()}; }
 
 // Loads and stores of structure-of-arrays members: float name[3][8], float name[6][8] and float name[9][8].

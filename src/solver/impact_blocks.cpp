@@ -177,7 +177,7 @@ void copy_listed(BatchScratch& scratch) {
         with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
     }
     const auto renew = [&](const SolverKernels::ForPoints& k, auto& in_impact) {
-        k.renew_masses(in_impact.blocks.data(), int(in_impact.blocks.size()), scratch.inertia.data());
+        k.renew_masses(in_impact.blocks.data(), nullptr, int(in_impact.blocks.size()), scratch.inertia.data());
     };
     renew(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks));
     renew(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks));

@@ -14,6 +14,7 @@
 #include "solver/batch_lanes.h"
 #include "solver/batch_rows.h"
 #include "solver/block_runs.h"
+#include "solver/direct_contacts.h"
 #include "solver/impacts.h"
 #include "solver/rank_border.h"
 #include "solver/rank_results.h"
@@ -155,6 +156,8 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                 rows_of.warm_start(blocks, solver_bodies, joint_soft);
             });
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
+        share_inertia(direct, scratch);
+        renew_direct_contacts(scratch, thread_pool);
         for (int pass = 0; batch.bounces && pass < max_bounce_passes; ++pass) {
             bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce, in_impact);
             const Bouncing bouncing{solver_bodies, bounce};
@@ -185,6 +188,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         release_direct_bodies(direct, scratch, thread_pool);
         restore_end_spin(scratch, thread_pool);
         renew_inertia(bodies, scratch, thread_pool);
+        share_inertia(direct, scratch);
         use_midpoint_spin(scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, const JointBlocks& blocks) {
             rows_of.relax(blocks, solver_bodies, joint_soft);
@@ -244,6 +248,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
     if (scratch.row_count() > 0) {
         if (!s.contacts.records.is_whole()) number_places(s.contacts, scratch);
         fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, h);
+        list_direct_contacts(s.direct, scratch);
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, h, batch.bounces);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),

@@ -84,6 +84,13 @@ struct DriveLane {
     std::uint32_t joint, axis, lane; // `lane`: in the axis blocks
 };
 
+// Contacts of bodies of the sets: lanes of one contact block.
+struct DirectContacts {
+    std::int32_t block = 0; // in the blocks with four points, or in those with one
+    bool four_points = false;
+    std::uint8_t lanes = 0; // bits
+};
+
 struct DirectWork {
     std::vector<DirectSolve> sets;
     std::vector<DirectBody> bodies;
@@ -92,6 +99,8 @@ struct DirectWork {
     std::vector<math::DVec3> sought;          // right-hand side and solution, by node
     std::vector<DirectLimit> limits;          // by set
     std::vector<DriveLane> drive_lanes;       // by joint and axis
+    std::vector<DirectContacts> contacts;
+    std::vector<std::uint8_t> is_touched_row; // by body row: a body of a set that is touched
 };
 
 } // namespace cairn

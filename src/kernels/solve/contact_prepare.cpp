@@ -23,10 +23,11 @@ CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int3
     return r;
 }
 
-// Effective masses and shares, from the matrix K of the points' normal velocities. `j`: arms for A.
-template <int N>
+// Effective masses and shares, from the matrix K of the points' normal velocities. `j`: arms for A; `put(row, values)`
+// stores them.
+template <int N, class Put>
 CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const mask8* used, Vec3x8 c,
-                                const Inertiax8& a, const Inertiax8& b) {
+                                const Inertiax8& a, const Inertiax8& b, Put&& put) {
     const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
     Vec3x8 ia_j[N], ib_j[N];
     f32x8 mass[N], coupling[N][N]; // K_ij, i < j
@@ -36,12 +37,12 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
         for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
         const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
         mass[i] = select(used[i], safe_reciprocal(k_ii), zero());
-        store(block.effective_mass[i], mass[i]);
+        put(block.effective_mass[i], mass[i]);
     }
     if constexpr (N > 1)
         for (int i = 0; i < N; ++i)
             for (int k = 0; k < N; ++k)
-                if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
+                if (k != i) put(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
 }
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the mean of the points
@@ -74,7 +75,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         store(block.separation[i], s);
         store(block.total_impulse[i], zero());
     }
-    couple_points<N>(block, j, used, c, a, b);
+    couple_points<N>(block, j, used, c, a, b, [](float* row, f32x8 values) { store(row, values); });
     if constexpr (N == 1) {
         store3(block.center, r[0]);
         return r[0];
@@ -274,31 +275,33 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
     }
 }
 
-// Recomputes the masses with the current inertia, as joints use it, and the current poses. Rows of one body with two
-// inertias would not agree on its energy: a rod on a ball joint that hit a pole at 50 rad/s flew off at 2,000 m/s.
-template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia) {
+// Recomputes the masses of the given lanes of each block with the current inertia, as joints use it, and the current
+// poses. Rows of one body with two inertias would not agree on its energy: a rod on a ball joint that hit a pole at
+// 50 rad/s flew off at 2,000 m/s.
+template <int N> void renew_masses(void* blocks, const std::uint8_t* lanes, int count, const SolverInertia* inertia) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
         ContactBlock<N>& block = all[k];
+        const mask8 renewed = mask_from_bits(lanes ? lanes[k] : 0xff);
         std::int32_t row_a[8], row_b[8];
         for (int i = 0; i < 8; ++i)
             row_a[i] = std::int32_t(block.a[i] / row_bytes), row_b[i] = std::int32_t(block.b[i] / row_bytes);
         const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
         const Vec3x8 normal = load3(block.normal), d = load3(block.d), center = load3(block.center),
                      t1 = load3(block.tangent);
-        if (!block.isotropic) { // an isotropic inertia does not depend on the rotation
-            store6(block.inertia_a, a.inverse_inertia);
-            store6(block.inertia_b, b.inverse_inertia);
-        }
+        store_inertia(block, select(renewed, a.inverse_inertia, kept_inertia(block.isotropic, block.inertia_a)),
+                      select(renewed, b.inverse_inertia, kept_inertia(block.isotropic, block.inertia_b)));
         Vec3x8 j[N];
         mask8 used[N];
         for (int i = 0; i < N; ++i) j[i] = arm_of(block, normal, i), used[i] = load(block.effective_mass[i]) > zero();
-        couple_points<N>(block, j, used, cross(d, normal), a, b);
-        store_couplings(block, friction_couplings(normal, center, center + d, t1, second_tangent(block, normal), a, b));
+        couple_points<N>(block, j, used, cross(d, normal), a, b,
+                         [&](float* row, f32x8 values) { store(row, select(renewed, values, load(row))); });
+        store_couplings(block, renewed,
+                        friction_couplings(normal, center, center + d, t1, second_tangent(block, normal), a, b));
     }
 }
-template void renew_masses<1>(void*, int, const SolverInertia*);
-template void renew_masses<4>(void*, int, const SolverInertia*);
+template void renew_masses<1>(void*, const std::uint8_t*, int, const SolverInertia*);
+template void renew_masses<4>(void*, const std::uint8_t*, int, const SolverInertia*);
 
 // Writes one report per lane: the sum of the points' normal impulses, and their least separation.
 template <int N>

@@ -31,10 +31,6 @@ CAIRN_INLINE Sym3x8 difference(const Sym3x8& a, const Sym3x8& b) {
 CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
     return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
-CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
-    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
-            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
-}
 CAIRN_INLINE Sym3x8 zero6() { return {zero(), zero(), zero(), zero(), zero(), zero()}; }
 
 // Relative error of a difference of 32-bit floats after the operations here: differences that are smaller, relative to

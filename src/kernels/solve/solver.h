@@ -20,7 +20,7 @@ BounceCount bounce_contacts(void* blocks, int count, const SolverBodies& bodies,
 template <int N>
 void find_contact_rebounds(const void* blocks, void* impacts, const ReboundTargets& aimed, int count,
                            const SolverBodies& bodies, const BounceSettings& settings);
-template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
+template <int N> void renew_masses(void* blocks, const std::uint8_t* lanes, int count, const SolverInertia* inertia);
 template <int N>
 void solve_impact_contacts(void* blocks, void* impacts, const float* leave, int count, SolverVelocity* velocity,
                            float inverse_h);

@@ -267,8 +267,9 @@ struct SolverKernels {
         // with lanes that they left to the passes of an impact.
         int (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
         int (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
-        // Recomputes the effective masses and couplings with the current inertia.
-        void (*renew_masses)(void* blocks, int count, const SolverInertia* inertia);
+        // Recomputes the effective masses and couplings with the current inertia. `lanes`: for each block the bits of
+        // its lanes; null: all lanes.
+        void (*renew_masses)(void* blocks, const std::uint8_t* lanes, int count, const SolverInertia* inertia);
         // One pass of an impact. `impacts`: an array of ContactImpact, parallel to the blocks; `rebound_speed`: as
         // written by `find_rebounds`; null: nothing bounces.
         void (*impact_pass)(void* blocks, void* impacts, const float* rebound_speed, int count,

@@ -27,10 +27,6 @@ CAIRN_INLINE Sym3x8 rotated_diagonal(const Mat3x8& r, Vec3x8 d) {
             (a.x * r.c0.z + b.x * r.c1.z) + c.x * r.c2.z, (a.y * r.c0.y + b.y * r.c1.y) + c.y * r.c2.y,
             (a.y * r.c0.z + b.y * r.c1.z) + c.y * r.c2.z, (a.z * r.c0.z + b.z * r.c1.z) + c.z * r.c2.z};
 }
-CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
-    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
-            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
-}
 
 // The tensor with this diagonal in the axes q, times v.
 CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
