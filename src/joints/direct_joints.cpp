@@ -16,11 +16,7 @@ using math::put;
 
 namespace {
 
-// Fraction of an error that is corrected in a substep, for equal and unequal masses. A higher one loses less energy,
-// but lets the heavy end of a chain of light links gain some.
-constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
-// Fraction of angular velocity lost per substep, of the share that the added geometric stiffness has in the moment.
-constexpr double stiffness_damping = 0.02;
+constexpr double bias = 0.5; // fraction of an error that is corrected in a substep
 // Relative increase of the diagonal in sets with loops, where some rows are redundant.
 constexpr double loop_compliance = 1e-6;
 constexpr int max_bound_rounds = 8; // rounds of fixing drives at their bounds, or freeing them
@@ -73,22 +69,17 @@ void place_bodies(const SetView& v, const BatchScratch& scratch) {
     }
 }
 
-// Computes the inverse inertia with geometric stiffness, and the angular velocity that is lost by stiffness_damping.
+// Computes the inverse inertia with geometric stiffness.
 void stiffen_bodies(const SetView& v) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         if (!b.by_forces) continue;
-        DVec3 inverse = b.inverse_moments, lost;
-        for (int k = 0; k < 3; ++k) {
-            if (!(b.stiffness[k] > b.moments[k]) || !(inverse[k] > 0)) continue;
-            inverse[k] = 1 / b.stiffness[k];
-            const double w = math::dot(b.axes.column(k), b.w);
-            lost[k] = stiffness_damping * (1 - b.moments[k] * inverse[k]) * w;
-        }
+        DVec3 inverse = b.inverse_moments;
+        for (int k = 0; k < 3; ++k)
+            if (b.stiffness[k] > b.moments[k] && inverse[k] > 0) inverse[k] = 1 / b.stiffness[k];
         b.inverse_inertia = inverse.x == inverse.y && inverse.x == inverse.z
                                 ? math::DSym3{inverse.x, 0, 0, inverse.x, 0, inverse.x}
                                 : math::rotated_diagonal(b.axes, inverse);
-        b.dw -= b.axes * lost;
     }
 }
 
@@ -319,10 +310,7 @@ void solve_rows(const Joints& joints, const SetView& v, double rate) {
     commit_increments(v);
 }
 
-double return_rate(const SetView& v, double h) {
-    return (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) /
-           std::max(h, double(stiffest_substep));
-}
+double return_rate(double h) { return bias / std::max(h, double(stiffest_substep)); }
 
 void read_velocities(const SetView& v, const BatchScratch& scratch) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
@@ -337,7 +325,10 @@ void read_velocities(const SetView& v, const BatchScratch& scratch) {
 void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h, bool first) {
     const std::size_t n = v.set.nodes.size();
     place_bodies(v, scratch);
-    for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i, h);
+    const auto refresh_rows = [&] {
+        for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i, h);
+    };
+    refresh_rows();
     if (first && v.is_new) { // the tension must be known before any body rotates
         stiffen_bodies(v);
         assemble(joints, v);
@@ -347,7 +338,10 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
         solve_rows(joints, v, 0);
         for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].dv = v.bodies[i].dw = {};
     }
-    if (first) find_stiffness(v, h);
+    if (first) {
+        find_stiffness(v, h);
+        refresh_rows();
+    }
     stiffen_bodies(v);
     assemble(joints, v);
     factorize(v);
@@ -376,7 +370,7 @@ void count_impulse(const SetView& v, std::size_t i, DVec3 impulse, double drive)
 }
 
 void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h) {
-    const double rate = return_rate(v, h);
+    const double rate = return_rate(h);
     read_velocities(v, scratch);
     solve_rows(joints, v, rate);
     hold_limits(v, rate, h);
@@ -393,7 +387,7 @@ void solve_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
 
 // Finds the velocities that the joints allow: the changes are in dv and dw.
 void join_set(const Joints& joints, const SetView& v, const BatchScratch& scratch, double h) {
-    const double rate = return_rate(v, h);
+    const double rate = return_rate(h);
     read_velocities(v, scratch);
     seek_within_bounds(joints, v, rate);
     hold_limits_for_now(v, rate, h);

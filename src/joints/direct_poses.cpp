@@ -10,6 +10,13 @@ using math::DVec3;
 
 namespace {
 
+// The arm of a row for velocities and impulses. A body under tension has that of the middle of the substep: with the
+// arm at its start, the tension acts half a substep late, and what rotates in that time gains energy. For other bodies
+// the arm at the start of the substep conserves energy, and that of the middle would lose some of it.
+DVec3 arm_at_work(const DirectBody& body, DVec3 arm, double h) {
+    return body.is_tense() ? math::rotate(math::from_rotation_vector(0.5 * h * body.w), arm) : arm;
+}
+
 void refresh_point(const JointLocks& rules, DVec3 axis, DVec3 gap, DirectRow& r) {
     r.linear = math::identity_block();
     r.is_plain = rules.point == JointLock::full;
@@ -74,6 +81,7 @@ void refresh_row(const Joints& joints, const SetView& v, std::size_t i, double h
     const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
     r.arm_a = math::rotate(a.turn, r.arm_a0), r.arm_b = math::rotate(b.turn, r.arm_b0);
     const DVec3 gap = r.gap0 + ((b.center - a.center) + ((r.arm_b - r.arm_b0) - (r.arm_a - r.arm_a0)));
+    r.arm_a = arm_at_work(a, r.arm_a, h), r.arm_b = arm_at_work(b, r.arm_b, h);
     const DVec3 axis_a = math::rotate(a.turn, r.axis_a0), axis_b = math::rotate(b.turn, r.axis_b0);
     if (node.rows == DirectRows::point)
         refresh_point(rules, axis_a, gap, r);

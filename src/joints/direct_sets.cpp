@@ -102,7 +102,7 @@ class Finder {
         set_.bodies.insert(set_.bodies.begin(), none);
         for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[set_.bodies[i]] = std::int32_t(i);
         list_nodes();
-        measure();
+        find_loops();
         for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[set_.bodies[i]] = none;
     }
 
@@ -149,23 +149,15 @@ class Finder {
         return none;
     }
 
-    // Finds loops and the mass ratio. All bodies that forces do not move count as one.
-    void measure() {
+    // All bodies that forces do not move count as one.
+    void find_loops() {
         std::size_t moving = 0;
-        float least = 0, greatest = 0;
         bool is_held = false;
-        for (std::size_t i = 1; i < set_.bodies.size(); ++i) {
-            if (!moves_by_forces(bodies_, set_.bodies[i])) continue;
-            ++moving;
-            const float mass = bodies_.mass[set_.bodies[i]].mass;
-            least = least > 0 && least <= mass ? least : mass;
-            greatest = greatest >= mass ? greatest : mass;
-        }
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) moving += moves_by_forces(bodies_, set_.bodies[i]);
         for (const std::uint32_t joint : set_.joints)
             is_held |= !moves_by_forces(bodies_, joints_.info[joint].body_a) ||
                        !moves_by_forces(bodies_, joints_.info[joint].body_b);
         set_.has_loops = set_.joints.size() >= moving + std::size_t(is_held);
-        set_.mass_ratio = least > 0 ? greatest / least : 1;
     }
 
     // --- the rule for joints whose solver the engine chooses

@@ -61,7 +61,6 @@ struct DirectSet {
     std::vector<DirectNode> nodes;     // in their order of elimination
     DirectPlan plan;
     bool has_loops = false;
-    float mass_ratio = 1; // mass of the heaviest body / mass of the lightest
 };
 
 struct DirectSets {

@@ -19,6 +19,9 @@ struct DirectBody {
     math::DQuat turn;                     // rotation since then
     math::DMat3 axes;                     // the principal axes now
     math::DVec3 stiffness;                // geometric stiffness x h^2: least moments about the principal axes, kg m^2
+    bool is_tense() const {               // whether these exceed the body's own
+        return stiffness.x > moments.x || stiffness.y > moments.y || stiffness.z > moments.z;
+    }
     math::DSym3 inverse_inertia;
     math::DVec3 v, w;             // the velocities that move the pose
     math::DVec3 dv, dw;           // the changes of v and w by impulses

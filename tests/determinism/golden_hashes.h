@@ -22,7 +22,7 @@ inline constexpr std::uint64_t all_shapes = 0x9251677d83f79ab8;
 inline constexpr std::uint64_t rounded_shapes = 0x4b81c9a9f719d9d0;
 inline constexpr std::uint64_t surfaces = 0x682c1286d45ab203;
 inline constexpr std::uint64_t all_joints = 0x8e483eb72e2c0f09;
-inline constexpr std::uint64_t chains = 0x4c5de1afe8b154c3;
-inline constexpr std::uint64_t robots = 0xb170e4a94f2c919e;
+inline constexpr std::uint64_t chains = 0x07137cf5746a3e11;
+inline constexpr std::uint64_t robots = 0x60c9c55f2eac458f;
 
 } // namespace cairn_test::golden

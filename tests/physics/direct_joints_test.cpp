@@ -35,8 +35,8 @@ TEST_P(HeavyChain, SwingsWithoutStretching) {
     const double swing = world.kinetic_energy();
     EXPECT_LT(peak_gap(world, 40), 0.001);
     const double change = world.kinetic_energy() + world.potential_energy() - energy;
-    EXPECT_LT(change, 0.002 * swing); // measured: -0.4 and -0.2 %
-    EXPECT_GT(change, -0.02 * swing);
+    EXPECT_LT(change, 0); // measured: -0.4 and -3.0 %
+    EXPECT_GT(change, -0.05 * swing);
 }
 INSTANTIATE_TEST_SUITE_P(Physics, HeavyChain, testing::Values(1000.0f, 100000.0f));
 
@@ -130,10 +130,13 @@ TEST(DirectJoints, BridgeCarriesAHeavyBall) {
     }
 }
 
-// A box of 10 kg falls half a meter onto a taut rope of 16 links of half a kilogram. With contacts and joints that used
-// different inertias for the links, 123 of 200 such boxes gained energy, up to 1e7 J, and joints opened by up to 900 m.
-TEST(DirectJoints, TautRopesAreNoSlingshots) {
-    constexpr int links = 16, starts = 40;
+// A box or a ball falls half a meter onto a taut rope of 16 links of half a kilogram. When contacts and joints used
+// different inertias for the links, and tension acted on them half a substep late, 123 of 200 boxes of 10 kg gained
+// energy, up to 1e7 J, and joints opened by up to 900 m.
+class TautRope : public testing::TestWithParam<float> {};
+
+TEST_P(TautRope, IsNoSlingshot) {
+    constexpr int links = 16, starts = 24;
     constexpr double length = 0.3, slope = 0.1; // m, rad: of the first link
     Starts random(1);
     int gains = 0;
@@ -151,8 +154,11 @@ TEST(DirectJoints, TautRopesAreNoSlingshots) {
             last = link, end = next;
         }
         hold(world, last, BodyId{}, end, BallJoint{});
-        const Position middle(0.5 * end.x + random.between(-0.1, 0.1), 0.43, random.between(-0.02, 0.02));
-        add_dynamic(world, Box{{0.15f, 0.15f, 0.15f}}, middle, 10);
+        const Position at(0.5 * end.x + random.between(-0.1, 0.1), 0.5, random.between(-0.02, 0.02));
+        if (start % 2 == 0)
+            add_dynamic(world, Box{{0.15f, 0.15f, 0.15f}}, at, GetParam());
+        else
+            add_dynamic(world, Sphere{0.2f}, at, GetParam());
         const double energy = world.kinetic_energy() + world.potential_energy();
         double most = energy;
         for (int i = 0; i < 240; ++i) {
@@ -160,10 +166,40 @@ TEST(DirectJoints, TautRopesAreNoSlingshots) {
             most = std::max(most, world.kinetic_energy() + world.potential_energy());
             widest = std::max(widest, greatest_gap(world));
         }
-        gains += most > energy + 2;
+        gains += most > energy + 0.02 * double(GetParam()) * gravity;
     }
-    EXPECT_LE(gains, 2);
-    EXPECT_LT(widest, 0.5);
+    EXPECT_LE(gains, 1);
+    EXPECT_LT(widest, 0.3);
+}
+INSTANTIATE_TEST_SUITE_P(DirectJoints, TautRope, testing::Values(10.0f, 30.0f));
+
+// Three links in a straight line between fixed points, one of which spins about it. With lever arms of the start of a
+// substep, which the spin has left half a substep later, all of these gained energy from 100 rad/s on.
+TEST(DirectJoints, TautChainsBearALinkThatSpins) {
+    Starts random(1);
+    for (const double spin : {30.0, 100.0, 300.0, 900.0})
+        for (int start = 0; start < 12; ++start) {
+            World world(without_sleep());
+            const glm::dquat turn = glm::angleAxis(random.between(-0.2, 0.2), glm::dvec3(1, 0, 0)) *
+                                    glm::angleAxis(random.between(-0.2, 0.2), glm::dvec3(0, 0, 1));
+            const Position down = turn * glm::dvec3(0, -1, 0);
+            BodyId last;
+            for (int i = 0; i < 3; ++i) {
+                BodyDef def;
+                def.position = (0.4 * i + 0.2) * down;
+                def.rotation = Quat(turn);
+                if (i == start % 3) def.angular_velocity = Vec3(spin * down);
+                const BodyId link = world.create_body(def);
+                world.add_shape(link, start % 2 == 0 ? Shape(Capsule{0.17f, 0.03f, {}}) : Box{{0.03f, 0.19f, 0.06f}});
+                hold(world, last, link, (0.4 * i) * down, BallJoint{}, JointSolver::direct);
+                last = link;
+            }
+            hold(world, last, BodyId{}, 1.2 * down, BallJoint{}, JointSolver::direct);
+            const double energy = world.kinetic_energy() + world.potential_energy();
+            EXPECT_LT(peak_gap(world, 5), 1e-4) << spin;
+            const double change = world.kinetic_energy() + world.potential_energy() - energy;
+            EXPECT_LT(std::fabs(change), 0.01 * world.kinetic_energy()) << spin;
+        }
 }
 
 class BothSolvers : public testing::TestWithParam<JointSolver> {};
