@@ -93,7 +93,7 @@ void IntegratorWindow::draw_motion(float width, float height) const {
         if (away > double(width) / double(2.0f * unit)) {
             const std::string words = std::string(name_of(lab_integrators[i])) + " has left the picture";
             const float y =
-                lanes > 1 ? place.y + 0.3f * dot : corner.y + height - (2.0f + 1.2f * float(i)) * ImGui::GetFontSize();
+                lanes > 1 ? place.y + 1.8f * dot : corner.y + height - (2.0f + 1.2f * float(i)) * ImGui::GetFontSize();
             list->AddText(ImVec2(corner.x + width - 0.5f * dot - ImGui::CalcTextSize(words.c_str()).x, y),
                           word_ink(rgb), words.c_str());
         }

@@ -13,6 +13,7 @@
 #include "viewer/screen_video.h"
 #include "viewer/script.h"
 #include "viewer/window_libraries.h"
+#include "viewer/window_places.h"
 
 #include "files/output_file.h"
 
@@ -449,6 +450,7 @@ void Application::run() {
         ImGui_ImplGlfw_NewFrame();
         show_script_mouse();
         ImGui::NewFrame();
+        follow_picture_size();
         panel_.draw(latest.stage, controller_, facts_, interface_scale_);
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();

@@ -1,5 +1,7 @@
 #include "viewer/window_libraries.h"
 
+#include "viewer/window_places.h"
+
 #include <cairn/error.h>
 
 #define GLFW_INCLUDE_NONE
@@ -48,6 +50,7 @@ WindowHandle open_window(int width, int height) {
 ImguiLibrary::ImguiLibrary(GLFWwindow* window, std::string layout) : layout_(std::move(layout)) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = layout_.empty() ? nullptr : layout_.c_str();
+    remember_picture_size();
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }

@@ -115,9 +115,30 @@ else:
     print(*(state["bodies"][1]["screen"] if place == "crate" else state["places"][place]))
 PYTHON
     ) || { echo "FAILED  a script's click reaches $place"; exit 1; }
+    [ "$place" = inspector.duplicate ] && button=$at
     clicks+=("cursor $at" 'wait 0.3' 'press left' 'wait 0.2' 'release left' 'wait 1')
 done
 echo "ok      a script clicks a button in a panel"
+
+# The inspector was at the right edge of the picture; in a wider one it is there, too.
+clicks=()
+for place in crate inspector.duplicate; do
+    for step in 'wait 0.5' "${clicks[@]}" "report $folder/script.json" quit; do echo "$step"; done >"$folder/script"
+    "$cairn" view "$folder/scene.gltf" --width 1000 --height 500 --script "$folder/script" --exit-after 60 ||
+        { echo "FAILED  the viewer in a larger window"; exit 1; }
+    at=$(python3 - "$folder/script.json" "$place" ${button:-} <<'PYTHON'
+import json, sys
+state, place = json.load(open(sys.argv[1])), sys.argv[2]
+if place == "crate":
+    print(*state["bodies"][1]["screen"])
+else:
+    x, before = state["places"][place][0], float(sys.argv[3])
+    assert abs(x - before - 200) < 3, (x, before)
+PYTHON
+    ) || { echo "FAILED  the inspector stays at the right edge of a wider picture"; exit 1; }
+    clicks+=("cursor $at" 'wait 0.3' 'press left' 'wait 0.2' 'release left' 'wait 1')
+done
+echo "ok      the inspector stays at the right edge of a wider picture"
 
 # Dropped files: a file that cannot be opened keeps the scene and shows a message; a valid one replaces the scene.
 sed 's/One box/Another box/' "$folder/scene.gltf" >"$folder/other.gltf"
