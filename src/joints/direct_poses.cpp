@@ -11,10 +11,12 @@ using math::DVec3;
 namespace {
 
 // The arm of a row for velocities and impulses. A body under tension has that of the middle of the substep: with the
-// arm at its start, the tension acts half a substep late, and what rotates in that time gains energy. For other bodies
-// the arm at the start of the substep conserves energy, and that of the middle would lose some of it.
+// arm at its start, the tension acts half a substep late, and what rotates in that time gains energy. So has a body
+// that does not move by forces, whose rotation is known. For other bodies the arm at the start of the substep conserves
+// energy, and that of the middle would lose some of it.
 DVec3 arm_at_work(const DirectBody& body, DVec3 arm, double h) {
-    return body.is_tense() ? math::rotate(math::from_rotation_vector(0.5 * h * body.w), arm) : arm;
+    const bool is_at_start = body.by_forces && !body.is_tense();
+    return is_at_start ? arm : math::rotate(math::from_rotation_vector(0.5 * h * body.w), arm);
 }
 
 void refresh_point(const JointLocks& rules, DVec3 axis, DVec3 gap, DirectRow& r) {
