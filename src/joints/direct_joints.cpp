@@ -69,7 +69,8 @@ void place_bodies(const SetView& v, const BatchScratch& scratch) {
     }
 }
 
-// Computes the inverse inertia with geometric stiffness.
+// Computes the inverse inertia with geometric stiffness. Equal moments give an exact multiple of 1: rounding would make
+// contact blocks anisotropic.
 void stiffen_bodies(const SetView& v) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];

@@ -10,6 +10,9 @@ namespace cairn {
 
 namespace {
 
+// Mass ratio of the heaviest body of a set to one between joints, up to which they count as equally heavy.
+constexpr float max_equal_mass_ratio = 10;
+
 // Greatest number of nodes, not counting bounded ones, for which the engine chooses the direct solver by itself. Beyond
 // these limits the iterative solver is far cheaper.
 constexpr std::ptrdiff_t max_nodes = 240;

@@ -7,10 +7,6 @@
 
 namespace cairn {
 
-// Mass ratio up to which bodies of a set count as equally heavy: of the heaviest to the lightest, or to one between
-// joints.
-inline constexpr float max_equal_mass_ratio = 10;
-
 // Finds the sets again if joints, or the masses of jointed bodies, have changed.
 void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& direct);
 

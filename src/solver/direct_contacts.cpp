@@ -1,6 +1,7 @@
 #include "solver/direct_contacts.h"
 
 #include "kernels/kernels.h"
+#include "solver/batch_lanes.h"
 #include "state/state.h"
 
 #include <algorithm>
@@ -11,19 +12,6 @@ namespace cairn {
 namespace {
 
 constexpr int contacts_per_chunk = 16; // for threads
-
-void list_lanes(BatchScratch& scratch, const LaneLists& lanes, bool four_points) {
-    DirectWork& work = scratch.direct;
-    for (std::size_t begin = 0; begin < lanes.record.size(); begin += 8) {
-        std::uint8_t bits = 0;
-        for (std::size_t i = 0; i < 8; ++i) {
-            if (lanes.record[begin + i] < 0) continue;
-            const std::size_t a = std::size_t(lanes.row_a[begin + i]), b = std::size_t(lanes.row_b[begin + i]);
-            if (work.is_touched_row[a] || work.is_touched_row[b]) bits = std::uint8_t(bits | 1u << i);
-        }
-        if (bits != 0) work.contacts.push_back({std::int32_t(begin / 8), four_points, bits});
-    }
-}
 
 // Calls `f` for each dynamic body of a set that contacts touch.
 template <class F> void for_touched_bodies(const DirectSets& direct, const DirectWork& work, F&& f) {
@@ -43,8 +31,14 @@ void list_direct_contacts(const DirectSets& direct, BatchScratch& scratch) {
     if (std::none_of(work.sets.begin(), work.sets.end(), [](const DirectSolve& s) { return s.is_touched; })) return;
     work.is_touched_row.assign(scratch.row_count(), 0);
     for_touched_bodies(direct, work, [&](const DirectBody& b) { work.is_touched_row[std::size_t(b.row)] = 1; });
-    list_lanes(scratch, scratch.one_lanes, false);
-    list_lanes(scratch, scratch.four_lanes, true);
+    const auto is_touched = [&](std::int32_t row) { return work.is_touched_row[std::size_t(row)] != 0; };
+    const auto list = [&](const LaneLists& lanes, bool four_points) {
+        for_lanes_of(lanes, is_touched, [&](std::size_t block, std::uint8_t bits) {
+            work.contacts.push_back({std::int32_t(block), four_points, bits});
+        });
+    };
+    list(scratch.one_lanes, false);
+    list(scratch.four_lanes, true);
 }
 
 void share_inertia(const DirectSets& direct, BatchScratch& scratch) {

@@ -96,14 +96,12 @@ void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ra
 
 // Marks the contacts of bodies with joints: an impact on such a body acts on all bodies that joints connect to it.
 void mark_joined(const Bodies& bodies, BatchScratch& scratch) {
+    const auto is_joined = [&](std::int32_t row) {
+        const std::int32_t body = scratch.row_bodies[std::size_t(row)];
+        return body != none && bodies.links[body].joint_count > 0;
+    };
     const auto mark = [&](const LaneLists& lanes, auto& blocks) {
-        const auto is_joined = [&](std::int32_t row) {
-            const std::int32_t body = scratch.row_bodies[std::size_t(row)];
-            return body != none && bodies.links[body].joint_count > 0;
-        };
-        for (std::size_t lane = 0; lane < lanes.record.size(); ++lane)
-            if (lanes.record[lane] >= 0 && (is_joined(lanes.row_a[lane]) || is_joined(lanes.row_b[lane])))
-                blocks[lane / 8].joined = std::uint8_t(blocks[lane / 8].joined | 1u << lane % 8);
+        for_lanes_of(lanes, is_joined, [&](std::size_t block, std::uint8_t bits) { blocks[block].joined = bits; });
     };
     mark(scratch.one_lanes, scratch.one_blocks);
     mark(scratch.four_lanes, scratch.four_blocks);

@@ -126,7 +126,7 @@ TEST(DirectJoints, BridgeCarriesAHeavyBall) {
         const Position at = bridge.middle + Position(random.between(-2, 2), 0.56, 0);
         const BodyId ball = add_dynamic(world, Sphere{0.5f}, at, 1000);
         EXPECT_LT(peak_gap(world, 5), 0.001);               // measured: 0.13 mm
-        EXPECT_GT(world.body(ball).position().y, at.y - 6); // the bridge sags by 2.9 m
+        EXPECT_GT(world.body(ball).position().y, at.y - 1); // it rolls to and fro, and stays on the bridge
     }
 }
 
