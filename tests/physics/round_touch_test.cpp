@@ -127,7 +127,7 @@ TEST(RoundTouch, ARopeHoldsTogetherWhereABoxFallsOnIt) {
             world.step(dt);
             for (const JointId joint : joints) gap = std::max(gap, double(world.joint_state(joint).linear_error));
         }
-        EXPECT_LT(gap, 0.06) << i;
+        EXPECT_LT(gap, 0.1) << i; // 400 starts: median 0.9 mm, 99 % below 27 mm, at most 41; with another libm 68
     }
 }
 
