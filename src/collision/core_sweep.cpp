@@ -1,6 +1,6 @@
 #include "collision/core_sweep.h"
 
-#include "collision/sweep_course.h"
+#include "collision/sweep_search.h"
 #include "shapes/convex_query.h"
 #include "shapes/mesh.h"
 
@@ -31,7 +31,7 @@ struct Frame {
         return {dot(axes.c0, d), dot(axes.c1, d), dot(axes.c2, d)};
     }
 };
-Frame frame_at(const Mover& m, double time) {
+Frame frame_at(const MovingShape& m, double time) {
     const RigidPath::Pose pose = m.body_at(time);
     return {m.origin_at(pose), math::to_matrix(m.rotation_at(pose))};
 }
@@ -41,7 +41,7 @@ class SweptCore {
   public:
     // The cores at the ends of the span are kept, as they are requested often. Infinitely long strips are replaced by
     // the part within `reach` of the point `near`.
-    SweptCore(const Mover& m, Span span, DVec3 near = {}, double reach = 0)
+    SweptCore(const MovingShape& m, Span span, DVec3 near = {}, double reach = 0)
         : m_(m), near_(near), reach_(reach), begin_{span.begin, made({}, {0, 0, 0, 1})}, end_{span.end},
           local_center_(begin_.core.center), scale_{begin_.core.axes.c0.x, begin_.core.axes.c1.y,
                                                     begin_.core.axes.c2.z} {
@@ -87,7 +87,7 @@ class SweptCore {
         p.core.axes = {scale_.x * p.frame.axes.c0, scale_.y * p.frame.axes.c1, scale_.z * p.frame.axes.c2};
     }
 
-    const Mover& m_;
+    const MovingShape& m_;
     const DVec3 near_;
     const double reach_;
     Placed begin_, end_, between_;
@@ -101,11 +101,11 @@ std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
     const DVec3 local = to_local(other, ball.center - other.center);
     const std::optional<DVec3> nearest = nearest_in_core(other, local);
     if (!nearest) return std::nullopt;
-    const DVec3 way = other.axes * (*nearest - local);
-    const double distance = length(way);
+    const DVec3 to_nearest = other.axes * (*nearest - local);
+    const double distance = length(to_nearest);
     if (!(distance > 0)) return Gap{-1, {}, {}};
     const double radius = exact_core(ball).radius;
-    const DVec3 normal = (1 / distance) * way;
+    const DVec3 normal = (1 / distance) * to_nearest;
     return Gap{distance - (radius + exact_core(other).radius), normal, ball.center + radius * normal};
 }
 
@@ -171,14 +171,14 @@ double gap_along(DVec3 n, const Convex& a, const Convex& b) {
     return dot(n, b.center - a.center) - (reach_along(n, a) + reach_along(-n, b));
 }
 
-// Whether two shapes stay farther apart along a direction than `question` asks: a cheap test that most pairs pass.
+// Whether two shapes stay farther apart along a direction than `settings` asks: a cheap test that most pairs pass.
 template <class Pair>
-bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span, Pair& pair,
-                      const Question& question) {
+bool stay_apart_along(DVec3 direction, const MovingShape& a, const MovingShape& b, Span span, Pair& pair,
+                      const SearchSettings& settings) {
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
-    const double limit = question.tolerance + question.within + question.highest_floor,
+    const double limit = settings.tolerance + settings.within + settings.highest_floor,
                  first = pair.apart_along(n, span.begin) - limit;
     return first > 0 &&
            stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
@@ -189,7 +189,7 @@ bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1,
 class ConvexPair {
   public:
     static constexpr bool has_axes = true;
-    ConvexPair(const Mover& a, const Mover& b, Span span, DVec3& axis)
+    ConvexPair(const MovingShape& a, const MovingShape& b, Span span, DVec3& axis)
         : a_(a, span), b_(b, span, a.start, length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
           finder_(axis) {}
     const Convex& first_at(double time) { return a_.at(time); }
@@ -202,25 +202,25 @@ class ConvexPair {
     GapFinder finder_;
 };
 
-Course course_of_convexes(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
+SweepResult search_convexes(const MovingShape& a, const MovingShape& b, Span span, const SweepQuery& asked) {
     if (!(dot(asked.axis, asked.axis) > 0)) asked.axis = b.start - a.start;
     ConvexPair pair(a, b, span, asked.axis);
     const Convex &first = pair.first_at(span.begin), &second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(inside_of(first), second))
         return {};
-    const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
-    if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
-    if (question.deeper == infinity && // the normal of the contact that pushes them apart
-        pair.apart_along(math::normalized(asked.axis), span.begin) < question.highest_floor)
+    const SearchSettings settings = settings_of(first, a, asked, depth_of(second, b.layer, b.half_width));
+    if (stay_apart_along(asked.axis, a, b, span, pair, settings)) return surely_apart;
+    if (settings.deeper == infinity && // the normal of the contact that pushes them apart
+        pair.apart_along(math::normalized(asked.axis), span.begin) < settings.highest_floor)
         return {overlapped};
-    return course_by(a, b, question, span, pair);
+    return search(a, b, settings, span, pair);
 }
 
 class PlanePair {
   public:
     static constexpr bool has_axes = false;
-    PlanePair(SweptCore& a, const Mover& b, DVec3 start, double begin) : a_(a), b_(b) {
+    PlanePair(SweptCore& a, const MovingShape& b, DVec3 start, double begin) : a_(a), b_(b) {
         if (b.shape().geometry.is_double_sided && height_of(start, begin) < 0) side_ = -1;
     }
     Gap gap_at(double time) {
@@ -235,14 +235,14 @@ class PlanePair {
     double height_of(DVec3 p, double time) const { return dot(p - b_.origin_at(b_.body_at(time)), up_at(time)); }
 
     SweptCore& a_;
-    const Mover& b_;
+    const MovingShape& b_;
     double side_ = 1;
 };
 
-Course course_at_plane(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
+SweepResult search_plane(const MovingShape& a, const MovingShape& b, Span span, const SweepQuery& asked) {
     SweptCore core(a, span);
-    const Question question = question_of(core.at(span.begin), a, asked, 0);
-    return course_by(a, b, question, span, PlanePair(core, b, a.start, span.begin));
+    const SearchSettings settings = settings_of(core.at(span.begin), a, asked, 0);
+    return search(a, b, settings, span, PlanePair(core, b, a.start, span.begin));
 }
 
 Convex triangle_at(const Frame& frame, const Triangle& t) {
@@ -254,7 +254,7 @@ class TrianglePair {
   public:
     static constexpr bool has_axes = true;
     // `center`: of `a` at the beginning of the span.
-    TrianglePair(SweptCore& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
+    TrianglePair(SweptCore& a, const MovingShape& b, const Triangle& triangle, double begin, DVec3 center)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
           begin_face_(triangle_at(begin_frame_, triangle)), from_center_(begin_face_.center - center),
           axis_(from_center_), finder_(axis_) {}
@@ -272,7 +272,7 @@ class TrianglePair {
   private:
     Convex face_at(const Frame& frame) const { return b_.is_still() ? begin_face_ : triangle_at(frame, triangle_); }
     SweptCore& a_;
-    const Mover& b_;
+    const MovingShape& b_;
     const Triangle& triangle_;
     const Frame begin_frame_;
     const Convex begin_face_;
@@ -288,36 +288,36 @@ template <class F> void with_surface(const SweptShape& s, F&& f) {
         f(height_field_of(s.data));
 }
 
-// The course of a shape and the front of one triangle.
-void meet_triangle(SweptCore& core, const Mover& a, const Mover& b, const Triangle& triangle, Span span,
-                   const SweepQuery& asked, Course& best, bool& overlaps) {
+// Searches a shape and the front of one triangle.
+void meet_triangle(SweptCore& core, const MovingShape& a, const MovingShape& b, const Triangle& triangle, Span span,
+                   const SweepQuery& asked, SweepResult& best, bool& overlaps) {
     const Convex& mover = core.at(span.begin);
     TrianglePair pair(core, b, triangle, span.begin, mover.center);
     if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
-    const Question question = question_of(mover, a, asked, 0);
+    const SearchSettings settings = settings_of(mover, a, asked, 0);
     const Span part{span.begin, std::min(span.end, best.meeting)};
-    if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
-        stay_apart_along(pair.from_center(), a, b, part, pair, question))
+    if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, settings) ||
+        stay_apart_along(pair.from_center(), a, b, part, pair, settings))
         return;
-    const Course course = course_by(a, b, question, part, pair);
-    if (course.meeting == overlapped)
+    const SweepResult result = search(a, b, settings, part, pair);
+    if (result.meeting == overlapped)
         overlaps = true;
     else
-        best.take(course);
+        best.take(result);
 }
 
-// The course of a shape and the triangles of a mesh or height field.
-Course course_at_triangles(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
+// Searches a shape and the triangles of a mesh or height field.
+SweepResult search_triangles(const MovingShape& a, const MovingShape& b, Span span, const SweepQuery& asked) {
     const auto local_at = [&](double time) { // the middle of a in the surface's frame
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
     };
     const DVec3 start = local_at(span.begin), last = local_at(span.end);
     const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(last));
-    const double way = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
-    const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
+    const double travel = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
+    const int pieces = std::clamp(int(std::min(travel / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
     const double radius = a.bounding_radius() + bend + asked.within;
-    Course best;
+    SweepResult best;
     bool overlaps = false;
     for (int piece = 0; piece < pieces && best.meeting == never; ++piece) {
         const double length_of_piece = (span.end - span.begin) / pieces;
@@ -341,25 +341,26 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Swee
 }
 
 // Whether the relative motion of two shapes is so small that no core can pass through.
-bool stay_together(const Mover& a, const Mover& b) {
-    const DVec3 way = (b.end - b.start) - (a.end - a.start);
-    return length(way) + (a.turning() + b.turning()) <= free_share * a.half_width;
+bool stay_together(const MovingShape& a, const MovingShape& b) {
+    const DVec3 displacement = (b.end - b.start) - (a.end - a.start);
+    return length(displacement) + (a.turning() + b.turning()) <= free_share * a.half_width;
 }
 
 // Whether bounding spheres of both shapes meet at all on straight paths, with their deviations from these added.
-bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
-    const DVec3 from = b.start - a.start, to = b.end - a.end, way = to - from;
+bool balls_may_meet(const MovingShape& a, const MovingShape& b, double within) {
+    const DVec3 from = b.start - a.start, to = b.end - a.end, displacement = to - from;
     double sagitta = a.sagitta() + b.sagitta();
-    if (a.until() < 1 || b.until() < 1) sagitta += length(way); // the relative path is not straight
-    const double reach = a.bounding_radius() + b.bounding_radius() + sagitta + within, square = dot(way, way);
-    const double time = square > 0 ? std::clamp(-dot(from, way) / square, 0.0, 1.0) : 0;
-    const DVec3 nearest = from + time * way;
+    if (a.until() < 1 || b.until() < 1) sagitta += length(displacement); // the relative path is not straight
+    const double reach = a.bounding_radius() + b.bounding_radius() + sagitta + within,
+                 square = dot(displacement, displacement);
+    const double time = square > 0 ? std::clamp(-dot(from, displacement) / square, 0.0, 1.0) : 0;
+    const DVec3 nearest = from + time * displacement;
     return dot(nearest, nearest) <= reach * reach;
 }
 
 // Whether a ball misses a box: in the box's frame, its center moves straight past the box's enlarged bounds. The
 // deviations of both from straight paths are added.
-bool passes_box(const Mover& ball, const Mover& box, double within) {
+bool passes_box(const MovingShape& ball, const MovingShape& box, double within) {
     const Geometry& g = box.shape().geometry;
     if (g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
     const DMat3 axes = math::to_matrix(box.first_rotation());
@@ -369,44 +370,44 @@ bool passes_box(const Mover& ball, const Mover& box, double within) {
                          touch_tolerance(ball.half_width);
     double enters = 0, leaves = 1;
     for (int i = 0; i < 3; ++i) {
-        const double limit = g.size[i] + reach, way = last[i] - first[i];
+        const double limit = g.size[i] + reach, displacement = last[i] - first[i];
         if (std::fabs(first[i]) > limit && std::fabs(last[i]) > limit && first[i] * last[i] > 0) return true;
-        if (way == 0) continue;
-        const double one = (-limit - first[i]) / way, other = (limit - first[i]) / way;
+        if (displacement == 0) continue;
+        const double one = (-limit - first[i]) / displacement, other = (limit - first[i]) / displacement;
         enters = std::max(enters, std::min(one, other)), leaves = std::min(leaves, std::max(one, other));
     }
     return enters > leaves;
 }
 
-Course course_of(const Mover& a, const Mover& b, Span span, const SweepQuery& asked) {
+SweepResult search_pair(const MovingShape& a, const MovingShape& b, Span span, const SweepQuery& asked) {
     const ShapeType type = b.shape().geometry.type;
-    if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
-    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);
-    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, asked.within)) return surely_apart;
+    if (type == ShapeType::plane) return search_plane(a, b, span, asked);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return search_triangles(a, b, span, asked);
+    if (!is_strip(b.shape().geometry) && !balls_may_meet(a, b, asked.within)) return surely_apart;
     if (a.is_ball() && passes_box(a, b, asked.within)) return surely_apart;
     if (b.is_ball() && passes_box(b, a, asked.within)) return surely_apart;
-    return course_of_convexes(a, b, span, asked);
+    return search_convexes(a, b, span, asked);
 }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
     return half_width_of(a.geometry, a.data, b.geometry, b.data);
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
-// Whether it is certain that no cores meet on a course without a meeting. The distance of convex shapes in straight
-// motion is a convex function of time, so that no touch of theirs is missed. Shapes that rotate so little that it moves
-// their points by less than the tolerance can sink deeper only by as much.
-bool is_certain(const Course& course, const Mover& a, const Mover& b) {
-    return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
+// Whether it is certain that no cores meet where the result is that there is no meeting. The distance of convex shapes
+// in straight motion is a convex function of time, so that no touch of theirs is missed. Shapes that rotate so little
+// that it moves their points by less than the tolerance can sink deeper only by as much.
+bool is_certain(const SweepResult& result, const MovingShape& a, const MovingShape& b) {
+    return result.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
 // `axis`: the direction to the other shape if the two touch.
-Nearness nearness_on(const Course& course, double to, DVec3 axis) {
-    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, axis, {}};
-    return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
+Nearness nearness_on(const SweepResult& result, double to, DVec3 axis) {
+    if (result.meeting <= to) return {std::max(result.meeting, 0.0), 0, axis, {}};
+    return {result.nearest, result.gap.distance, result.gap.normal, result.gap.on_a};
 }
 
 // A ball inside a shape, with a radius of `part` times its smallest half width.
-Geometry ball_inside(const Mover& m, float part) {
+Geometry ball_inside(const MovingShape& m, float part) {
     Geometry ball;
     const float radius = part * 0.5f * smallest_extent(m.shape().geometry, m.shape().data);
     ball.size = {radius, radius, radius};
@@ -433,15 +434,15 @@ RigidPath::Pose RigidPath::at(double time) const {
 double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
+    const MovingShape first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
     if (from == 0 && to >= 1 && stay_together(first, second)) return never; // parts of a step could add up
-    double time = course_of(first, second, {from, to}, {0, 0, axis}).meeting;
+    double time = search_pair(first, second, {from, to}, {0, 0, axis}).meeting;
     // Cores that overlap at the start may sink until a ball of half their half width, or the center, meets the other.
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
         const SweptShape inside{ball, a.data, first.inside_offset(), a.path, a.until};
-        time = course_of(Mover(inside, layer, half_width, from, to), second, {from, to}, {0, 0, axis}).meeting;
+        time = search_pair(MovingShape(inside, layer, half_width, from, to), second, {from, to}, {0, 0, axis}).meeting;
     }
     return time == overlapped ? never : time;
 }
@@ -452,11 +453,11 @@ double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, doub
     const double part = is_known ? 0.5 : 1;
     const double deeper = held == Held::by_contact ? infinity : held == Held::by_nothing ? 0 : deeper_part;
     for (const Layer layer : {Layer::inner, Layer::deep}) {
-        const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
-        const Course course = course_of(first, second, {from, to}, {0, part, axis, deeper});
-        const double time = course.meeting;
+        const MovingShape first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
+        const SweepResult result = search_pair(first, second, {from, to}, {0, part, axis, deeper});
+        const double time = result.meeting;
         if (time != overlapped)
-            return time < 1 || is_certain(course, first, second) ? time
+            return time < 1 || is_certain(result, first, second) ? time
                                                                  : core_time_of_impact(a, b, is_known, from, axis);
         if (held != Held::by_nothing) break; // the solver pushes the shapes apart
     }
@@ -465,26 +466,26 @@ double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, doub
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
-    const Course course = course_of(first, second, {from, to}, {0, 0, axis});
-    const double time = course.meeting;
+    const MovingShape first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
+    const SweepResult result = search_pair(first, second, {from, to}, {0, 0, axis});
+    const double time = result.meeting;
     if (time == overlapped) return time_of_sinking(a, b, held, from, axis);
-    return time < 1 || is_certain(course, first, second) ? time : core_time_of_impact(a, b, false, from, axis);
+    return time < 1 || is_certain(result, first, second) ? time : core_time_of_impact(a, b, false, from, axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DVec3 axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
-    const Course course = course_of(first, second, {0, to}, {within, 0, axis});
-    return nearness_on(course, to, axis);
+    const MovingShape first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
+    const SweepResult result = search_pair(first, second, {0, to}, {within, 0, axis});
+    return nearness_on(result, to, axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const std::uint32_t> triangles,
                      double within) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
+    const MovingShape first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
     DVec3 axis{};
-    Course best;
+    SweepResult best;
     bool overlaps = false;
     SweptCore core(first, {0, to});
     with_surface(b, [&](const auto& surface) {

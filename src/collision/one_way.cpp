@@ -1,6 +1,6 @@
 #include "collision/one_way.h"
 
-#include "collision/sweep_course.h"
+#include "collision/sweep_search.h"
 
 #include <algorithm>
 

@@ -91,8 +91,8 @@ std::optional<math::Vec3> axis_of_symmetry(const Bodies& bodies, const Shapes& s
     for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next) {
         const Geometry& g = shapes.geometry[s];
         const math::Vec3 place = g.position - bodies.mass[b].center;
-        const auto lies_along = [&](math::Vec3 way, float length) {
-            return axis && math::length(math::cross(*axis, way)) <= sine * length;
+        const auto lies_along = [&](math::Vec3 line, float length) {
+            return axis && math::length(math::cross(*axis, line)) <= sine * length;
         };
         if (g.type == ShapeType::capsule || g.type == ShapeType::cylinder) {
             const math::Vec3 own = math::rotate(g.rotation, math::Vec3{0, 1, 0});
@@ -214,10 +214,10 @@ void Movers::follow_parabola(std::int32_t i) {
 // the path stays straight.
 void Movers::follow_joint_screw(Mover& m, const CountedPose& from, const BodyMotion& to) const {
     const DQuat by = RigidPath::between(from.x, from.q, to.x, to.q).by;
-    const DVec3 way = to.x - from.x;
+    const DVec3 displacement = to.x - from.x;
     const double sine = math::length(by.vector()); // of half the angle
     if (!(sine > 0)) return;
-    const DVec3 axis = (1 / sine) * by.vector(), slide = dot(way, axis) * axis, across = way - slide;
+    const DVec3 axis = (1 / sine) * by.vector(), slide = dot(displacement, axis) * axis, across = displacement - slide;
     if (!(math::length(across) * sine > 4 * core_depth_of(double(s.bodies.links[m.body].inner_radius)))) return;
     const DVec3 pivot = from.x + 0.5 * (across + (by.w / sine) * math::cross(axis, across));
     m.is_guided = true;
@@ -344,10 +344,10 @@ void Movers::keep_in_range(std::int32_t b, const MovingState& from, double durat
         motion.x = from.x, motion.q = from.q;
         motion.v = motion.w = {};
     }
-    const DVec3 way = motion.x - from.x;
-    const double most = double(s.settings.max_linear_speed) * duration, square = dot(way, way);
+    const DVec3 displacement = motion.x - from.x;
+    const double most = double(s.settings.max_linear_speed) * duration, square = dot(displacement, displacement);
     const bool is_far = square > most * most;
-    if (is_far) motion.x = from.x + (most / std::sqrt(square)) * way;
+    if (is_far) motion.x = from.x + (most / std::sqrt(square)) * displacement;
     const bool was_cut = clamp_velocity(s.settings, motion.v, motion.w);
     if (!is_finite || is_far || was_cut) motion.v_rest = motion.w_rest = {}, note_clamped(1);
 }
@@ -398,7 +398,7 @@ void Movers::lead_to_end(Mover& m, const MovingState& now, double time, double u
     m.is_changed = true;
 }
 
-void Movers::push_way(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
+void Movers::push_path(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
     Mover& m = (*this)[i];
     MovingState now = state_at(i, time);
     if (m.is_free || m.is_guided) {
@@ -430,7 +430,7 @@ void Movers::rest_on(std::int32_t i, DVec3 down) {
 }
 
 // Bounds of a path to the end of the step, even where the present part of a free body's path ends before.
-DBounds Movers::bounds_of_way(const Mover& m, double from) const {
+DBounds Movers::swept_bounds(const Mover& m, double from) const {
     const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
     const double later = (1 - m.path.until) * double(dt_);
     DVec3 end = start + left;

@@ -55,7 +55,7 @@ class Movers {
     void redirect(std::int32_t i, double time, const MovingState& now);
     // Adds `dv` and `dw` to the velocities along the rest of the path. `and_velocity`: also to the final velocities, as
     // for free bodies in any case; otherwise the body ends with the velocities that the solver gave it.
-    void push_way(std::int32_t i, double time, math::DVec3 dv, math::DVec3 dw, bool and_velocity);
+    void push_path(std::int32_t i, double time, math::DVec3 dv, math::DVec3 dw, bool and_velocity);
     // Lets a kinematic body carry this one along from `time` to the end of the step. After that, it slides on at its
     // relative speed from before, without the component along `axis` (of any length), the direction of approach.
     void carry(std::int32_t i, double time, std::int32_t carrier, math::DVec3 axis);
@@ -71,7 +71,7 @@ class Movers {
 
     // Path of a slow body, or one that forces do not move: from its pose at the start of the step to that at its end.
     RigidPath path_of(std::int32_t body) const;
-    DBounds bounds_of_way(const Mover& m, double from) const;
+    DBounds swept_bounds(const Mover& m, double from) const;
 
     // Whether the body is a ball about its center of mass, without joints: rotation does not move its surface.
     bool is_round(std::int32_t body) const;

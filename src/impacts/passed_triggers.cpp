@@ -13,9 +13,9 @@ using math::DVec3;
 namespace {
 
 // The path of a body through the step, in consecutive pieces.
-class Way {
+class PiecewisePath {
   public:
-    Way(const Movers& movers, std::span<const PathPiece> pieces, std::int32_t body)
+    PiecewisePath(const Movers& movers, std::span<const PathPiece> pieces, std::int32_t body)
         : mover_(movers.of_body(body)), rest_(movers.path_of(body)) {
         const auto [first, last] =
             std::equal_range(pieces.begin(), pieces.end(), PathPiece{mover_, {}, 0},
@@ -99,10 +99,10 @@ class PassedTriggers {
     }
     // The first time at which the two overlap between two times, or the last one, which is the first on the reversed
     // path; `never`: they do not overlap.
-    double time_of_overlap(const NearTrigger& t, const Way& way, const Way& other, double from, double to,
-                           bool last) const {
-        const DVec3 origin = way.between(from, to, {}, last).start;
-        const RigidPath path = way.between(from, to, origin, last), of_other = other.between(from, to, origin, last);
+    double time_of_overlap(const NearTrigger& t, const PiecewisePath& own, const PiecewisePath& other, double from,
+                           double to, bool last) const {
+        const DVec3 origin = own.between(from, to, {}, last).start;
+        const RigidPath path = own.between(from, to, origin, last), of_other = other.between(from, to, origin, last);
         const bool is_first = !is_surface(shapes_.geometry[t.trigger].type); // the first argument must not be a surface
         const SweptShape trigger = swept(t.trigger, path), body = swept(t.other, of_other);
         const Nearness found = is_first ? nearness_of(trigger, body, 0, {}) : nearness_of(body, trigger, 0, {});
@@ -120,10 +120,11 @@ class PassedTriggers {
     // Lists each entry and exit; none if the two overlap at the start or end of the step, as the narrow phase reports
     // that.
     void list_passages(const NearTrigger& t) {
-        const Way way(movers_, scratch_.pieces, body_of(t.trigger)), other(movers_, scratch_.pieces, body_of(t.other));
-        if (is_inside(t, way.at(0, 0), other.at(0, 0)) || is_inside(t, way.at(1, 1), other.at(1, 1))) return;
+        const PiecewisePath own(movers_, scratch_.pieces, body_of(t.trigger)),
+            other(movers_, scratch_.pieces, body_of(t.other));
+        if (is_inside(t, own.at(0, 0), other.at(0, 0)) || is_inside(t, own.at(1, 1), other.at(1, 1))) return;
         std::vector<double> times{0, 1};
-        for (const Way* w : {&way, &other})
+        for (const PiecewisePath* w : {&own, &other})
             for (const PathPiece& piece : w->pieces()) times.push_back(std::min(piece.until, 1.0));
         std::sort(times.begin(), times.end());
         times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -132,13 +133,13 @@ class PassedTriggers {
             const double begin = times[i - 1], end = times[i];
             double time = begin;
             if (!inside) {
-                time = time_of_overlap(t, way, other, begin, end, false);
+                time = time_of_overlap(t, own, other, begin, end, false);
                 if (time > 1) continue;
                 passages_.push_back({t.trigger, t.other, true, time});
             }
-            inside = is_inside(t, way.at(end, end), other.at(end, end));
+            inside = is_inside(t, own.at(end, end), other.at(end, end));
             if (inside) continue;
-            const double left = time_of_overlap(t, way, other, begin, end, true);
+            const double left = time_of_overlap(t, own, other, begin, end, true);
             passages_.push_back({t.trigger, t.other, false, left > 1 ? time : std::max(time, left)});
         }
     }

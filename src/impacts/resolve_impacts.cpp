@@ -342,7 +342,7 @@ class ImpactQueue {
     bool separate_paths(std::int32_t k, double time) {
         const SweptPair pair = pairs_[k];
         if (points_.empty() || (!is_moved_by_solver(pair.first) && !is_moved_by_solver(pair.second))) return false;
-        const auto on_its_way = [&](std::int32_t mover, std::uint32_t shape) {
+        const auto moving_body = [&](std::int32_t mover, std::uint32_t shape) {
             const std::int32_t body = s.shapes.links[shape].body;
             MovingState now = state_of(mover, body, time);
             if (mover == none || !movers_[mover].has_stopped()) {
@@ -351,7 +351,7 @@ class ImpactQueue {
             }
             return impact_body(mover, body, now);
         };
-        const ImpactBody before[] = {on_its_way(pair.first, pair.shape), on_its_way(pair.second, pair.other)};
+        const ImpactBody before[] = {moving_body(pair.first, pair.shape), moving_body(pair.second, pair.other)};
         ImpactBody after[] = {before[0], before[1]};
         const ImpactPair smooth{0, 1, touching_.front().points};
         for (int i = 0; i < smooth.points; ++i)
@@ -374,7 +374,7 @@ class ImpactQueue {
     void push(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and_velocity) {
         if (i == none || movers_[i].has_stopped()) return;
         end_path(i, time);
-        movers_.push_way(i, time, dv, dw, and_velocity);
+        movers_.push_path(i, time, dv, dw, and_velocity);
         ++movers_[i].impacts;
         note_changed(i);
     }

@@ -43,14 +43,14 @@ SweptPairs::SweptPairs(const SweptInput& input, SweepScratch& scratch, Movers& m
         scratch_.first_waiting.resize(in.bodies.links.size(), none);
     scratch_.redirected.clear();
     scratch_.widest_redirected = 0;
-    scratch_.has_ways = scratch_.has_known = false;
+    scratch_.has_swept_bounds = scratch_.has_known = false;
 }
 
 SweptPairs::~SweptPairs() {
     for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(in.shapes.links[pair.other].body)] = none;
 }
 
-bool SweptPairs::may_meet_on_their_way(std::uint32_t a, std::uint32_t b) const {
+bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
     const std::int32_t body_a = in.shapes.links[a].body, body_b = in.shapes.links[b].body;
     return body_a != body_b && may_meet(in.shapes.traits[a].filter, in.shapes.traits[b].filter) &&
            !joint_forbids_contact(in.bodies, in.joints, body_a, body_b);
@@ -86,8 +86,7 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
     for (const std::uint32_t other : near) {
         const std::int32_t body = in.shapes.links[other].body;
         for_each_shape(in.bodies, in.shapes, kinematic, [&](std::uint32_t shape) {
-            if (!may_meet_on_their_way(other, shape) || note_trigger(other, shape) || !in.bodies.is_dynamic(body))
-                return;
+            if (!may_collide(other, shape) || note_trigger(other, shape) || !in.bodies.is_dynamic(body)) return;
             const std::int32_t mover = add_mover(body);
             if (!is_listed(mover, other, shape)) add(mover, other, shape, known_contact(other, shape));
         });
@@ -101,8 +100,8 @@ bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& ot
     const Mover& m = movers_[mover];
     const Mover* const second = movers_.of_body(b) != none ? &movers_[movers_.of_body(b)] : nullptr;
     const RigidPath path_b = second ? second->path : movers_.path_of(b);
-    const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
-    const double square = math::dot(way, way), radius_a = double(in.bodies.links[m.body].radius),
+    const DVec3 start = path_b.start - m.path.start, displacement = path_b.translation - m.path.translation;
+    const double square = math::dot(displacement, displacement), radius_a = double(in.bodies.links[m.body].radius),
                  radius_b = double(in.bodies.links[b].radius);
     const double free =
         free_share * double(std::min(in.bodies.links[m.body].inner_radius, in.bodies.links[b].inner_radius));
@@ -111,8 +110,8 @@ bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& ot
     if (is_whole && std::sqrt(square) + turned <= free) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // unbounded
     // Least distance along the straight relative path.
-    const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
-    const DVec3 nearest = start + time * way;
+    const double time = square > 0 ? std::clamp(-math::dot(start, displacement) / square, 0.0, 1.0) : 0;
+    const DVec3 nearest = start + time * displacement;
     return math::dot(nearest, nearest) <= (radius_a + radius_b) * (radius_a + radius_b);
 }
 
@@ -234,7 +233,7 @@ void SweptPairs::list_passing() {
 // Chunks search independently; their results are then concatenated in a fixed order, so that they do not depend on the
 // number of threads.
 void SweptPairs::find_near_strayed() {
-    list_ways();
+    list_swept_bounds();
     const int count = int(in.strayed.size());
     std::vector<std::vector<NearShape>>& found = scratch_.near_in_chunk;
     found.resize(std::max(found.size(), std::size_t(count / bodies_per_chunk + 1)));
@@ -243,7 +242,7 @@ void SweptPairs::find_near_strayed() {
         own.clear();
         for (int k = begin; k < end; ++k) {
             const std::int32_t mover = movers_.of_body(in.strayed[std::size_t(k)]);
-            for_each_near(mover, movers_.bounds_of_way(movers_[mover], 0), [&](std::uint32_t other) {
+            for_each_near(mover, movers_.swept_bounds(movers_[mover], 0), [&](std::uint32_t other) {
                 own.push_back({mover, other});
             });
         }
@@ -286,15 +285,15 @@ void SweptPairs::list_known() {
     }
 }
 
-void SweptPairs::list_ways() {
-    if (scratch_.has_ways) return;
-    scratch_.has_ways = true;
-    scratch_.bounds_of_ways.clear();
+void SweptPairs::list_swept_bounds() {
+    if (scratch_.has_swept_bounds) return;
+    scratch_.has_swept_bounds = true;
+    scratch_.swept_bounds.clear();
     scratch_.strayed.clear();
     scratch_.widest_strayed = 0;
     for (std::int32_t i = 0; i < movers_.count(); ++i) {
-        const DBounds bounds = movers_.bounds_of_way(movers_[i], 0);
-        scratch_.bounds_of_ways.push_back(bounds);
+        const DBounds bounds = movers_.swept_bounds(movers_[i], 0);
+        scratch_.swept_bounds.push_back(bounds);
         if (!movers_[i].has_strayed || movers_[i].is_redirected) continue;
         scratch_.strayed.push_back({bounds.lo.x, i, bounds});
         scratch_.widest_strayed = std::max(scratch_.widest_strayed, bounds.hi.x - bounds.lo.x);
@@ -305,10 +304,10 @@ void SweptPairs::list_ways() {
 namespace {
 
 // Calls f(path) for the entries, sorted by x, whose ranges along x may overlap the bounds; no range exceeds `widest`.
-template <class Ways, class F> void for_each_beside(const Ways& run, double widest, const DBounds& bounds, F&& f) {
+template <class Run, class F> void for_each_beside(const Run& run, double widest, const DBounds& bounds, F&& f) {
     const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
-    auto way = std::lower_bound(run.begin(), run.end(), bounds.lo.x - widest, begins_before);
-    for (; way != run.end() && way->begin <= bounds.hi.x; ++way) f(*way);
+    auto next = std::lower_bound(run.begin(), run.end(), bounds.lo.x - widest, begins_before);
+    for (; next != run.end() && next->begin <= bounds.hi.x; ++next) f(*next);
 }
 
 } // namespace
@@ -321,17 +320,17 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
         if (i == mover) return;
         if (i != none) {
             if (movers_[i].has_strayed || movers_[i].is_redirected) return;
-            const bool is_listed = std::size_t(i) < scratch_.bounds_of_ways.size(); // not movers added since then
-            if (is_listed && !meet(bounds, scratch_.bounds_of_ways[std::size_t(i)])) return;
+            const bool is_listed = std::size_t(i) < scratch_.swept_bounds.size(); // not movers added since then
+            if (is_listed && !meet(bounds, scratch_.swept_bounds[std::size_t(i)])) return;
         }
         f(other);
     });
-    const auto visit = [&](const SweptBounds& way) {
-        if (way.mover != mover && meet(bounds, way.bounds))
-            for_each_shape(in.bodies, in.shapes, movers_[way.mover].body, f);
+    const auto visit = [&](const SweptBounds& swept) {
+        if (swept.mover != mover && meet(bounds, swept.bounds))
+            for_each_shape(in.bodies, in.shapes, movers_[swept.mover].body, f);
     };
-    for_each_beside(scratch_.strayed, scratch_.widest_strayed, bounds, [&](const SweptBounds& way) {
-        if (!movers_[way.mover].is_redirected) visit(way);
+    for_each_beside(scratch_.strayed, scratch_.widest_strayed, bounds, [&](const SweptBounds& swept) {
+        if (!movers_[swept.mover].is_redirected) visit(swept);
     });
     for (std::span<const SweptBounds> left = scratch_.redirected; !left.empty();) {
         const std::size_t size = std::bit_floor(left.size());
@@ -341,23 +340,23 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
 }
 
 // Merges runs of equal length, so that n insertions take n log^2 n operations, and a query log^2 n.
-void SweptPairs::note_way(const SweptBounds& way) {
+void SweptPairs::note_swept_bounds(const SweptBounds& swept) {
     std::vector<SweptBounds>& redirected = scratch_.redirected;
-    redirected.push_back(way);
+    redirected.push_back(swept);
     const std::size_t last_run = redirected.size() & (~redirected.size() + 1); // the lowest digit of 1
     std::sort(redirected.end() - std::ptrdiff_t(last_run), redirected.end());
-    scratch_.widest_redirected = std::max(scratch_.widest_redirected, way.bounds.hi.x - way.bounds.lo.x);
+    scratch_.widest_redirected = std::max(scratch_.widest_redirected, swept.bounds.hi.x - swept.bounds.lo.x);
 }
 
 void SweptPairs::find_near(std::int32_t mover, double from) {
-    list_ways();
-    const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
+    list_swept_bounds();
+    const DBounds bounds = movers_.swept_bounds(movers_[mover], from);
     std::vector<std::uint32_t>& near = scratch_.near; // pairs are added after the query
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     list_pairs_of(mover);
     for (const std::uint32_t other : near) add_near(mover, other);
-    note_way({bounds.lo.x, mover, bounds});
+    note_swept_bounds({bounds.lo.x, mover, bounds});
     ask_for_axes();
 }
 
@@ -383,7 +382,7 @@ void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
     const std::int32_t body = movers_[mover].body;
     for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
         if (std::binary_search(listed.begin(), listed.end(), key_of(shape, other))) return;
-        if (!may_meet_on_their_way(shape, other) || note_trigger(shape, other)) return;
+        if (!may_collide(shape, other) || note_trigger(shape, other)) return;
         if (are_joined(body, in.shapes.links[other].body)) return;
         add(mover, shape, other, known_contact(shape, other));
     });

@@ -59,15 +59,15 @@ class SweptPairs {
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
     bool stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const;
-    bool may_meet_on_their_way(std::uint32_t a, std::uint32_t b) const; // by filters and joints
-    bool note_trigger(std::uint32_t a, std::uint32_t b);                // whether one of them is a trigger
+    bool may_collide(std::uint32_t a, std::uint32_t b) const; // by filters and joints
+    bool note_trigger(std::uint32_t a, std::uint32_t b);      // whether one of them is a trigger
     bool are_joined(std::int32_t a, std::int32_t b);
     void find_struck(std::int32_t kinematic);
     std::int32_t known_contact(std::uint32_t a, std::uint32_t b);
     void list_known();
     void list_passing();
-    void list_ways();
-    void note_way(const SweptBounds& way); // of a redirected mover
+    void list_swept_bounds();
+    void note_swept_bounds(const SweptBounds& swept); // of a redirected mover
     void find_near_strayed();
     void list_pairs_of(std::int32_t mover);
     void add_near(std::int32_t mover, std::uint32_t other);

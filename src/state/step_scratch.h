@@ -32,7 +32,7 @@ struct StepScratch {
         for (BatchScratch& own : solver.at_work)
             give_back(own.finalized.escaped, own.finalized.fast, own.finalized.strayed);
         SweepScratch& sweep = solver.sweep;
-        give_back(sweep.bodies, sweep.passing, sweep.movers, sweep.pairs, sweep.bounds_of_ways, sweep.strayed,
+        give_back(sweep.bodies, sweep.passing, sweep.movers, sweep.pairs, sweep.swept_bounds, sweep.strayed,
                   sweep.redirected, sweep.meetings, sweep.known);
     }
 

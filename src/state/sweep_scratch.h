@@ -120,7 +120,7 @@ struct SweepScratch {
     std::vector<std::int32_t> first_waiting; // by body: if it is no mover, the first pair with it, or none
     std::vector<Meeting> meetings;           // a heap, earliest first
     std::vector<std::int32_t> asked;         // pairs to search again after an impact
-    std::vector<DBounds> bounds_of_ways;     // by mover: bounds of the path by the solver
+    std::vector<DBounds> swept_bounds;       // by mover: bounds of the path by the solver
     // The paths of movers that are outside of their bounds in the broad phase: those by the solver, sorted by x; and
     // those changed since then, in sorted runs, as many as there are 1 bits in their number.
     std::vector<SweptBounds> strayed, redirected;
@@ -128,7 +128,7 @@ struct SweepScratch {
     // Contacts whose points are in the solver: lists by body A.
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
-    bool has_ways = false, has_known = false;
+    bool has_swept_bounds = false, has_known = false;
     std::vector<std::int32_t> assembly_of; // by body: index in `assemblies`, or none: not searched yet
     std::vector<std::int32_t> members;
     std::vector<Assembly> assemblies;

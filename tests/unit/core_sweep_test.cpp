@@ -1,6 +1,6 @@
 // Times of impact of shapes on their paths, compared with distances at many sampled times.
 #include "collision/core_sweep.h"
-#include "collision/sweep_course.h"
+#include "collision/sweep_search.h"
 
 #include "convex_test_support.h"
 #include "shapes/gjk.h"

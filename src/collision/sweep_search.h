@@ -55,10 +55,10 @@ inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
     return impact_tolerance(half);
 }
 
-// The motion of a shape along its path, and bounds of it.
-class Mover {
+// A shape that moves along its path, and bounds of its motion.
+class MovingShape {
   public:
-    Mover(const SweptShape& s, Layer layer, double half_width, double from, double to)
+    MovingShape(const SweptShape& s, Layer layer, double half_width, double from, double to)
         : layer(layer), half_width(half_width), s_(s), from_(from), to_(to),
           first_(from > s.path.begin || s.until < 1 ? pose_at(from) : s.path.first()),
           last_(s.until < 1 || to < s.path.until ? pose_at(to) : s.path.end()), turn_(length(s.path.turn)) {
@@ -102,10 +102,10 @@ class Mover {
     // In a frame that rotates with this shape about its center of mass: the greatest distance of a point of another
     // shape from the straight line between two of its positions. As RigidPath::sagitta, plus the apparent accelerations
     // of a rotating frame, 2 w x d' and w x (w x d), where d is the vector from the center of mass.
-    double sagitta_of(const Mover& other) const {
-        const double way = length(other.s_.path.translation - s_.path.translation);
-        const double distance = length(other.s_.path.start - s_.path.start) + way + other.reach_;
-        const double speed = way + other.turn_ * other.reach_;
+    double sagitta_of(const MovingShape& other) const {
+        const double displacement = length(other.s_.path.translation - s_.path.translation);
+        const double distance = length(other.s_.path.start - s_.path.start) + displacement + other.reach_;
+        const double speed = displacement + other.turn_ * other.reach_;
         return other.sagitta() + s_.path.sagitta(distance) + 0.25 * turn_ * speed;
     }
     // A direction that is fixed in the shape, at another time.
@@ -156,7 +156,7 @@ struct Span {
 };
 
 // The time until which the bound of the approach speed remains the same: a body may stop before the end.
-inline double next_stop(const Mover& a, const Mover& b, double time, double end) {
+inline double next_stop(const MovingShape& a, const MovingShape& b, double time, double end) {
     for (const double until : {a.until(), b.until()})
         if (time < until) end = std::min(end, until);
     return end;
@@ -165,18 +165,18 @@ inline double next_stop(const Mover& a, const Mover& b, double time, double end)
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The result of a search: how two shapes approach each other.
-struct Course {
+struct SweepResult {
     double meeting = never;    // a time, or `overlapped`
     double nearest = 0;        // if they do not meet: the time when they are nearest,
     Gap gap{infinity, {}, {}}; // and their distance then
     bool is_certain = false;   // it is proven that they do not meet
 
-    void take(const Course& other) {
+    void take(const SweepResult& other) {
         meeting = std::min(meeting, other.meeting);
         if (other.gap.distance < gap.distance) nearest = other.nearest, gap = other.gap;
     }
 };
-inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
+inline constexpr SweepResult surely_apart{never, 0, {infinity, {}, {}}, true};
 
 // Share of the excess: overlapping shapes may sink deeper by this before they are stopped, so that a body that is
 // pressed in more and more within a step is stopped some ten times until its center is reached.
@@ -194,7 +194,7 @@ struct SweepQuery {
 
 // The parameters of a search: it ends when the shapes are as near as `tolerance`; their distance matters up to
 // `within`.
-struct Question {
+struct SearchSettings {
     double tolerance, within = 0;
     bool is_impact = false;   // shapes within the tolerance that separate, or stay, have not met
     double highest_floor = 0; // the share `floor_part` of the distance of inner cores where the shapes touch
@@ -208,7 +208,8 @@ struct Question {
     }
 };
 
-inline Question question_of(const Convex& c, const Mover& m, const SweepQuery& asked, double depth_of_other) {
+inline SearchSettings settings_of(const Convex& c, const MovingShape& m, const SweepQuery& asked,
+                                  double depth_of_other) {
     return {tolerance_of(c, m.layer, m.half_width), asked.within, m.layer == Layer::impact,
             asked.floor_part * (depth_of(c, m.layer, m.half_width) + depth_of_other), asked.deeper};
 }
@@ -217,21 +218,21 @@ inline Question question_of(const Convex& c, const Mover& m, const SweepQuery& a
 struct Closing {
     double along, speed;
 };
-inline Closing closing_of(const Mover& a, const Mover& b, const Gap& gap, double time) {
+inline Closing closing_of(const MovingShape& a, const MovingShape& b, const Gap& gap, double time) {
     const DVec3 v = a.velocity_of(gap.on_a, time) - b.velocity_of(gap.on_a + gap.distance * gap.normal, time);
     return {dot(gap.normal, v), length(v)};
 }
 
-// The minimum of the distance on a course, bracketed by the evaluations: between the last one where the shapes approach
-// and the first one where they do not, or at an end.
+// The minimum of the distance on two paths, bracketed by the evaluations: between the last one where the shapes
+// approach and the first one where they do not, or at an end.
 class Bracket {
   public:
-    struct Look {
+    struct Sample {
         double time;
         Gap gap;
         Closing closing;
     };
-    void see(const Look& now) {
+    void add(const Sample& now) {
         const bool is_turn = has_last_ && last_.closing.along > 0 && !(now.closing.along > 0);
         const bool is_start = !has_last_ && !(now.closing.along > 0);
         if (is_turn || is_start) keep(is_turn ? last_ : now, now);
@@ -239,39 +240,39 @@ class Bracket {
     }
     // After the last evaluation: the minimum by the Illinois method (false position), until the approach speed is
     // nearly 0.
-    template <class F> Course least(double speed, double within, F&& look_at) {
+    template <class F> SweepResult least(double speed, double within, F&& sample_at) {
         if (last_.closing.along > 0) keep(last_, last_);
-        Look lo = before_, hi = after_;
+        Sample lo = before_, hi = after_;
         const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // lower bound
         if (lower > within) return {};
-        Look best = lo.gap.distance < hi.gap.distance ? lo : hi;
+        Sample best = lo.gap.distance < hi.gap.distance ? lo : hi;
         double rate_lo = lo.closing.along, rate_hi = hi.closing.along;
-        for (int round = 0; round < max_looks && lo.time < hi.time; ++round) {
+        for (int round = 0; round < max_samples && lo.time < hi.time; ++round) {
             const double time = lo.time + (hi.time - lo.time) * (rate_lo / (rate_lo - rate_hi));
-            const Look look = look_at(time);
-            if (look.gap.distance < best.gap.distance) best = look;
-            if (std::fabs(look.closing.along) <= turned_part * look.closing.speed) {
-                best = look;
+            const Sample sample = sample_at(time);
+            if (sample.gap.distance < best.gap.distance) best = sample;
+            if (std::fabs(sample.closing.along) <= turned_part * sample.closing.speed) {
+                best = sample;
                 break;
             }
-            if (look.closing.along > 0) {
-                lo = look, rate_lo = look.closing.along, rate_hi *= 0.5;
+            if (sample.closing.along > 0) {
+                lo = sample, rate_lo = sample.closing.along, rate_hi *= 0.5;
             } else {
-                hi = look, rate_hi = look.closing.along, rate_lo *= 0.5;
+                hi = sample, rate_hi = sample.closing.along, rate_lo *= 0.5;
             }
         }
         return {never, best.time, best.gap};
     }
 
   private:
-    static constexpr int max_looks = 16;
+    static constexpr int max_samples = 16;
     static constexpr double turned_part = 0.05; // of the relative speed
-    void keep(const Look& before, const Look& after) {
+    void keep(const Sample& before, const Sample& after) {
         const double distance = std::min(before.gap.distance, after.gap.distance);
         if (!(distance < least_)) return;
         least_ = distance, before_ = before, after_ = after;
     }
-    Look before_{}, after_{}, last_{};
+    Sample before_{}, after_{}, last_{};
     double least_ = infinity;
     bool has_last_ = false;
 };
@@ -279,10 +280,10 @@ class Bracket {
 // Share of the step: how far time advances while the nearest points do not approach.
 inline constexpr double longest_leap = 1.0 / 16;
 
-// A time for which the shapes certainly do not close the distance `way`.
-inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
+// A time for which the shapes certainly do not close the distance `clearance`.
+inline double certain_time(const MovingShape& a, const MovingShape& b, const Gap& gap, double clearance, double time) {
     const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
-    return speed > 0 ? way / speed : never;
+    return speed > 0 ? clearance / speed : never;
 }
 
 // Whether two shapes that are `first` apart along a direction when a span begins, and `last` when it ends, m, stay
@@ -290,7 +291,8 @@ inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, doubl
 // sagitta, t: the share of the span), and the support distance of points on straight lines is never beyond the linear
 // interpolation of its end values: so the separation is at least (1 - t) first + t last - 4 S t (1 - t), which is
 // positive for all t if this is true.
-inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double sagitta, double first, double last) {
+inline bool stay_apart_between(const MovingShape& a, const MovingShape& b, Span span, double sagitta, double first,
+                               double last) {
     if (next_stop(a, b, span.begin, span.end) < span.end) return false; // not one smooth arc
     const double duration = span.end - span.begin;
     return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * duration * std::sqrt(sagitta);
@@ -301,10 +303,10 @@ inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double
 enum class AxisFrame { world, first, second };
 
 template <class Pair>
-inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap,
-                          double tolerance) {
+inline bool stay_apart_in(AxisFrame frame, const MovingShape& a, const MovingShape& b, Pair& pair, Span span,
+                          const Gap& gap, double tolerance) {
     const bool turns = frame != AxisFrame::world;
-    const Mover &fixed = frame == AxisFrame::second ? b : a, &other = frame == AxisFrame::second ? a : b;
+    const MovingShape &fixed = frame == AxisFrame::second ? b : a, &other = frame == AxisFrame::second ? a : b;
     const DVec3 n = turns ? fixed.turned(gap.normal, span.begin, span.end) : gap.normal;
     const double sagitta = turns ? fixed.sagitta_of(other) : a.sagitta() + b.sagitta();
     const double first = std::max(gap.distance - tolerance, 0.0), last = pair.apart_along(n, span.end) - tolerance;
@@ -315,15 +317,16 @@ inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, Pair&
 // separation along a direction; and `has_axes`, whether the latter is valid for any direction, or only for that of the
 // gap.
 template <class Pair>
-inline bool stay_apart_in_any(const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap, double tolerance) {
+inline bool stay_apart_in_any(const MovingShape& a, const MovingShape& b, Pair& pair, Span span, const Gap& gap,
+                              double tolerance) {
     const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
     return apart_in(AxisFrame::world) ||
            (Pair::has_axes && (apart_in(AxisFrame::first) || apart_in(AxisFrame::second)));
 }
 
 template <class Pair>
-inline bool stay_apart_from(const Mover& a, const Mover& b, Pair& pair, double time, const Gap& gap, double end,
-                            double tolerance) {
+inline bool stay_apart_from(const MovingShape& a, const MovingShape& b, Pair& pair, double time, const Gap& gap,
+                            double end, double tolerance) {
     if (!(gap.distance >= 0)) return false;
     return stay_apart_in(AxisFrame::world, a, b, pair, {time, end}, gap, tolerance);
 }
@@ -331,7 +334,8 @@ inline bool stay_apart_from(const Mover& a, const Mover& b, Pair& pair, double t
 // Conservative advancement from `begin` to `end`: misses nothing.
 inline constexpr double span_change = 0.25; // factor by which an unproven span is shortened, and then lengthened again
 template <class Pair>
-inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
+inline double advance(const MovingShape& a, const MovingShape& b, double tolerance, double begin, double end,
+                      Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
     if (!(gap.distance > 0)) return overlapped;
@@ -361,51 +365,52 @@ inline double advance(const Mover& a, const Mover& b, double tolerance, double b
 // Approach of the shapes themselves by the speed of the nearest points, which takes few evaluations. What it misses is
 // caught by the cores. `first`: the gap at `begin`.
 template <class Pair>
-inline Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair,
-                       const Gap& first) {
-    const auto look = [&](double time, const Gap& gap) {
-        return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
+inline SweepResult approach(const MovingShape& a, const MovingShape& b, SearchSettings settings, double begin,
+                            double end, Pair& pair, const Gap& first) {
+    const auto sample_of = [&](double time, const Gap& gap) {
+        return Bracket::Sample{time, gap, closing_of(a, b, gap, time)};
     };
-    const auto look_at = [&](double time) { return look(time, pair.gap_at(time)); };
-    const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
+    const auto sample_at = [&](double time) { return sample_of(time, pair.gap_at(time)); };
+    const auto is_near = [&](const Bracket::Sample& sample) { return !(sample.gap.distance > settings.tolerance); };
     // An impact requires that the shapes would approach by more than the tolerance in the rest of the step.
-    const auto has_met = [&](const Bracket::Look& look) {
-        return is_near(look) && !(question.is_impact && look.gap.distance >= 0 &&
-                                  look.closing.along * (1 - look.time) <= question.tolerance);
+    const auto has_met = [&](const Bracket::Sample& sample) {
+        return is_near(sample) && !(settings.is_impact && sample.gap.distance >= 0 &&
+                                    sample.closing.along * (1 - sample.time) <= settings.tolerance);
     };
-    const auto stays_apart_from = [&](const Bracket::Look& now) {
-        const double way = now.gap.distance - question.tolerance;
-        return (way > 0 && now.time + certain_time(a, b, now.gap, way, now.time) >= end) ||
-               (now.gap.distance >= 0 && stay_apart_in_any(a, b, pair, {now.time, end}, now.gap, question.tolerance));
+    const auto stays_apart_from = [&](const Bracket::Sample& now) {
+        const double clearance = now.gap.distance - settings.tolerance;
+        return (clearance > 0 && now.time + certain_time(a, b, now.gap, clearance, now.time) >= end) ||
+               (now.gap.distance >= 0 && stay_apart_in_any(a, b, pair, {now.time, end}, now.gap, settings.tolerance));
     };
-    Bracket::Look now = look(begin, first);
-    if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
+    Bracket::Sample now = sample_of(begin, first);
+    if (has_met(now)) return {begin > 0 || (settings.is_impact && now.gap.distance >= 0) ? begin : overlapped};
     bool is_certain = true; // that they have not met so far
     double beyond = end;    // a time at which they overlap, or the end
-    const double sunk = question.sinks() ? question.tolerance : -infinity;
-    Bracket seen;
+    const double sunk = settings.sinks() ? settings.tolerance : -infinity;
+    Bracket bracket;
     for (int round = 0; round < max_rounds; ++round) {
         if (has_met(now)) return {now.time};
-        if ((question.is_impact || question.sinks()) && stays_apart_from(now))
-            return is_certain ? surely_apart : Course{};
-        seen.see(now);
-        const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
-        const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
-        const double certain = certain_time(a, b, now.gap, way, now.time), next = now.time + std::max(certain, leap);
+        if ((settings.is_impact || settings.sinks()) && stays_apart_from(now))
+            return is_certain ? surely_apart : SweepResult{};
+        bracket.add(now);
+        const double clearance = std::max(now.gap.distance - 0.5 * settings.tolerance, 0.0);
+        const double leap = !is_near(now) && now.closing.along > 0 ? clearance / now.closing.along : longest_leap;
+        const double certain = certain_time(a, b, now.gap, clearance, now.time),
+                     next = now.time + std::max(certain, leap);
         is_certain = is_certain && leap <= certain;
         if (!(next < beyond) && beyond == end) {
-            const Bracket::Look last = look_at(end);
-            if (last.gap.distance > question.tolerance || (question.is_impact && last.gap.distance >= 0)) {
-                seen.see(last);
-                Course course = seen.least(a.speed() + b.speed(), std::max(question.within, sunk), look_at);
-                if (course.gap.distance < sunk) course.meeting = course.nearest;
-                return course;
+            const Bracket::Sample last = sample_at(end);
+            if (last.gap.distance > settings.tolerance || (settings.is_impact && last.gap.distance >= 0)) {
+                bracket.add(last);
+                SweepResult result = bracket.least(a.speed() + b.speed(), std::max(settings.within, sunk), sample_at);
+                if (result.gap.distance < sunk) result.meeting = result.nearest;
+                return result;
             }
         }
-        Bracket::Look there = look_at(next < beyond ? next : 0.5 * (now.time + beyond));
+        Bracket::Sample there = sample_at(next < beyond ? next : 0.5 * (now.time + beyond));
         while (there.gap.distance < 0 && there.time - now.time > 1e-6 * (end - begin)) { // overshoot
             beyond = there.time;
-            there = look_at(0.5 * (now.time + beyond));
+            there = sample_at(0.5 * (now.time + beyond));
         }
         if (there.gap.distance < 0) return {now.time};
         now = there;
@@ -430,17 +435,18 @@ template <class Pair> class AboveFloor {
     const double floor_;
 };
 
-// Searches by cores, or by the shapes themselves.
-template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
-    if (!question.sinks() && !(question.within > 0) && !question.is_impact)
-        return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
+// Searches whether a pair meets in a span of time: by cores, or by the shapes themselves.
+template <class Pair>
+SweepResult search(const MovingShape& a, const MovingShape& b, SearchSettings settings, Span span, Pair&& pair) {
+    if (!settings.sinks() && !(settings.within > 0) && !settings.is_impact)
+        return {advance(a, b, settings.tolerance, span.begin, span.end, pair)};
     Gap first = pair.gap_at(span.begin);
-    if (!question.sinks()) return approach(a, b, question, span.begin, span.end, pair, first);
-    const double floor = question.floor_from(first.distance);
+    if (!settings.sinks()) return approach(a, b, settings, span.begin, span.end, pair, first);
+    const double floor = settings.floor_from(first.distance);
     if (!(floor > 0)) return {overlapped};
     first.distance -= floor;
     AboveFloor above(pair, floor);
-    return approach(a, b, question, span.begin, span.end, above, first);
+    return approach(a, b, settings, span.begin, span.end, above, first);
 }
 
 } // namespace cairn::sweep
