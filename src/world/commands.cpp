@@ -23,7 +23,7 @@ class NoSource final : public CommandSource {
 } // namespace
 
 void World::Impl::require_not_notifying(const char* call) const {
-    if (telling)
+    if (is_notifying)
         throw Error(ErrorCode::wrong_state, call, "", "not allowed while the listener is notified of a change");
 }
 
@@ -35,9 +35,9 @@ void World::set_command_listener(std::shared_ptr<CommandListener> listener) {
     if (!impl_->listener) return;
     try {
         if (is_untouched(impl_->state))
-            impl_->tell(commands::world_set_settings, impl_->state.settings);
+            impl_->notify(commands::world_set_settings, impl_->state.settings);
         else
-            impl_->tell(commands::world_restore, save());
+            impl_->notify(commands::world_restore, save());
     } catch (...) {
         impl_->listener = nullptr;
         throw;

@@ -41,7 +41,7 @@ struct World::Impl {
 
     std::shared_ptr<CommandListener> listener; // is notified of all changes; null: none
     std::vector<std::byte> command_bytes;      // the command that the listener is notified of
-    bool telling = false;                      // while the listener is being notified
+    bool is_notifying = false;                 // while the listener is being notified
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;
@@ -53,7 +53,7 @@ struct World::Impl {
     // exist.
     const State& for_queries(const QueryFilter& filter, const char* call) const {
         for (const BodyId id : filter.ignored_bodies) index_of(id);
-        return whole(call);
+        return intact(call);
     }
 
     // Sets everything about a shape except its body. The rotation of `def` must be a unit quaternion.
@@ -95,7 +95,7 @@ struct World::Impl {
     void require_idle(const char* call) const;
     // Throws Error(wrong_state) after a call has run out of memory half way.
     void require_usable(const char* call) const;
-    const State& whole(const char* call) const {
+    const State& intact(const char* call) const {
         require_usable(call);
         return state;
     }
@@ -103,7 +103,7 @@ struct World::Impl {
     // Throws Error(wrong_state) while the listener is being notified of a change.
     void require_not_notifying(const char* call) const;
     // Notifies the listener, if there is one. `command`: one from commands/generated/calls.h.
-    template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
+    template <class Command, class... Arguments> void notify(Command command, const Arguments&... arguments);
 
     void make_step(float dt);
     void gather_records(); // collects contact records from all ranks; a collective operation
@@ -128,7 +128,7 @@ struct World::Impl {
         Change& operator=(const Change&) = delete;
 
         void begin() {
-            std::apply([&](const Given&... arguments) { impl_.tell(Command(), arguments...); }, arguments_);
+            std::apply([&](const Given&... arguments) { impl_.notify(Command(), arguments...); }, arguments_);
             begun_ = true;
             if constexpr (!Command::moves_only) impl_.are_definitions_known = false;
         }
@@ -142,14 +142,14 @@ struct World::Impl {
 };
 
 template <class Command, class... Arguments>
-void World::Impl::tell([[maybe_unused]] Command command, [[maybe_unused]] const Arguments&... arguments) {
+void World::Impl::notify([[maybe_unused]] Command command, [[maybe_unused]] const Arguments&... arguments) {
     if constexpr (Command::code != 0) {
         if (!listener) return;
-        const struct Telling {
-            explicit Telling(bool& flag) : flag_(flag) { flag_ = true; }
-            ~Telling() { flag_ = false; }
+        const struct Notifying {
+            explicit Notifying(bool& flag) : flag_(flag) { flag_ = true; }
+            ~Notifying() { flag_ = false; }
             bool& flag_;
-        } now(telling);
+        } now(is_notifying);
         commands::CommandWriter writer(command_bytes, *listener);
         writer.number(Command::code);
         (write(writer, arguments), ...);

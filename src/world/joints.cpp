@@ -282,7 +282,7 @@ JointState World::joint_state(JointId id) const {
 }
 
 std::vector<JointId> World::joints() const {
-    const State& s = impl_->whole("World::joints");
+    const State& s = impl_->intact("World::joints");
     std::vector<JointId> ids;
     ids.reserve(s.joints.slots.live_count());
     for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
@@ -298,7 +298,7 @@ std::vector<JointId> World::joints(BodyId id) const {
 }
 
 std::optional<JointId> World::find_joint(std::string_view name) const {
-    const State& s = impl_->whole("World::find_joint");
+    const State& s = impl_->intact("World::find_joint");
     for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
         if (s.joints.slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joints.slots.id(i);
     return std::nullopt;

@@ -51,14 +51,14 @@ Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts&
 } // namespace
 
 double World::kinetic_energy() const {
-    const State& s = impl_->whole("World::kinetic_energy");
+    const State& s = impl_->intact("World::kinetic_energy");
     double sum = 0;
     for_each_dynamic(s.bodies, [&](std::int32_t b) { sum += cairn::kinetic_energy(s.bodies, b); });
     return sum;
 }
 
 double World::potential_energy() const {
-    const State& s = impl_->whole("World::potential_energy");
+    const State& s = impl_->intact("World::potential_energy");
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
     for_each_dynamic(s.bodies, [&](std::int32_t b) {
@@ -69,7 +69,7 @@ double World::potential_energy() const {
 }
 
 glm::dvec3 World::linear_momentum() const {
-    const State& s = impl_->whole("World::linear_momentum");
+    const State& s = impl_->intact("World::linear_momentum");
     math::DVec3 sum;
     for_each_dynamic(s.bodies,
                      [&](std::int32_t b) { sum += summed_mass(s.bodies, b) * math::to_double(s.bodies.motion[b].v); });
@@ -77,7 +77,7 @@ glm::dvec3 World::linear_momentum() const {
 }
 
 glm::dvec3 World::angular_momentum() const {
-    const State& s = impl_->whole("World::angular_momentum");
+    const State& s = impl_->intact("World::angular_momentum");
     math::DVec3 sum;
     for_each_dynamic(s.bodies, [&](std::int32_t b) {
         const BodyMotion& m = s.bodies.motion[b];
@@ -89,7 +89,7 @@ glm::dvec3 World::angular_momentum() const {
 }
 
 std::uint64_t World::state_hash() const {
-    const State& s = impl_->whole("World::state_hash");
+    const State& s = impl_->intact("World::state_hash");
     Hash64 hash;
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i) {
         if (!s.bodies.slots.is_live(i)) continue;
@@ -100,7 +100,7 @@ std::uint64_t World::state_hash() const {
 }
 
 StateDigest World::state_digest() const {
-    const State& s = impl_->whole("World::state_digest");
+    const State& s = impl_->intact("World::state_digest");
     StateDigest digest;
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
         if (s.bodies.slots.is_live(i)) add_to_digest(digest, i, &s.bodies.motion[i], sizeof(BodyMotion));
@@ -108,7 +108,7 @@ StateDigest World::state_digest() const {
 }
 
 std::vector<BodyId> World::bodies_that_differ(const StateDigest& other) const {
-    const State& s = impl_->whole("World::bodies_that_differ");
+    const State& s = impl_->intact("World::bodies_that_differ");
     std::vector<BodyId> ids;
     for (const std::uint32_t i : differing_slots(state_digest(), other, std::uint32_t(s.bodies.slots.size())))
         if (s.bodies.slots.is_live(i)) ids.push_back(s.bodies.id(std::int32_t(i)));
@@ -120,7 +120,7 @@ void World::Impl::gather_records() {
 }
 
 std::vector<Contact> World::contacts() const {
-    const State& s = impl_->whole("World::contacts");
+    const State& s = impl_->intact("World::contacts");
     impl_->gather_records();
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
@@ -130,7 +130,7 @@ std::vector<Contact> World::contacts() const {
 
 std::vector<Contact> World::contacts(BodyId body) const {
     const std::int32_t b = impl_->index_of(body);
-    const State& s = impl_->whole("World::contacts");
+    const State& s = impl_->intact("World::contacts");
     impl_->gather_records();
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id) {
@@ -142,7 +142,7 @@ std::vector<Contact> World::contacts(BodyId body) const {
 }
 
 std::vector<SolverContact> World::solver_contacts() const {
-    const State& s = impl_->whole("World::solver_contacts");
+    const State& s = impl_->intact("World::solver_contacts");
     std::vector<SolverContact> all;
     for (const ContactInfo& c : s.contacts.info) {
         if (!is_touching(c)) continue;
@@ -156,7 +156,7 @@ std::vector<SolverContact> World::solver_contacts() const {
 }
 
 Statistics World::statistics() const {
-    const State& s = impl_->whole("World::statistics");
+    const State& s = impl_->intact("World::statistics");
     Statistics t = s.statistics;
     t.steps = s.steps;
     t.time = s.time;

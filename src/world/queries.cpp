@@ -126,7 +126,7 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, const QueryFilt
 std::vector<BroadPhaseNode> World::broad_phase_nodes(int max_depth, int max_count) const {
     if (max_depth < 0) refuse("World::broad_phase_nodes max_depth", std::to_string(max_depth), "must be >= 0");
     if (max_count < 0) refuse("World::broad_phase_nodes max_count", std::to_string(max_count), "must be >= 0");
-    const State& s = impl_->whole("World::broad_phase_nodes");
+    const State& s = impl_->intact("World::broad_phase_nodes");
     std::vector<BroadPhaseNode> list;
     for (const BroadPhase::Node& node : s.broad_phase.nodes(std::uint32_t(max_depth), std::size_t(max_count))) {
         const bool is_leaf = node.shape != BroadPhase::none;
@@ -144,7 +144,7 @@ void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> ou
     if (ids.size() != out.size())
         refuse("World::read_transforms out", std::to_string(out.size()),
                "must have as many elements as ids (" + std::to_string(ids.size()) + ")");
-    const State& s = impl_->whole("World::read_transforms");
+    const State& s = impl_->intact("World::read_transforms");
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);
         out[i] = {to_public(body_origin(s.bodies, b)), to_public(math::to_float(s.bodies.motion[b].q))};

@@ -312,7 +312,7 @@ void World::restore(const Snapshot& snapshot) {
         (are_the_same ? impl_->last_definitions_hash : hash_of(definitions->bytes)) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "do not match its bytes");
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
-    const auto notify_listener = [&] { impl_->tell(commands::world_restore, snapshot); };
+    const auto notify_listener = [&] { impl_->notify(commands::world_restore, snapshot); };
     if (are_the_same) return impl_->restore_in_place(reader, notify_listener);
     std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     check_definitions(fresh->state, {fresh->names, fresh->user_data, fresh->def_of, fresh->joint_defs});

@@ -223,7 +223,7 @@ const Body World::body(BodyId id) const {
 }
 
 std::vector<BodyId> World::bodies() const {
-    const State& s = impl_->whole("World::bodies");
+    const State& s = impl_->intact("World::bodies");
     std::vector<BodyId> ids;
     ids.reserve(s.bodies.slots.live_count());
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
@@ -232,7 +232,7 @@ std::vector<BodyId> World::bodies() const {
 }
 
 std::optional<BodyId> World::find_body(std::string_view name) const {
-    const State& s = impl_->whole("World::find_body");
+    const State& s = impl_->intact("World::find_body");
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
         if (s.bodies.slots.is_live(i) && impl_->names[i] == name) return s.bodies.id(std::int32_t(i));
     return std::nullopt;
@@ -274,11 +274,11 @@ void World::remove_force_field(ForceFieldId id) {
 
 const ForceField& World::force_field(ForceFieldId id) const {
     const std::uint32_t i = impl_->index_of(id);
-    return impl_->whole("World::force_field").fields.all[i];
+    return impl_->intact("World::force_field").fields.all[i];
 }
 
 std::vector<ForceFieldId> World::force_fields() const {
-    const State& s = impl_->whole("World::force_fields");
+    const State& s = impl_->intact("World::force_fields");
     std::vector<ForceFieldId> all;
     for (std::uint32_t i = 0; i < s.fields.slots.size(); ++i)
         if (s.fields.slots.is_live(i)) all.push_back(s.fields.slots.id(i));
