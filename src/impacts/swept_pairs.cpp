@@ -195,11 +195,10 @@ void SweptPairs::find() {
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
     if (in.fast.empty()) return ask_for_axes();
     list_passing();
-    const bool may_be_listed = !pairs_.empty(); // no two contacts of the narrow phase are of the same shapes
     for (const PassingPair& pair : scratch_.passing) {
         if (note_trigger(pair.shape, pair.other)) continue;
         if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
-        if (!may_be_listed || !is_listed(pair.mover, pair.shape, pair.other))
+        if (!is_listed(pair.mover, pair.shape, pair.other))
             add(pair.mover, pair.shape, pair.other, std::int32_t(pair.contact));
     }
     find_near_strayed();
@@ -262,10 +261,9 @@ std::int32_t SweptPairs::known_contact(std::uint32_t a, std::uint32_t b) {
     const auto contact_of = [&](std::uint32_t first, std::uint32_t second) {
         for (std::int32_t k = scratch_.first_known[in.shapes.links[first].body]; k != none;
              k = scratch_.known[k].next) {
-            const KnownContact& c = scratch_.known[k];
-            if (c.shape_a != first || c.shape_b != second) continue;
-            const std::int32_t group = in.contacts.info[c.contact].related; // of a patch
-            return group != none ? group : std::int32_t(c.contact);
+            const ContactInfo& c = in.contacts.info[scratch_.known[k].contact];
+            if (c.shape_a == first && c.shape_b == second)
+                return c.related != none ? c.related : std::int32_t(scratch_.known[k].contact); // of a patch: its group
         }
         return none;
     };
@@ -279,8 +277,7 @@ void SweptPairs::list_known() {
     scratch_.known.clear();
     for (const SortedContact& c : in.solved) {
         std::int32_t& first = scratch_.first_known[std::size_t(c.body_a)];
-        const ContactInfo& info = in.contacts.info[c.id];
-        scratch_.known.push_back({c.id, info.shape_a, info.shape_b, first});
+        scratch_.known.push_back({c.id, first});
         first = std::int32_t(scratch_.known.size()) - 1;
     }
 }

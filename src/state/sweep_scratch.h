@@ -77,7 +77,7 @@ struct SweptBounds {
 };
 
 struct KnownContact {
-    std::uint32_t contact, shape_a, shape_b;
+    std::uint32_t contact;
     std::int32_t next; // the next contact of the same body, or none
 };
 

@@ -13,7 +13,9 @@ namespace cairn::validation {
 class RandomStart {
   public:
     explicit RandomStart(std::uint32_t seed) : random_(seed) {
-        glm::dquat turn(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        // One after the other: compilers evaluate the arguments of a call in different orders.
+        const double z = uniform(-1, 1), y = uniform(-1, 1), x = uniform(-1, 1), w = uniform(-1, 1);
+        glm::dquat turn(w, x, y, z);
         if (glm::length(turn) < 0.01) turn = {1, 0, 0, 0};
         rotation_ = glm::normalize(turn);
         offset_ = {uniform(-50, 50), uniform(-50, 50), uniform(-50, 50)};
