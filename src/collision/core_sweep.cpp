@@ -1,6 +1,7 @@
 #include "collision/core_sweep.h"
 
 #include "collision/sweep_search.h"
+#include "collision/swept_core.h"
 #include "shapes/convex_query.h"
 #include "shapes/mesh.h"
 
@@ -21,142 +22,6 @@ namespace {
 constexpr double sizes_per_piece = 8;
 constexpr int max_pieces = 64;
 
-// The frame of a shape.
-struct Frame {
-    DVec3 origin;
-    DMat3 axes;
-    DVec3 to_world(DVec3 p) const { return origin + axes * p; }
-    DVec3 to_local(DVec3 p) const {
-        const DVec3 d = p - origin;
-        return {dot(axes.c0, d), dot(axes.c1, d), dot(axes.c2, d)};
-    }
-};
-Frame frame_at(const MovingShape& m, double time) {
-    const RigidPath::Pose pose = m.body_at(time);
-    return {m.origin_at(pose), math::to_matrix(m.rotation_at(pose))};
-}
-
-// The core of a shape at successive times: it is made once, and then only placed.
-class SweptCore {
-  public:
-    // The cores at the ends of the span are kept, as they are requested often. Infinitely long strips are replaced by
-    // the part within `reach` of the point `near`.
-    SweptCore(const MovingShape& m, Span span, DVec3 near = {}, double reach = 0)
-        : m_(m), near_(near), reach_(reach), begin_{span.begin, made({}, {0, 0, 0, 1})}, end_{span.end},
-          local_center_(begin_.core.center), scale_{begin_.core.axes.c0.x, begin_.core.axes.c1.y,
-                                                    begin_.core.axes.c2.z} {
-        place(begin_);
-    }
-    const Convex& at(double time) {
-        now_ = time == begin_.time ? &begin_ : time == end_.time ? &end_ : &between_;
-        if (now_->is_placed && now_->time == time) return now_->core;
-        now_->time = time;
-        now_->core = begin_.core;
-        place(*now_);
-        return now_->core;
-    }
-    const Frame& frame() const { return now_->frame; } // at the time of the last call
-
-  private:
-    struct Placed {
-        double time = 0;
-        Convex core{};
-        Frame frame{};
-        bool is_placed = false;
-    };
-    Convex made(DVec3 center, DQuat rotation) const {
-        const Geometry part = near_part(m_.shape().geometry, center, rotation, near_, reach_);
-        Convex core = make_convex(part, m_.shape().data, center, rotation);
-        if (m_.layer < Layer::skin) shrink(core, depth_of(core, m_.layer, m_.half_width));
-        return core;
-    }
-    // Places a copy of the core at the shape's pose at p.time.
-    void place(Placed& p) const {
-        p.is_placed = true;
-        if (m_.is_point()) { // a ball that no rotation moves
-            p.core.center = p.frame.origin = m_.center_at(p.time);
-            return;
-        }
-        p.frame = frame_at(m_, p.time);
-        if (p.core.kind == Convex::Kind::polygon) {
-            const RigidPath::Pose pose = m_.body_at(p.time);
-            p.core = made(m_.origin_at(pose), m_.rotation_at(pose));
-            return;
-        }
-        p.core.center = p.frame.to_world(local_center_);
-        p.core.axes = {scale_.x * p.frame.axes.c0, scale_.y * p.frame.axes.c1, scale_.z * p.frame.axes.c2};
-    }
-
-    const MovingShape& m_;
-    const DVec3 near_;
-    const double reach_;
-    Placed begin_, end_, between_;
-    const DVec3 local_center_, scale_; // in the shape's frame
-    Placed* now_ = &begin_;
-};
-
-// The gap between a ball and a shape with a closed formula: of all kinds except hulls and polygons.
-std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
-    if (ball.kind != Convex::Kind::ball) return std::nullopt;
-    const DVec3 local = to_local(other, ball.center - other.center);
-    const std::optional<DVec3> nearest = nearest_in_core(other, local);
-    if (!nearest) return std::nullopt;
-    const DVec3 to_nearest = other.axes * (*nearest - local);
-    const double distance = length(to_nearest);
-    if (!(distance > 0)) return Gap{-1, {}, {}};
-    const double radius = exact_core(ball).radius;
-    const DVec3 normal = (1 / distance) * to_nearest;
-    return Gap{distance - (radius + exact_core(other).radius), normal, ball.center + radius * normal};
-}
-
-// The same gap with the shapes exchanged.
-Gap seen_from_other(const Gap& gap) { return {gap.distance, -gap.normal, gap.on_a + gap.distance * gap.normal}; }
-
-// Distances of two shapes at successive times: each GJK starts with the vertices of the last simplex, which are points
-// of the shapes at any pose.
-class GapFinder {
-  public:
-    // `axis`: the initial direction from one shape to the other; updated by each call.
-    explicit GapFinder(DVec3& axis) : axis_(axis) {}
-    Gap gap_of(SweptCore& a, SweptCore& b, double time) {
-        const Convex &first = a.at(time), &second = b.at(time);
-        return gap_of(first, a.frame(), second, b.frame());
-    }
-    Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
-        const Gap gap = find(a, frame_a, b, frame_b);
-        if (gap.distance >= 0) axis_ = gap.normal;
-        return gap;
-    }
-
-  private:
-    Gap find(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
-        if (const std::optional<Gap> gap = gap_of_ball(a, b)) return *gap;
-        if (const std::optional<Gap> gap = gap_of_ball(b, a)) return seen_from_other(*gap);
-        const Core core_a = exact_core(a), core_b = exact_core(b);
-        const CorePair pair{core_a, core_b};
-        Simplex start;
-        for (int i = 0; i < count_; ++i) {
-            const DVec3 p = frame_a.to_world(on_a_[i]), q = frame_b.to_world(on_b_[i]);
-            start.points[i] = {p, q, p - q};
-        }
-        start.count = count_;
-        const GjkResult r = count_ > 0 ? gjk_distance_from(pair, start, infinity, tolerance)
-                                       : gjk_distance(pair, axis_, infinity, tolerance);
-        if (r.state != GjkResult::State::apart) return {-1, {}, {}};
-        count_ = std::min(r.simplex.count, 3);
-        for (int i = 0; i < count_; ++i) {
-            on_a_[i] = frame_a.to_local(r.simplex.points[i].a);
-            on_b_[i] = frame_b.to_local(r.simplex.points[i].b);
-        }
-        return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
-    }
-
-    static constexpr double tolerance = 1e-6;
-    DVec3& axis_;
-    int count_ = 0;
-    DVec3 on_a_[3], on_b_[3]; // in the shapes' frames
-};
-
 // The support distance of a shape from its center along a unit direction.
 double reach_along(DVec3 n, const Convex& c) {
     const Core core = exact_core(c);
@@ -171,17 +36,21 @@ double gap_along(DVec3 n, const Convex& a, const Convex& b) {
     return dot(n, b.center - a.center) - (reach_along(n, a) + reach_along(-n, b));
 }
 
-// Whether two shapes stay farther apart along a direction than `settings` asks: a cheap test that most pairs pass.
+// Whether two shapes stay farther apart along a direction than `settings` asks, and by how much: a cheap test that most
+// pairs pass.
 template <class Pair>
-bool stay_apart_along(DVec3 direction, const MovingShape& a, const MovingShape& b, Span span, Pair& pair,
+bool stay_apart_along(Separation& known, const MovingShape& a, const MovingShape& b, Span span, Pair& pair,
                       const SearchSettings& settings) {
-    const double square = dot(direction, direction);
+    const double square = dot(known.axis, known.axis);
     if (!(square > 0)) return false;
-    const DVec3 n = (1 / std::sqrt(square)) * direction;
+    const DVec3 n = (1 / std::sqrt(square)) * known.axis;
     const double limit = settings.tolerance + settings.within + settings.highest_floor,
                  first = pair.apart_along(n, span.begin) - limit;
-    return first > 0 &&
-           stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
+    if (!(first > 0)) return false;
+    const double last = pair.apart_along(n, span.end) - limit, sagitta = a.sagitta() + b.sagitta();
+    if (!stay_apart_between(a, b, span, sagitta, first, last)) return false;
+    known = {n, slack_between(span, sagitta, first, last)};
+    return true;
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
@@ -203,16 +72,16 @@ class ConvexPair {
 };
 
 SweepResult search_convexes(const MovingShape& a, const MovingShape& b, Span span, const SweepQuery& asked) {
-    if (!(dot(asked.axis, asked.axis) > 0)) asked.axis = b.start - a.start;
-    ConvexPair pair(a, b, span, asked.axis);
+    if (!(dot(asked.known.axis, asked.known.axis) > 0)) asked.known.axis = b.start - a.start;
+    ConvexPair pair(a, b, span, asked.known.axis);
     const Convex &first = pair.first_at(span.begin), &second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(inside_of(first), second))
         return {};
     const SearchSettings settings = settings_of(first, a, asked, depth_of(second, b.layer, b.half_width));
-    if (stay_apart_along(asked.axis, a, b, span, pair, settings)) return surely_apart;
+    if (stay_apart_along(asked.known, a, b, span, pair, settings)) return surely_apart;
     if (settings.deeper == infinity && // the normal of the contact that pushes them apart
-        pair.apart_along(math::normalized(asked.axis), span.begin) < settings.highest_floor)
+        pair.apart_along(math::normalized(asked.known.axis), span.begin) < settings.highest_floor)
         return {overlapped};
     return search(a, b, settings, span, pair);
 }
@@ -296,8 +165,9 @@ void meet_triangle(SweptCore& core, const MovingShape& a, const MovingShape& b, 
     if (!begins_in_front(inside_of(mover), pair.begin_face())) return;
     const SearchSettings settings = settings_of(mover, a, asked, 0);
     const Span part{span.begin, std::min(span.end, best.meeting)};
-    if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, settings) ||
-        stay_apart_along(pair.from_center(), a, b, part, pair, settings))
+    Separation from_front{-pair.begin_face().axes.c1}, from_center{pair.from_center()};
+    if (stay_apart_along(from_front, a, b, part, pair, settings) ||
+        stay_apart_along(from_center, a, b, part, pair, settings))
         return;
     const SweepResult result = search(a, b, settings, part, pair);
     if (result.meeting == overlapped)
@@ -400,6 +270,13 @@ bool is_certain(const SweepResult& result, const MovingShape& a, const MovingSha
     return result.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
+// The answer of a search after the first one, which did not suffice: nothing is known about how near the shapes may
+// come until the first one finds them.
+double by_later_search(double time, Separation& known) {
+    known.slack = 0;
+    return time;
+}
+
 // `axis`: the direction to the other shape if the two touch.
 Nearness nearness_on(const SweepResult& result, double to, DVec3 axis) {
     if (result.meeting <= to) return {std::max(result.meeting, 0.0), 0, axis, {}};
@@ -431,69 +308,78 @@ RigidPath::Pose RigidPath::at(double time) const {
     return {start + time * translation, turned * rotation}; // a product of two unit quaternions
 }
 
-double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
+double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, Separation& known) {
+    known.slack = 0;
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const MovingShape first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
     if (from == 0 && to >= 1 && stay_together(first, second)) return never; // parts of a step could add up
-    double time = search_pair(first, second, {from, to}, {0, 0, axis}).meeting;
+    double time = search_pair(first, second, {from, to}, {0, 0, known}).meeting;
     // Cores that overlap at the start may sink until a ball of half their half width, or the center, meets the other.
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
         const SweptShape inside{ball, a.data, first.inside_offset(), a.path, a.until};
-        time = search_pair(MovingShape(inside, layer, half_width, from, to), second, {from, to}, {0, 0, axis}).meeting;
+        time = search_pair(MovingShape(inside, layer, half_width, from, to), second, {from, to}, {0, 0, known}).meeting;
+        known.slack = 0;
     }
     return time == overlapped ? never : time;
 }
 
-double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
+double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, Separation& known) {
+    known.slack = 0;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const bool is_known = held == Held::by_contact || held == Held::by_struck_contact;
     const double part = is_known ? 0.5 : 1;
     const double deeper = held == Held::by_contact ? infinity : held == Held::by_nothing ? 0 : deeper_part;
     for (const Layer layer : {Layer::inner, Layer::deep}) {
         const MovingShape first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
-        const SweepResult result = search_pair(first, second, {from, to}, {0, part, axis, deeper});
+        const SweepResult result = search_pair(first, second, {from, to}, {0, part, known, deeper});
         const double time = result.meeting;
         if (time != overlapped)
-            return time < 1 || is_certain(result, first, second) ? time
-                                                                 : core_time_of_impact(a, b, is_known, from, axis);
+            return time < 1 || is_certain(result, first, second)
+                       ? time
+                       : by_later_search(core_time_of_impact(a, b, is_known, from, known), known);
         if (held != Held::by_nothing) break; // the solver pushes the shapes apart
     }
-    return core_time_of_impact(a, b, true, from, axis);
+    return by_later_search(core_time_of_impact(a, b, true, from, known), known);
 }
 
-double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
+double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, Separation& known) {
+    known.slack = 0;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const MovingShape first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
-    const SweepResult result = search_pair(first, second, {from, to}, {0, 0, axis});
+    const SweepResult result = search_pair(first, second, {from, to}, {0, 0, known});
     const double time = result.meeting;
-    if (time == overlapped) return time_of_sinking(a, b, held, from, axis);
-    return time < 1 || is_certain(result, first, second) ? time : core_time_of_impact(a, b, false, from, axis);
+    if (time == overlapped) return by_later_search(time_of_sinking(a, b, held, from, known), known);
+    return time < 1 || is_certain(result, first, second)
+               ? time
+               : by_later_search(core_time_of_impact(a, b, false, from, known), known);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DVec3 axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const MovingShape first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
-    const SweepResult result = search_pair(first, second, {0, to}, {within, 0, axis});
-    return nearness_on(result, to, axis);
+    Separation known{axis};
+    const SweepResult result = search_pair(first, second, {0, to}, {within, 0, known});
+    return nearness_on(result, to, known.axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, std::span<const std::uint32_t> triangles,
                      double within) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const MovingShape first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
-    DVec3 axis{};
+    Separation known;
     SweepResult best;
     bool overlaps = false;
     SweptCore core(first, {0, to});
     with_surface(b, [&](const auto& surface) {
         for (const std::uint32_t index : triangles)
-            meet_triangle(core, first, second, triangle_of(surface, index), {0, to}, {within, 0, axis}, best, overlaps);
+            meet_triangle(core, first, second, triangle_of(surface, index), {0, to}, {within, 0, known}, best,
+                          overlaps);
     });
     if (overlaps) best.meeting = overlapped;
-    return nearness_on(best, to, axis);
+    return nearness_on(best, to, known.axis);
 }
 
 } // namespace cairn

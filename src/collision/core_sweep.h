@@ -68,12 +68,19 @@ struct SweptShape {
 // and others, "Interactive continuous collision detection for non-convex polyhedra", 2006) with a bound on the approach
 // speed of any two points along the normal.
 inline constexpr double never = 2;
+// What is known about the separation of two shapes.
+struct Separation {
+    // A direction from `a` to `b` along which they may be separated, as the start of a search, or 0. A search that
+    // tests them replaces it by the direction in which they were last nearest.
+    math::DVec3 axis{};
+    // If not 0: how much nearer along the axis, a unit vector then, the shapes may end, m, if this adds a linear motion
+    // to their paths, and a search would still not find them. Every search sets it.
+    double slack = 0;
+};
 // Share of the smaller half width: by less than this, shapes may move relative to each other without a sweep, as no
 // core can pass through.
 inline constexpr double free_share = 0.5;
-// `axis`, in all of these functions: a direction from `a` to `b` along which they may be separated, as the start of the
-// search, or 0; then, if they were tested, the direction in which they were last nearest.
-double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
+double core_time_of_impact(const SweptShape& a, const SweptShape& b, bool is_known, double from, Separation& known);
 
 // The means that keep two touching shapes from sinking deeper, beside continuous collision. by_struck_contact: a
 // contact in the solver that has been as deep as cores, and has had an impact since.
@@ -85,7 +92,7 @@ enum class Held { by_nothing, perhaps, by_contact, by_struck_contact };
 // This misses some touches of rotating shapes, and shapes that overlap from the start have none: for these it is the
 // time at which the cores meet, or `never`. For shapes that touch at `from` and separate, or stay in contact, it is the
 // next touch.
-double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
+double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, Separation& known);
 
 // The time at which two shapes that touch or overlap have sunk deeper into each other than they may. The limit is the
 // distance that their inner cores (twice as deep as cores) have when faces touch (for vertices this is slightly
@@ -95,7 +102,7 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, doubl
 // stopped only at half of the smallest half width, as the solver pushes them apart; with `by_struck_contact`, the
 // quarter applies. Shapes that sink deeper and return may be missed; then it is the time when the cores meet, if they
 // do.
-double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
+double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, Separation& known);
 
 // The separation up to which shapes count as touching, m, given the smaller of their smallest half widths: a hundredth
 // of it, 0.1 mm at most.

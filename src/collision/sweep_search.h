@@ -185,10 +185,9 @@ inline constexpr double deeper_part = 0.25;
 // A query about a pair. `within`: distances up to this matter. `floor_part`: if not 0, the event is not the touch, but
 // that inner cores are nearer than this share of the distance that they have when the shapes touch; if they are nearer
 // already, it is that they are nearer by the share `deeper` of the deficit (infinite: they count as overlapping).
-// `axis`: the initial search direction from one shape to the other, or 0; replaced by the last one.
 struct SweepQuery {
     double within = 0, floor_part = 0;
-    DVec3& axis;
+    Separation& known;
     double deeper = deeper_part;
 };
 
@@ -296,6 +295,12 @@ inline bool stay_apart_between(const MovingShape& a, const MovingShape& b, Span 
     if (next_stop(a, b, span.begin, span.end) < span.end) return false; // not one smooth arc
     const double duration = span.end - span.begin;
     return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * duration * std::sqrt(sagitta);
+}
+
+// By how much less `last` may be.
+inline double slack_between(Span span, double sagitta, double first, double last) {
+    const double least = std::max(2 * (span.end - span.begin) * std::sqrt(sagitta) - std::sqrt(first), 0.0);
+    return std::max(last - least * least, 0.0);
 }
 
 // The frame in which a separating direction is constant. Two bodies that rotate together while they touch stay

@@ -25,14 +25,20 @@ std::int32_t Assemblies::of(std::int32_t body) {
     const auto assembly = std::int32_t(scratch_.assemblies.size());
     const auto begin = std::int32_t(scratch_.members.size());
     take(body, assembly);
-    for (std::size_t k = std::size_t(begin); k < scratch_.members.size(); ++k)
+    double mass = 0;
+    bool is_held = false;
+    for (std::size_t k = std::size_t(begin); k < scratch_.members.size(); ++k) {
+        mass += 1 / double(bodies_.mass[scratch_.members[k]].inverse_mass);
         for_each_joint(bodies_, joints_, scratch_.members[k], [&](std::uint32_t joint, int side) {
+            if (!joints_.info[joint].enabled) return;
             const std::int32_t other = other_body(joints_.info[joint], side);
-            if (other != none && bodies_.is_dynamic(other) && joints_.info[joint].enabled &&
-                scratch_.assembly_of[other] == none)
+            if (other == none || !bodies_.is_dynamic(other))
+                is_held = true;
+            else if (scratch_.assembly_of[other] == none)
                 take(other, assembly);
         });
-    scratch_.assemblies.push_back({begin, std::int32_t(scratch_.members.size())});
+    }
+    scratch_.assemblies.push_back({begin, std::int32_t(scratch_.members.size()), is_held ? 0 : 1 / mass});
     return assembly;
 }
 

@@ -171,4 +171,12 @@ ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> 
     }
 }
 
+bool cut_spin(ImpactBody& body, double most) {
+    const double speed = math::length(body.w);
+    if (!(body.inverse_mass > 0) || !(speed > most)) return false;
+    body.w = (most / speed) * body.w;
+    body.inverse_inertia = {};
+    return true;
+}
+
 } // namespace cairn

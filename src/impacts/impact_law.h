@@ -32,4 +32,8 @@ struct ImpactOutcome {
 ImpactOutcome collide(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
                       std::span<const ImpactPoint> points, ImpactBuffer& buffer);
 
+// Clamps the spin of a body that reacts to `most`, rad/s. Returns whether it was higher; if so, no impact changes it
+// any further.
+bool cut_spin(ImpactBody& body, double most);
+
 } // namespace cairn

@@ -70,4 +70,23 @@ void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32
         }
 }
 
+ImpactMaterial material_at(const Shapes& shapes, std::uint32_t shape_a, std::uint32_t shape_b, std::uint16_t number,
+                           float restitution_speed) {
+    const auto of = [&](std::uint32_t shape) {
+        return material_of(shapes, shape, surface_materials(shapes.data[shape]).empty() ? 0u : number);
+    };
+    const PairMaterial m = combined_material(of(shape_a), of(shape_b));
+    return {double(m.restitution), double(m.friction), double(m.torsion_radius), double(m.rolling_radius),
+            double(restitution_speed)};
+}
+
+DVec3 surface_velocity(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape,
+                       std::span<const ImpactPoint> points) {
+    const ShapeTraits& traits = shapes.traits[shape];
+    if (!traits.has_surface_velocity || bodies.is_dynamic(shapes.links[shape].body) || points.empty()) return {};
+    const DVec3 n = points.front().normal;
+    const DVec3 u = to_double(math::rotate(shape_rotation(shapes.poses[shape]), traits.surface_velocity));
+    return u - math::dot(u, n) * n;
+}
+
 } // namespace cairn

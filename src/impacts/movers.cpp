@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cairn {
 
@@ -409,6 +410,22 @@ void Movers::push_path(std::int32_t i, double time, DVec3 dv, DVec3 dw, bool and
     if (and_velocity) motion.v += math::to_float(dv), motion.w += math::to_float(dw);
     push_end(m.body, now, (1 - time) * double(dt_), dv, dw);
     lead_to_end(m, now, time, 1);
+}
+
+bool Movers::go_straight(std::int32_t i, double time, DVec3 velocity) {
+    Mover& m = (*this)[i];
+    const MovingState now = state_at(i, time);
+    const double left = (1 - time) * double(dt_);
+    BodyMotion& motion = s.bodies.motion[m.body];
+    if (m.is_free) fly(m, now, left);
+    const DVec3 v = to_double(motion.v) + to_double(motion.v_rest), end = now.x + left * velocity;
+    const DVec3 slower = with_square(v, dot(v, v) + 2 * std::min(dot(m.acceleration, end - motion.x), 0.0));
+    motion.v = math::to_float(slower), motion.v_rest = math::to_float(slower - to_double(motion.v));
+    motion.x = end, motion.q = now.q;
+    m.path = RigidPath::between(now.x, now.q, end, now.q, time, 1);
+    m.is_free = m.gyrates = m.is_guided = m.turns_over = false;
+    m.is_changed = true;
+    return std::exchange(m.is_straight, true);
 }
 
 void Movers::go_on_freely(std::int32_t i, const MovingState& now, DVec3& pull, DVec3& turning) const {

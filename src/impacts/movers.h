@@ -56,6 +56,15 @@ class Movers {
     // Adds `dv` and `dw` to the velocities along the rest of the path. `and_velocity`: also to the final velocities, as
     // for free bodies in any case; otherwise the body ends with the velocities that the solver gave it.
     void push_path(std::int32_t i, double time, math::DVec3 dv, math::DVec3 dw, bool and_velocity);
+    // Lets a body go on at a constant velocity, m/s, to the end of the step, without turning. Its final velocities
+    // stay, except for the speed that the forces do not give it on the new path. Returns whether it did so before.
+    bool go_straight(std::int32_t i, double time, math::DVec3 velocity);
+    // The mean velocity of the center of mass on the rest of the path, m/s.
+    math::DVec3 mean_velocity(std::int32_t i, double time) const {
+        const Mover& m = (*this)[i];
+        if (!m.is_guided || !(time < 1)) return (1 / double(dt_)) * m.path.translation;
+        return (1 / ((1 - time) * double(dt_))) * (s.bodies.motion[m.body].x - m.path.at(time).x);
+    }
     // Lets a kinematic body carry this one along from `time` to the end of the step. After that, it slides on at its
     // relative speed from before, without the component along `axis` (of any length), the direction of approach.
     void carry(std::int32_t i, double time, std::int32_t carrier, math::DVec3 axis);

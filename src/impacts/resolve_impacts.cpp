@@ -6,6 +6,7 @@
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "impacts/impact_law.h"
+#include "impacts/impact_report.h"
 #include "impacts/meeting_points.h"
 #include "impacts/movers.h"
 #include "impacts/passed_triggers.h"
@@ -27,11 +28,6 @@ constexpr int pairs_per_chunk = 16, questions_per_chunk = 4; // for threads: fir
 // Greatest number of impacts of one body in a step. A body with more is in a narrow space or wedged in; it is stopped.
 constexpr int max_impacts = 64;
 
-math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
-    const math::DQuat axes = q * to_double(mass.principal);
-    return math::rotated_diagonal(math::to_matrix(axes), to_double(mass.inverse_inertia));
-}
-
 class ImpactQueue {
   public:
     ImpactQueue(const ImpactContext& s, StepScratch& step, float dt)
@@ -42,7 +38,7 @@ class ImpactQueue {
           pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow,
                   step.solver.of_batches, step.solver.fast, step.solver.strayed, *step.thread_pool, s.ranks},
                  step.solver.sweep, movers_, assemblies_) {
-        meetings_.clear();
+        meetings_.clear(), asked_.clear();
     }
     void run() {
         std::vector<std::int32_t>& bodies = step.solver.sweep.bodies;
@@ -116,21 +112,32 @@ class ImpactQueue {
     }
 
     void meet(std::int32_t k, double time) {
-        const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
-        const bool ends = is_worn || is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other);
-        if (!ends && collide(k, time)) return;
-        if (is_kinematic(pairs_[k].other) && (ends || pairs_[k].has_stayed)) {
-            carry(k, time);
-        } else if (ends) {
-            for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
-        } else {
-            // The bodies touch and nothing approaches: the next meeting is when they sink deeper.
-            pairs_[k].touches = pairs_[k].has_stayed = true;
-            for (const std::int32_t i : {pairs_[k].first, pairs_[k].second})
-                if (i != none) ++movers_[i].impacts;
-            pairs_[k].time = pairs_.time_of(pairs_[k], time);
-            expect(k);
-        }
+        if (is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second)) return end(k, time);
+        if (is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other)) return meet_jointed(k, time);
+        if (collide(k, time)) return;
+        if (is_kinematic(pairs_[k].other) && pairs_[k].has_stayed) return carry(k, time);
+        // The bodies touch and nothing approaches: the next meeting is when they sink deeper.
+        pairs_[k].touches = pairs_[k].has_stayed = true;
+        for (const std::int32_t i : {pairs_[k].first, pairs_[k].second})
+            if (i != none) ++movers_[i].impacts;
+        pairs_[k].time = pairs_.time_of(pairs_[k], time);
+        expect(k);
+    }
+    void meet_jointed(std::int32_t k, double time) {
+        const bool other_is_jointed = is_jointed(pairs_[k].other), was_slow = pairs_[k].second == none;
+        const std::int32_t body_b = s.shapes.links[pairs_[k].other].body;
+        if (was_slow && (other_is_jointed || can_go_on(body_b))) expect_renewal(mover_at(body_b, time));
+        if ((!is_jointed(pairs_[k].shape) || can_go_straight(pairs_[k].first)) &&
+            (!other_is_jointed || can_go_straight(pairs_[k].second)))
+            return go_on_straight(k, time);
+        if (!was_slow || pairs_[k].second == none) return end(k, time);
+        pairs_[k].touches = true; // what is slow stops if the two still come nearer
+        stop(pairs_[k].first, time);
+    }
+    // The bodies go no farther.
+    void end(std::int32_t k, double time) {
+        if (is_kinematic(pairs_[k].other)) return carry(k, time);
+        for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
     }
     bool is_kinematic(std::uint32_t shape) const {
         return s.bodies.settings[s.shapes.links[shape].body].type == BodyType::kinematic;
@@ -148,7 +155,7 @@ class ImpactQueue {
         const std::int32_t i = pairs_[k].first;
         if (movers_[i].has_stopped()) return;
         end_path(i, time);
-        movers_.carry(i, time, s.shapes.links[pairs_[k].other].body, pairs_[k].axis);
+        movers_.carry(i, time, s.shapes.links[pairs_[k].other].body, pairs_[k].known.axis);
         pairs_[k].was_carried = true;
         expect_renewal(i);
         look_near(i, time);
@@ -173,29 +180,34 @@ class ImpactQueue {
         return i;
     }
 
-    // Recomputes the times of all pairs of redirected movers. Each computation reads only the two bodies of its pair.
-    void recompute_times(std::span<const std::int32_t> changed, double time) {
-        asked_.clear();
-        for (std::size_t n = 0; n < changed.size(); ++n)
-            pairs_.for_each_of(changed[n], [&](std::int32_t k) {
-                SweptPair& pair = pairs_[k];
-                const std::int32_t other = pair.first == changed[n] ? pair.second : pair.first;
-                const auto gathered = changed.first(n);
-                if (std::find(gathered.begin(), gathered.end(), other) != gathered.end()) return;
-                pair.time = never;
-                const bool ends =
-                    movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-                if (!ends && !is_carried(pair)) asked_.push_back(k);
-            });
+    // Recomputes the times of all pairs of a mover.
+    void recompute_times(std::int32_t i, double time) {
+        pairs_.for_each_of(i, [&](std::int32_t k) { ask(k); });
+        answer(time);
+    }
+    // Notes that the time of a pair must be recomputed, unless it cannot meet any more.
+    void ask(std::int32_t k) {
+        SweptPair& pair = pairs_[k];
+        if (pair.is_asked) return;
+        pair.time = never;
+        const bool ends =
+            movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
+        if (ends || is_carried(pair)) return;
+        pair.is_asked = true;
+        asked_.push_back(k);
+    }
+    // Recomputes the noted times. Each computation reads only the two bodies of its pair.
+    void answer(double time) {
         step.thread_pool->for_chunks(int(asked_.size()), questions_per_chunk, [&](int begin, int end, int) {
             for (int n = begin; n < end; ++n) {
                 SweptPair& pair = pairs_[asked_[std::size_t(n)]];
                 pair.time = pairs_.time_of(pair, time);
+                pair.is_asked = false;
             }
         });
         for (const std::int32_t k : asked_) expect(k);
+        asked_.clear();
     }
-    void recompute_times(std::int32_t i, double time) { recompute_times(std::span(&i, 1), time); }
 
     bool can_go_on(std::int32_t b) const {
         return s.bodies.is_dynamic(b) && is_on_its_own(s.bodies, s.islands, b) && s.bodies.links[b].joint_count == 0;
@@ -211,37 +223,28 @@ class ImpactQueue {
         const BodyMotion& motion = s.bodies.motion[body];
         return {pose.x, pose.q, to_double(motion.v), to_double(motion.w)};
     }
+    // The same with the velocities along the path.
+    MovingState on_path(std::int32_t mover, std::int32_t body, double time) const {
+        MovingState now = state_of(mover, body, time);
+        if (mover != none && movers_[mover].has_stopped()) return now;
+        const RigidPath path = mover != none ? movers_[mover].path : movers_.path_of(body);
+        now.v = (1 / double(dt_)) * path.translation, now.w = (1 / double(dt_)) * path.turn;
+        return now;
+    }
     ImpactBody impact_body(std::int32_t mover, std::int32_t body, const MovingState& now) const {
         ImpactBody b{now.x, now.v, now.w, 0, {}};
         if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return b;
-        b.inverse_mass = double(s.bodies.mass[body].inverse_mass);
-        b.inverse_inertia = inverse_inertia_at(s.bodies.mass[body], now.q);
+        const BodyMass& mass = s.bodies.mass[body];
+        b.inverse_mass = double(mass.inverse_mass);
+        const math::DMat3 axes = math::to_matrix(now.q * to_double(mass.principal));
+        b.inverse_inertia = math::rotated_diagonal(axes, to_double(mass.inverse_inertia));
         return b;
-    }
-
-    // Tangential surface velocity, at the first of the points, of a body that forces do not move.
-    DVec3 surface_velocity(std::uint32_t shape, std::span<const ImpactPoint> points) const {
-        const ShapeTraits& traits = s.shapes.traits[shape];
-        if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points.empty())
-            return {};
-        const DVec3 n = points.front().normal;
-        const DVec3 u = to_double(math::rotate(shape_rotation(s.shapes.poses[shape]), traits.surface_velocity));
-        return u - dot(u, n) * n;
     }
 
     double half_width_of(std::uint32_t shape, std::uint32_t other) const {
         return cairn::half_width_of(s.shapes.geometry[shape], s.shapes.data[shape], s.shapes.geometry[other],
                                     s.shapes.data[other]);
     }
-    // Clamps the spin and returns whether it was too high; if so, the impact does not change it any further.
-    bool cut_spin(ImpactBody& b) const {
-        const double most = double(s.settings.max_angular_speed), speed = math::length(b.w);
-        if (!(b.inverse_mass > 0) || !(speed > most)) return false;
-        b.w = (most / speed) * b.w;
-        b.inverse_inertia = {};
-        return true;
-    }
-
     // Index of a body in the lists of the impact. A body that no impact moves has an entry for each pair, because its
     // surface velocity differs.
     std::int32_t add_struck(std::int32_t mover, std::int32_t body, double time) {
@@ -256,26 +259,21 @@ class ImpactQueue {
         const StruckBody& body = struck_[std::size_t(i)];
         return {bodies_[std::size_t(i)].x, body.rotation, body.v, body.w};
     }
-    ImpactMaterial material_at(const SweptPair& pair, std::uint16_t number) const {
-        const auto of = [&](std::uint32_t shape) {
-            return material_of(s.shapes, shape, surface_materials(s.shapes.data[shape]).empty() ? 0u : number);
-        };
-        const PairMaterial m = combined_material(of(pair.shape), of(pair.other));
-        return {double(m.restitution), double(m.friction), double(m.torsion_radius), double(m.rolling_radius),
-                double(s.settings.restitution_speed)};
-    }
     void add_touching(const SweptPair& pair, double time, bool rests) {
         const std::int32_t a = add_struck(pair.first, s.shapes.links[pair.shape].body, time),
                            b = add_struck(pair.second, s.shapes.links[pair.other].body, time);
         const MovingState now_a = state_of_struck(a), now_b = state_of_struck(b);
         const std::size_t before = points_.size();
-        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.axis, scratch_, points_);
+        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, pair.known.axis, scratch_,
+                            points_);
         const std::span<ImpactPoint> points = std::span(points_).subspan(before);
         if (!rests) set_rebounds(movers_, s.shapes, pair, now_a, now_b, points);
-        for (ImpactPoint& point : points) point.material = material_at(pair, point.surface_material);
+        for (ImpactPoint& point : points)
+            point.material =
+                material_at(s.shapes, pair.shape, pair.other, point.surface_material, s.settings.restitution_speed);
         touching_.push_back({a, b, int(points.size()), rests});
         for (const auto& [place, shape] : {std::pair(a, pair.shape), std::pair(b, pair.other)}) {
-            const DVec3 belt = surface_velocity(shape, points);
+            const DVec3 belt = surface_velocity(s.bodies, s.shapes, shape, points);
             struck_[std::size_t(place)].belt += belt, bodies_[std::size_t(place)].v += belt;
         }
     }
@@ -308,7 +306,7 @@ class ImpactQueue {
         // Spins beyond the world's limit are clamped; linear velocities alone then stop the approach that remains.
         if (is_impact) {
             bool was_cut = false;
-            for (ImpactBody& body : bodies_) was_cut |= cut_spin(body);
+            for (ImpactBody& body : bodies_) was_cut |= cut_spin(body, double(s.settings.max_angular_speed));
             if (was_cut) cairn::collide(bodies_, touching_, points_, buffer_);
         }
         if (is_impact) pairs_[k].touches = !outcome.bounces;
@@ -320,7 +318,7 @@ class ImpactQueue {
         }
         if (is_impact) {
             ++s.statistics.impacts;
-            report(pair, outcome, time);
+            report_impact(s, step.solver, pair, outcome, time * double(dt_));
             pairs_[k].has_begun = true;
         } else {
             outcome.normal = points_.front().normal;
@@ -344,12 +342,7 @@ class ImpactQueue {
         if (points_.empty() || (!is_moved_by_solver(pair.first) && !is_moved_by_solver(pair.second))) return false;
         const auto moving_body = [&](std::int32_t mover, std::uint32_t shape) {
             const std::int32_t body = s.shapes.links[shape].body;
-            MovingState now = state_of(mover, body, time);
-            if (mover == none || !movers_[mover].has_stopped()) {
-                const RigidPath path = mover != none ? movers_[mover].path : movers_.path_of(body);
-                now.v = (1 / double(dt_)) * path.translation, now.w = (1 / double(dt_)) * path.turn;
-            }
-            return impact_body(mover, body, now);
+            return impact_body(mover, body, on_path(mover, body, time));
         };
         const ImpactBody before[] = {moving_body(pair.first, pair.shape), moving_body(pair.second, pair.other)};
         ImpactBody after[] = {before[0], before[1]};
@@ -383,10 +376,75 @@ class ImpactQueue {
         if (std::find(changed_.begin(), changed_.end(), i) == changed_.end()) changed_.push_back(i);
     }
 
-    // Searches near the new paths of redirected movers, and recomputes all of their pairs.
-    void follow(double time) {
+    // Searches near the new paths of redirected movers, and recomputes their pairs: all, or those that are not known to
+    // stay apart.
+    void follow(double time, bool only_unknown = false) {
         for (const std::int32_t i : changed_) look_near(i, time);
-        recompute_times(changed_, time);
+        for (const std::int32_t i : changed_)
+            pairs_.for_each_of(i, [&](std::int32_t k) {
+                if (!only_unknown || !(pairs_[k].known.slack > 0)) ask(k);
+            });
+        answer(time);
+    }
+
+    // Joints act in the solver only, so an impact on jointed bodies is left to the next step. Until then what joints
+    // connect goes on as a whole without turning, so that the joints stay closed, with the velocity of its center of
+    // mass after an impact of two masses. Does nothing if the two come nearer by less than the depth of a core.
+    void go_on_straight(std::int32_t k, double time) {
+        const SweptPair pair = pairs_[k];
+        const std::int32_t body_a = s.shapes.links[pair.shape].body, body_b = s.shapes.links[pair.other].body;
+        points_.clear();
+        find_meeting_points(s.bodies, s.shapes, pair.shape, state_of(pair.first, body_a, time), pair.other,
+                            state_of(pair.second, body_b, time), pair.known.axis, scratch_, points_);
+        const MovingState a = on_path(pair.first, body_a, time), b = on_path(pair.second, body_b, time);
+        double approach = 0;
+        for (const ImpactPoint& p : points_)
+            approach = std::max(approach, dot(p.normal, a.v - b.v + math::cross(a.w, p.position - a.x) -
+                                                            math::cross(b.w, p.position - b.x)));
+        pairs_[k].touches = true;
+        const double nearer = approach * (1 - time) * double(dt_);
+        if (!(nearer > core_depth_of(half_width_of(pair.shape, pair.other)))) return;
+        const auto moving_body = [&](std::int32_t mover, std::int32_t body, const MovingState& now) {
+            if (!can_go_straight(mover)) return ImpactBody{now.x, now.v, now.w, 0, {}};
+            return ImpactBody{now.x, velocity_of_assembly(body, time), {}, assemblies_.inverse_mass(body), {}};
+        };
+        ImpactBody both[] = {moving_body(pair.first, body_a, a), moving_body(pair.second, body_b, b)};
+        const ImpactPair smooth{0, 1, int(points_.size())};
+        cairn::collide(both, std::span(&smooth, 1), points_, buffer_);
+        changed_.clear();
+        go_on_straight(pair.first, time, both[0].v);
+        go_on_straight(pair.second, time, both[1].v);
+        follow(time, true);
+    }
+    // Whether a body and those that joints connect with it are free to move as a whole.
+    bool can_go_straight(std::int32_t i) {
+        if (i == none || movers_[i].has_stopped() || movers_[i].carrier != none) return false;
+        return is_awake(s.bodies, s.islands, movers_[i].body) && assemblies_.inverse_mass(movers_[i].body) > 0;
+    }
+    // Mean velocity of the center of mass of what joints connect with a body, on the rest of the paths.
+    DVec3 velocity_of_assembly(std::int32_t body, double time) {
+        DVec3 momentum{};
+        assemblies_.for_each_beside(body, [&](std::int32_t member) {
+            const double mass = 1 / double(s.bodies.mass[member].inverse_mass);
+            momentum += mass * movers_.mean_velocity(mover_at(member, time), time);
+        });
+        return assemblies_.inverse_mass(body) * momentum;
+    }
+    void go_on_straight(std::int32_t i, double time, DVec3 velocity) {
+        if (!can_go_straight(i)) return;
+        ++movers_[i].impacts;
+        assemblies_.for_each_beside(movers_[i].body, [&](std::int32_t body) {
+            const std::int32_t member = mover_at(body, time);
+            end_path(member, time);
+            const DVec3 more = ((1 - time) * double(dt_)) * (velocity - movers_.mean_velocity(member, time));
+            const bool keeps_shape = movers_.go_straight(member, time, velocity);
+            pairs_.for_each_of(member, [&](std::int32_t k) {
+                Separation& known = pairs_[k].known;
+                const double nearer = dot(known.axis, pairs_[k].first == member ? more : -more);
+                known.slack = keeps_shape ? std::max(known.slack - std::max(nearer, 0.0), 0.0) : 0;
+            });
+            note_changed(member);
+        });
     }
 
     // Continues a body with its velocities after the impact.
@@ -412,56 +470,6 @@ class ImpactQueue {
     void look_near(std::int32_t i, double time) {
         movers_[i].is_redirected = true;
         pairs_.find_near(i, time);
-    }
-
-    // Reports an impact. The shapes count as touching until the narrow phase tests them in the next step.
-    void report(const SweptPair& pair, const ImpactOutcome& outcome, double time) {
-        const std::int32_t id = pair.contact;
-        const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // as A of the contact
-        const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
-        const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
-        const ShapeId a = s.shapes.slots.id(first), b = s.shapes.slots.id(second);
-        const BodyId body_a = s.bodies.id(s.shapes.links[first].body),
-                     body_b = s.bodies.id(s.shapes.links[second].body);
-        const bool begins = !pair.has_begun && (id == none || begins_to_touch(std::uint32_t(id), outcome, n));
-        if (begins) s.events.begins.push_back({a, b, body_a, body_b});
-        if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
-        if (outcome.approach < double(s.settings.hit_speed)) return;
-        const DVec3 p = outcome.position;
-        const double moment = time * double(dt_);
-        s.events.hits.push_back({a,
-                                 b,
-                                 body_a,
-                                 body_b,
-                                 {p.x, p.y, p.z},
-                                 {n.x, n.y, n.z},
-                                 float(outcome.approach),
-                                 float(moment),
-                                 outcome.surface_material});
-    }
-    // Writes the struck point to the contact's record. `normal`: from A of the contact. Returns whether touching
-    // begins.
-    bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
-        forget_separation(s.bodies, s.contacts, id); // so that the next step tests the pair in any case
-        bool has_touched = s.contacts.info[id].touching;
-        if (is_group(s.contacts.info[id])) {
-            for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
-                has_touched |= s.contacts.info[p].touching != 0;
-            id = patch_along(s.shapes, s.contacts, id, normal, outcome.surface_material, s.ranks);
-        }
-        s.contacts.info[id].touching = 1;
-        if (s.contacts.info[id].point_count > 0) { // the solver has solved it and reports its impulse
-            step.solver.reports[id].impulse += float(outcome.impulse);
-            return !has_touched;
-        }
-        if (!s.contacts.records.has(id)) return !has_touched;
-        ContactRecord& r = s.contacts.records[id];
-        forget_impulses(r, 0);
-        math::put(r.normal, normal);
-        math::put(r.first_point, math::to_float(outcome.position - s.bodies.motion[s.contacts.info[id].body_a].x));
-        r.first_point[3] = 0;
-        r.first_total = float(outcome.impulse);
-        return !has_touched;
     }
 
     const ImpactContext s;

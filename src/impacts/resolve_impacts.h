@@ -25,8 +25,9 @@ struct ImpactContext {
 
 // Called after the solver has moved all bodies. Considers bodies in free flight, and bodies that have moved so far that
 // their core may have passed another. The earliest meeting changes the velocities of both bodies, which continue from
-// there; the times of their pairs are recomputed, and so on until the end of the step. Jointed bodies, and bodies with
-// too many impacts, stop where they meet: the poses at the start were valid, so that stopping cannot fail. No core
+// there; the times of their pairs are recomputed, and so on until the end of the step. Jointed bodies go on straight,
+// as a whole, until joints act again (docs/decisions/going_straight.md). What joints hold to the ground, and bodies
+// with too many impacts, stop where they meet: the poses at the start were valid, so that stopping cannot fail. No core
 // passes another. Until the end, the broad phase has the boxes of the step's start, which contain all expected paths;
 // then it gets the new ones.
 void resolve_impacts(const ImpactContext& context, StepScratch& step, float dt);

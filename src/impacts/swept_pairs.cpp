@@ -133,7 +133,7 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
 // The search for a meeting starts along the normal of the contact.
 void SweptPairs::set_axis(SweptPair& pair, math::Vec3 normal) const {
     const DVec3 n = math::to_double(normal);
-    pair.axis = in.contacts.info[std::size_t(pair.contact)].shape_a == pair.shape ? n : -n;
+    pair.known.axis = in.contacts.info[std::size_t(pair.contact)].shape_a == pair.shape ? n : -n;
 }
 
 // On several ranks: gets the normals for the pairs that were added last from the owners of their contacts.
@@ -158,7 +158,7 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
     }
     if (pair.second != none && other < shape) {
         std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
-        pair.axis = -pair.axis;
+        pair.known.axis = -pair.known.axis;
     }
     const std::int32_t k = count();
     if (has_axis && in.ranks)
@@ -181,6 +181,7 @@ std::int32_t SweptPairs::add_mover(std::int32_t body) {
         SweptPair& pair = (*this)[k];
         waiting = pair.next_of_second;
         pair.second = mover;
+        pair.known.slack = 0; // its path may be another one than without impacts
         link(k, mover);
     }
     return mover;
@@ -323,7 +324,7 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
         f(other);
     });
     const auto visit = [&](const SweptBounds& swept) {
-        if (swept.mover != mover && meet(bounds, swept.bounds))
+        if (swept.mover != mover && meet(bounds, swept.bounds) && swept.search == movers_[swept.mover].search)
             for_each_shape(in.bodies, in.shapes, movers_[swept.mover].body, f);
     };
     for_each_beside(scratch_.strayed, scratch_.widest_strayed, bounds, [&](const SweptBounds& swept) {
@@ -347,13 +348,17 @@ void SweptPairs::note_swept_bounds(const SweptBounds& swept) {
 
 void SweptPairs::find_near(std::int32_t mover, double from) {
     list_swept_bounds();
-    const DBounds bounds = movers_.swept_bounds(movers_[mover], from);
+    Mover& m = movers_[mover];
+    const DBounds needed = movers_.swept_bounds(m, from);
+    if (m.search > 0 && contains(m.searched, needed)) return;
+    const DBounds bounds = grown(needed, double(in.bodies.links[m.body].inner_radius));
+    m.searched = bounds, ++m.search;
     std::vector<std::uint32_t>& near = scratch_.near; // pairs are added after the query
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     list_pairs_of(mover);
     for (const std::uint32_t other : near) add_near(mover, other);
-    note_swept_bounds({bounds.lo.x, mover, bounds});
+    note_swept_bounds({bounds.lo.x, mover, bounds, movers_[mover].search});
     ask_for_axes();
 }
 
@@ -385,9 +390,9 @@ void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
     });
 }
 
-// Whether the bounding balls of the two bodies stay apart while their centers of mass move straight. The test is cheap,
-// and holds for a third of all pairs.
-bool SweptPairs::stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const {
+// Whether the bounding balls of the two bodies stay apart while their centers of mass move straight: then they do so
+// along the direction between their nearest positions. The test is cheap, and holds for a third of all pairs.
+bool SweptPairs::stay_far_apart(SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const {
     const Geometry& other = in.shapes.geometry[pair.other];
     if (other.type == ShapeType::plane || is_strip(other)) return false; // unbounded
     const double end = std::min(a.until, b.until);
@@ -397,10 +402,15 @@ bool SweptPairs::stay_far_apart(const SweptPair& pair, const RigidPath& a, const
     const DVec3 nearest = start + time * speed;
     const double reach = double(in.bodies.links[in.shapes.links[pair.shape].body].radius) +
                          double(in.bodies.links[in.shapes.links[pair.other].body].radius);
-    return math::dot(nearest, nearest) > reach * reach;
+    const double apart = math::dot(nearest, nearest);
+    if (!(apart > reach * reach)) return false;
+    const DVec3 n = (1 / std::sqrt(apart)) * nearest;
+    pair.known = {n, std::max(math::dot(start + end * speed, n) - reach, 0.0)};
+    return true;
 }
 
 double SweptPairs::time_of(SweptPair& pair, double from) const {
+    pair.known.slack = 0;
     const Mover& first = movers_[pair.first];
     const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
         const std::int32_t body = in.shapes.links[shape].body;
@@ -440,9 +450,9 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
     const bool is_held = pair.is_known && !first.is_free && !(second && second->is_free);
     const Held by = gyrates ? Held::by_nothing : Held::perhaps;
     const Held held = !is_held ? by : pair.touches ? Held::by_struck_contact : Held::by_contact;
-    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.axis);
-    if (turns || catches) return core_time_of_impact(a, b, false, from, pair.axis);
-    return time_of_impact(a, b, held, from, pair.axis);
+    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.known);
+    if (turns || catches) return core_time_of_impact(a, b, false, from, pair.known);
+    return time_of_impact(a, b, held, from, pair.known);
 }
 
 } // namespace cairn

@@ -58,7 +58,7 @@ class SweptPairs {
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
-    bool stay_far_apart(const SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const;
+    bool stay_far_apart(SweptPair& pair, const RigidPath& a, const RigidPath& b, double from) const;
     bool may_collide(std::uint32_t a, std::uint32_t b) const; // by filters and joints
     bool note_trigger(std::uint32_t a, std::uint32_t b);      // whether one of them is a trigger
     bool are_joined(std::int32_t a, std::int32_t b);

@@ -25,11 +25,16 @@ struct Mover {
     bool turns_over = false;    // it turns by more than half a revolution, so its poses do not define the rotation
     bool is_changed = false;    // it is not where the solver has put it
     bool has_strayed = false;   // its path is not within the bounds that the broad phase expected
+    bool is_straight = false;   // it goes on at a constant velocity, without turning, until joints act again
     bool is_redirected = false; // its path differs from that of the solver
     int impacts = 0;
     double until = 1;               // the time when it stops
     std::int32_t first_pair = none; // head of its list in SweepScratch::pairs
     RigidPath path;                 // the current path
+    // Bounds that contain the rest of a redirected mover's path, and in which all shapes near it have been found; and
+    // the number of this search, 0: none yet.
+    DBounds searched;
+    std::int32_t search = 0;
     // For a body with is_guided: its motion relative to what leads it; the kinematic body that carries it, or none.
     RigidPath lead;
     math::DVec3 arm;
@@ -54,8 +59,9 @@ struct SweptPair {
     bool rests = false;          // one lies on the other: forces that press them together do not move them
     bool has_begun = false;      // the shapes began to touch in this step
     bool was_carried = false;    // the first body was carried by the other: a body between two moving ones is crushed
+    bool is_asked = false;       // the time of their meeting is not known at present
     double time = never;         // of their meeting
-    math::DVec3 axis{};          // from the shape to the other at their last nearest positions, or 0
+    Separation known{};          // from the shape to the other
     std::int32_t next_of_first = none, next_of_second = none; // in the lists of both movers
 };
 
@@ -73,6 +79,7 @@ struct SweptBounds {
     double begin; // along x
     std::int32_t mover;
     DBounds bounds;
+    std::int32_t search = 0; // Mover::search
     bool operator<(const SweptBounds& w) const { return std::tie(begin, mover) < std::tie(w.begin, w.mover); }
 };
 
@@ -87,9 +94,11 @@ struct NearShape {
     std::uint32_t shape;
 };
 
-// Bodies connected by joints: a range of SweepScratch::members.
+// Bodies connected by joints: a range of SweepScratch::members, and the inverse of their total mass, 1/kg; 0 if one of
+// them has a joint with a body that forces do not move.
 struct Assembly {
     std::int32_t begin, end;
+    double inverse_mass;
 };
 
 // A pair of the broad phase that may meet: the mover, its shape, the other shape, and their contact.

@@ -17,12 +17,12 @@ inline constexpr std::uint64_t compounds = 0x9ea2ffc13f274923;
 inline constexpr std::uint64_t free_tops = 0x64091c87f3dd8008;
 inline constexpr std::uint64_t explicit_euler = 0x60567e89b5675d6d;
 inline constexpr std::uint64_t whirl = 0xe925ec450b697355;
-inline constexpr std::uint64_t changes = 0xbb3b2180e1b21711;
+inline constexpr std::uint64_t changes = 0x0ba3333b31286c48;
 inline constexpr std::uint64_t all_shapes = 0x9251677d83f79ab8;
 inline constexpr std::uint64_t rounded_shapes = 0x4b81c9a9f719d9d0;
 inline constexpr std::uint64_t surfaces = 0x682c1286d45ab203;
-inline constexpr std::uint64_t all_joints = 0x8e483eb72e2c0f09;
-inline constexpr std::uint64_t chains = 0x07137cf5746a3e11;
-inline constexpr std::uint64_t robots = 0x60c9c55f2eac458f;
+inline constexpr std::uint64_t all_joints = 0x4cce2f2f867980e7;
+inline constexpr std::uint64_t chains = 0xcf91a636f9efc936;
+inline constexpr std::uint64_t robots = 0xc38f76b1df814127;
 
 } // namespace cairn_test::golden

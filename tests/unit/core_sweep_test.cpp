@@ -53,8 +53,8 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
         const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // shorter paths are not swept
         if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
         // The result must not depend on the start of the search.
-        DVec3 axis = random.below(2) ? DVec3{} : random.direction();
-        const double time = cairn::core_time_of_impact(swept(a, path_a), swept(b, path_b), false, 0, axis);
+        cairn::Separation known{random.below(2) ? DVec3{} : random.direction()};
+        const double time = cairn::core_time_of_impact(swept(a, path_a), swept(b, path_b), false, 0, known);
         ++(time <= 1 ? met : missed);
         for (int i = 0; i <= looks; ++i) {
             const double t = double(i) / looks;
@@ -65,6 +65,40 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
     }
     EXPECT_GT(met, 200);
     EXPECT_GT(missed, 500);
+}
+
+// Two shapes that are known to stay apart still do if a linear motion, from any time on, brings them nearer along the
+// axis by less than the slack, and sideways by any distance.
+TEST(CoreSweep, ShapesStayApartWithinTheirSlack) {
+    Random random(5);
+    int shifted = 0, met = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const double way = random.below(2) ? 3 : 0.1, turn = random.below(2) ? 1.5 : 0.1;
+        const Solid a = any_solid(random, 1), b = any_solid(random, random.below(3) ? 1 : 0.1);
+        const RigidPath path_a = random_path(random, {}, way, turn);
+        RigidPath path_b = random_path(random, random.uniform(0.5, 2.5) * random.direction(), way, turn);
+        const auto search = [&](double from, cairn::Separation& known) {
+            return cairn::time_of_impact(swept(a, path_a), swept(b, path_b), cairn::Held::perhaps, from, known);
+        };
+        cairn::Separation known;
+        const double time = search(0, known);
+        if (!(known.slack > 0)) continue;
+        ASSERT_EQ(time, cairn::never);
+        const double from = random.uniform(0, 1), share = random.below(2) ? 0.999 : random.uniform(1, 3);
+        const DVec3 sideways = random.uniform(0, 2) * cross(known.axis, random.direction());
+        const DVec3 last = sideways - (share * known.slack) * known.axis, rate = (1 / (1 - from)) * last;
+        path_b.start -= from * rate, path_b.translation += rate;
+        cairn::Separation later;
+        const double then = search(from, later);
+        if (share > 1) {
+            met += then <= 1;
+            continue;
+        }
+        ++shifted;
+        ASSERT_EQ(then, cairn::never) << k << ": slack " << known.slack << " from " << from;
+    }
+    EXPECT_GT(shifted, 500);
+    EXPECT_GT(met, 50); // beyond the slack they may meet
 }
 
 // Touching pairs, some of them pressed into each other. Until the time of sinking the inner cores (twice as deep as
@@ -101,9 +135,9 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
         if (!(before > 1e-3)) continue;
         // The search begins in any direction, or along the normal of the contact.
-        DVec3 axis = is_known ? r.normal : random.below(2) ? DVec3{} : random.direction();
+        cairn::Separation known{is_known ? r.normal : random.below(2) ? DVec3{} : random.direction()};
         const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b),
-                                                   is_known ? cairn::Held::by_contact : cairn::Held::perhaps, 0, axis);
+                                                   is_known ? cairn::Held::by_contact : cairn::Held::perhaps, 0, known);
         ++(time <= 1 ? sank : stayed);
         const double turned = double(a.geometry.bounding_radius) * length(path_a.turn) +
                               double(b.geometry.bounding_radius) * length(path_b.turn);
@@ -193,8 +227,8 @@ TEST(CoreSweep, WhatOverlapsAndPartsIsNotMetAnew) {
         const DQuat turned = about(random.direction(), random.uniform(0, 0.3)) * start;
         const RigidPath path = RigidPath::between(pushed, start, leaving, turned, from, 1);
         if (distance(core_of(a, {{}, q}, 1), core_of(b, {pushed, start}, 1)) >= 0) continue;
-        DVec3 axis = r.normal;
-        const double time = cairn::time_of_sinking(swept(a, still), swept(b, path), cairn::Held::perhaps, from, axis);
+        cairn::Separation known{r.normal};
+        const double time = cairn::time_of_sinking(swept(a, still), swept(b, path), cairn::Held::perhaps, from, known);
         ++asked, met += time <= from;
     }
     EXPECT_GT(asked, 1000);
@@ -211,8 +245,8 @@ TEST(CoreSweep, WhatLeavesOverAnEdgeMeetsNothing) {
         const DVec3 place{0.08, 0.533, 0.483}, way{1.1, -0.05, 0.37};
         const RigidPath leaving = RigidPath::between(place - from * way, still, place + (1 - from) * way, still),
                         rest = RigidPath::between({}, still, {}, about({0, 0, 1}, turn) * still);
-        DVec3 axis{0, -1, 0};
-        EXPECT_EQ(cairn::time_of_sinking(swept(a, leaving), swept(b, rest), cairn::Held::perhaps, from, axis),
+        cairn::Separation known{{0, -1, 0}};
+        EXPECT_EQ(cairn::time_of_sinking(swept(a, leaving), swept(b, rest), cairn::Held::perhaps, from, known),
                   cairn::never)
             << "turns by " << turn;
     }
