@@ -124,15 +124,16 @@ class ImpactQueue {
         expect(k);
     }
     void meet_jointed(std::int32_t k, double time) {
-        const bool other_is_jointed = is_jointed(pairs_[k].other), was_slow = pairs_[k].second == none;
+        if (is_held(pairs_[k].shape) || is_held(pairs_[k].other)) return end(k, time);
         const std::int32_t body_b = s.shapes.links[pairs_[k].other].body;
-        if (was_slow && (other_is_jointed || can_go_on(body_b))) expect_renewal(mover_at(body_b, time));
-        if ((!is_jointed(pairs_[k].shape) || can_go_straight(pairs_[k].first)) &&
-            (!other_is_jointed || can_go_straight(pairs_[k].second)))
-            return go_on_straight(k, time);
-        if (!was_slow || pairs_[k].second == none) return end(k, time);
-        pairs_[k].touches = true; // what is slow stops if the two still come nearer
-        stop(pairs_[k].first, time);
+        if (pairs_[k].second == none && (is_jointed(pairs_[k].other) || can_go_on(body_b)))
+            expect_renewal(mover_at(body_b, time));
+        go_on_straight(k, time);
+    }
+    // Whether joints hold a body in place, or together with one that does not move in this step any more.
+    bool is_held(std::uint32_t shape) {
+        const std::int32_t body = s.shapes.links[shape].body, i = movers_.of_body(body);
+        return is_jointed(shape) && !(i == none ? can_move_as_a_whole(body) : can_go_straight(i));
     }
     // The bodies go no farther.
     void end(std::int32_t k, double time) {
@@ -158,7 +159,7 @@ class ImpactQueue {
         movers_.carry(i, time, s.shapes.links[pairs_[k].other].body, pairs_[k].known.axis);
         pairs_[k].was_carried = true;
         expect_renewal(i);
-        look_near(i, time);
+        pairs_.find_near(i, time);
         recompute_times(i, time);
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
@@ -379,7 +380,7 @@ class ImpactQueue {
     // Searches near the new paths of redirected movers, and recomputes their pairs: all, or those that are not known to
     // stay apart.
     void follow(double time, bool only_unknown = false) {
-        for (const std::int32_t i : changed_) look_near(i, time);
+        for (const std::int32_t i : changed_) pairs_.find_near(i, time);
         for (const std::int32_t i : changed_)
             pairs_.for_each_of(i, [&](std::int32_t k) {
                 if (!only_unknown || !(pairs_[k].known.slack > 0)) ask(k);
@@ -416,10 +417,13 @@ class ImpactQueue {
         go_on_straight(pair.second, time, both[1].v);
         follow(time, true);
     }
-    // Whether a body and those that joints connect with it are free to move as a whole.
     bool can_go_straight(std::int32_t i) {
-        if (i == none || movers_[i].has_stopped() || movers_[i].carrier != none) return false;
-        return is_awake(s.bodies, s.islands, movers_[i].body) && assemblies_.inverse_mass(movers_[i].body) > 0;
+        return i != none && !movers_[i].has_stopped() && movers_[i].carrier == none &&
+               can_move_as_a_whole(movers_[i].body);
+    }
+    // Whether a body and those that joints connect with it are free to move.
+    bool can_move_as_a_whole(std::int32_t body) {
+        return is_awake(s.bodies, s.islands, body) && assemblies_.inverse_mass(body) > 0;
     }
     // Mean velocity of the center of mass of what joints connect with a body, on the rest of the paths.
     DVec3 velocity_of_assembly(std::int32_t body, double time) {
@@ -466,10 +470,6 @@ class ImpactQueue {
         movers_.redirect(mover, time, now);
         if (is_of_the_two) ++movers_[mover].impacts;
         note_changed(mover);
-    }
-    void look_near(std::int32_t i, double time) {
-        movers_[i].is_redirected = true;
-        pairs_.find_near(i, time);
     }
 
     const ImpactContext s;

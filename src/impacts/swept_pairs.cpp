@@ -349,6 +349,7 @@ void SweptPairs::note_swept_bounds(const SweptBounds& swept) {
 void SweptPairs::find_near(std::int32_t mover, double from) {
     list_swept_bounds();
     Mover& m = movers_[mover];
+    m.is_redirected = true;
     const DBounds needed = movers_.swept_bounds(m, from);
     if (m.search > 0 && contains(m.searched, needed)) return;
     const DBounds bounds = grown(needed, double(in.bodies.links[m.body].inner_radius));
