@@ -30,7 +30,7 @@ std::int32_t Assemblies::of(std::int32_t body) {
     for (std::size_t k = std::size_t(begin); k < scratch_.members.size(); ++k) {
         mass += 1 / double(bodies_.mass[scratch_.members[k]].inverse_mass);
         for_each_joint(bodies_, joints_, scratch_.members[k], [&](std::uint32_t joint, int side) {
-            if (!joints_.info[joint].enabled) return;
+            if (joint_owner(bodies_, joints_.info[joint]) == none) return; // it is not solved
             const std::int32_t other = other_body(joints_.info[joint], side);
             if (other == none || !bodies_.is_dynamic(other))
                 is_held = true;
