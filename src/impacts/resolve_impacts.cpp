@@ -2,9 +2,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/motion_budget.h"
-#include "contacts/contact_record.h"
 #include "contacts/pairs.h"
-#include "contacts/patches.h"
 #include "impacts/impact_law.h"
 #include "impacts/impact_report.h"
 #include "impacts/meeting_points.h"

@@ -85,7 +85,8 @@ TEST(CoreSweep, ShapesStayApartWithinTheirSlack) {
         if (!(known.slack > 0)) continue;
         ASSERT_EQ(time, cairn::never);
         const double from = random.uniform(0, 1), share = random.below(2) ? 0.999 : random.uniform(1, 3);
-        const DVec3 sideways = random.uniform(0, 2) * cross(known.axis, random.direction());
+        const double far = random.uniform(0, 2);
+        const DVec3 sideways = far * cross(known.axis, random.direction());
         const DVec3 last = sideways - (share * known.slack) * known.axis, rate = (1 / (1 - from)) * last;
         path_b.start -= from * rate, path_b.translation += rate;
         cairn::Separation later;
